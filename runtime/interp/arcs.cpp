@@ -154,7 +154,8 @@ void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Targ
         command.feed *= length_by_arc(arc);
     }
     arrive(target);
-    came_from_ = arc.end - arc.normal.cross(arc.end - arc.center);
+    const double climb = arc.normal.dot(arc.end - arc.start) / arc.sweep;
+    came_from_ = arc.end - arc.normal.cross(arc.end - arc.center) - arc.normal * climb;
 }
 
 /// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if

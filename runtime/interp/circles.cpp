@@ -94,6 +94,18 @@ std::nullopt_t Executor::report_arc_words(const Block& block, SlotMask words) {
     return std::nullopt;
 }
 
+/// The point between, in the programmed system.
+Vec3 Executor::through_point(const Block& block) const {
+    Vec3 through = linear(position_.here);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto slot = static_cast<Slot>(static_cast<std::size_t>(Slot::ThroughX) + i);
+        if (!block.has(slot)) continue;
+        double& value = through[static_cast<Eigen::Index>(i)];
+        value = is_distance(block, slot) ? value + block.at(slot) : block.at(slot);
+    }
+    return through;
+}
+
 /// A circle over a point between, in whatever plane the three points lie.
 void Executor::arc_over_point(const Block& block, const Target& target, bool exact_stop) {
     if (!check_feed(block, "arc")) return;
@@ -107,14 +119,7 @@ void Executor::arc_over_point(const Block& block, const Target& target, bool exa
         return;
     }
     const path::ArcEnds ends{linear(position_.here), linear(target.here)};
-    Vec3 through = ends.start;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto slot = static_cast<Slot>(static_cast<std::size_t>(Slot::ThroughX) + i);
-        if (!block.has(slot)) continue;
-        double& value = through[static_cast<Eigen::Index>(i)];
-        value = is_distance(block, slot) ? value + block.at(slot) : block.at(slot);
-    }
-    const Result<path::Arc, path::ArcFault> arc = path::arc_through(ends, through);
+    const Result<path::Arc, path::ArcFault> arc = path::arc_through(ends, through_point(block));
     if (!arc) {
         report(diag::ArcThroughLine, block);
         return;

@@ -11,8 +11,9 @@
 // (machining cycles), patterns.cpp (places at which a cycle is called), panel.cpp and
 // feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a shape that stands in the
 // program), contours.cpp (contours that become tables), splines.cpp, through_splines.cpp,
-// polynomials.cpp, involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along
-// arcs), numbered_spindles.cpp (several spindles), rare_words.cpp and data_input.cpp (rarer words).
+// spline_neighbours.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves),
+// arc_threads.cpp (threads along arcs), numbered_spindles.cpp (several spindles), rare_words.cpp
+// and data_input.cpp (rarer words).
 #pragma once
 
 #include <array>
@@ -261,6 +262,7 @@ class Executor {
     void report_center_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends,
                            const path::Vec3& center);
     // circles.cpp
+    path::Vec3 through_point(const nc::Block& block) const;
     std::optional<path::Arc> arc_by_opening(const nc::Block& block, Target& target);
     std::nullopt_t report_arc_words(const nc::Block& block, nc::SlotMask words);
     void arc_over_point(const nc::Block& block, const Target& target, bool exact_stop);
@@ -576,7 +578,8 @@ class Executor {
     void finish_through(const nc::Block* next);
     std::optional<path::Vec3> direction_into(const nc::Block& next);
     bool frames_change_in(const nc::Block& block) const;
-    std::optional<path::Vec3> tangent_of_arc(const nc::Block& block, const path::Vec3& end) const;
+    std::optional<path::Vec3> way_into(const nc::Block& block);
+    std::optional<path::Vec3> way_into_arc(const nc::Block& block, Target target);
     bool is_in_spline() const { return spline_ || through_; }
     bool leaves_spline_open(const nc::Block& block, const nc::Invocation& invocation) const;
     PoleBlock pole_block(const nc::Block& block, const AxisValues& to);
@@ -586,11 +589,17 @@ class Executor {
     void finish_open_spline(const nc::Block* next = nullptr);
 
     // polynomials.cpp
+    struct Polynomials {
+        Target target;
+        std::vector<path::Pole> poles;  // homogeneous, in the programmed system
+    };
     std::optional<Target> end_of_polynomials(const nc::Block& block);
+    std::optional<Polynomials> polynomials_of(const nc::Block& block);
     void polynomial(const nc::Block& block, const ToolWords& tool, bool exact_stop);
 
     // involutes.cpp
     void involute(const nc::Block& block, const Target& programmed, bool exact_stop);
+    std::optional<path::InvoluteWords> involute_words(const nc::Block& block);
     bool take_involute_end(const nc::Block& block, const path::InvoluteWords& words,
                            Target& target);
     void put_involute(const nc::Block& block, const path::InvoluteWords& words, double radius,

@@ -27,29 +27,35 @@ void Executor::involute(const Block& block, const Target& programmed, bool exact
         report(diag::ArcStretched, block, modal_.motion);
         return;
     }
+    const std::optional<path::InvoluteWords> words = involute_words(block);
+    if (!words) return;
+    Target target = programmed;
+    if (block.has(Slot::Opening) && !take_involute_end(block, *words, target)) return;
+    const auto radius =
+        path::base_radius_through(*words, linear(target.here), rules_.involute_tolerance);
+    if (!radius) return report_involute(block, radius.error());
+    put_involute(block, *words, *radius, target, exact_stop);
+}
+
+/// What the block says of its involute but the end; nothing if it was reported.
+std::optional<path::InvoluteWords> Executor::involute_words(const Block& block) {
     const SlotMask others = block.given & (nc::kThroughSlots | bit(Slot::Turns));
     if (others != 0) {
         report_arc_words(block, others);
-        return;
+        return std::nullopt;
     }
     if (!block.has(Slot::Radius) || (block.given & nc::kCenterSlots) == 0) {
         report(diag::InvoluteWordsMissing, block)
             .arg(block.has(Slot::Radius) ? "centre" : "radius of its base circle");
-        return;
+        return std::nullopt;
     }
     const Vec3 start = linear(position_.here);
     const std::optional<Vec3> center = center_of_arc(block, start);
-    if (!center) return;
+    if (!center) return std::nullopt;
     const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
     const bool is_cw = modal_.motion == Function::InvoluteCw;
-    const path::InvoluteWords words{start, *center, is_cw ? Vec3(-third) : third,
-                                    block.at(Slot::Radius)};
-    Target target = programmed;
-    if (block.has(Slot::Opening) && !take_involute_end(block, words, target)) return;
-    const auto radius =
-        path::base_radius_through(words, linear(target.here), rules_.involute_tolerance);
-    if (!radius) return report_involute(block, radius.error());
-    put_involute(block, words, *radius, target, exact_stop);
+    return path::InvoluteWords{start, *center, is_cw ? Vec3(-third) : third,
+                               block.at(Slot::Radius)};
 }
 
 /// The end of an involute that says the angle under which it is seen from the centre.

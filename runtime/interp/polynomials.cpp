@@ -261,18 +261,16 @@ std::optional<Target> Executor::end_of_polynomials(const Block& block) {
     return target_of(places, targets);
 }
 
-void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_stop) {
-    if (!check_feed(block, "polynomial")) return;
-    leave_corners(diag::CornerNotContour);
-    if (ended_) return;
+/// The control points of the block; nothing if it was reported.
+std::optional<Executor::Polynomials> Executor::polynomials_of(const Block& block) {
     const Invocation* const range_word = block.find(Function::PolynomialRange);
     const double range = range_word != nullptr ? block.argument(*range_word, 0) : 1;
     if (!(range > 0)) {
         report(diag::PolynomialRange, block, Function::PolynomialRange).arg(range);
-        return;
+        return std::nullopt;
     }
-    std::optional<Target> target = end_of_polynomials(block);
-    if (!target) return;
+    const std::optional<Target> target = end_of_polynomials(block);
+    if (!target) return std::nullopt;
     const Invocation* const divisor = block.find(Function::PolynomialWeight);
     Terms weight{1};
     if (divisor != nullptr)
@@ -299,14 +297,27 @@ void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_
     }
     if (degree > kMostDegree) {
         report(diag::PolynomialDegree, block).arg(static_cast<int>(degree));
-        return;
+        return std::nullopt;
     }
-    std::vector<Pole> poles(degree + 1);
+    Polynomials course{*target, std::vector<Pole>(degree + 1)};
     for (std::size_t j = 0; j <= degree; ++j) {
+        Pole& pole = course.poles[j];
         for (std::size_t i = 0; i < 3; ++i)
-            poles[j][static_cast<Eigen::Index>(i)] = bernstein(axes[i], degree, j);
-        poles[j][3] = bernstein(weight, degree, j);
+            pole[static_cast<Eigen::Index>(i)] = bernstein(axes[i], degree, j);
+        pole[3] = bernstein(weight, degree, j);
     }
+    return course;
+}
+
+void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_stop) {
+    if (!check_feed(block, "polynomial")) return;
+    leave_corners(diag::CornerNotContour);
+    if (ended_) return;
+    std::optional<Polynomials> course = polynomials_of(block);
+    if (!course) return;
+    Target* const target = &course->target;
+    std::vector<Pole>& poles = course->poles;
+    const std::size_t degree = poles.size() - 1;
     std::vector<Piece> positive;
     if (!cut_to_positive({std::move(poles)}, kMostCuts, positive)) {
         report(diag::PolynomialZero, block);

@@ -5,8 +5,6 @@
 // every other axis goes in proportion to the way (SPATH; SINUMERIK reference 4.4).
 #include <bit>
 
-#include <Eigen/Geometry>
-
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
 #include "interp/linear.h"
@@ -151,7 +149,8 @@ void Executor::finish_through(const Block* next) {
     if (end.kind == SplineEnd::Kind::Tangent) {
         const auto direction = next != nullptr ? direction_into(*next) : std::nullopt;
         if (!direction) {
-            report(diag::SplineNoDirection, spline_end_).arg("behind");
+            // What is wrong with the block itself was said.
+            if (!ended_) report(diag::SplineNoDirection, spline_end_).arg("behind");
             through_.reset();
             return;
         }
@@ -161,71 +160,6 @@ void Executor::finish_through(const Block* next) {
     move_through();
     put_said_before(SplineSaid::kBehindAll);
     through_.reset();
-}
-
-/// The direction, in the base system, in which a block leaves the place of the tool: that of a line
-/// or of an arc in the plane.
-std::optional<Vec3> Executor::direction_into(const Block& next) {
-    const SlotMask targets = next.given & nc::kTargetSlots;
-    const bool is_moved = targets != 0 && (next.given & nc::kPolarSlots) == 0;
-    if (!is_moved || frames_change_in(next)) return std::nullopt;
-    const Target target = target_in(next, targets);
-    const Vec3 start = linear(position_.here);
-    const bool is_line = next.motion == Function::Line || next.motion == Function::Rapid;
-    Vec3 way = linear(target.here) - start;
-    if (is_arc(next.motion)) {
-        const auto tangent = tangent_of_arc(next, linear(target.here));
-        if (!tangent) return std::nullopt;
-        way = *tangent;
-    } else if (!is_line) {
-        return std::nullopt;
-    }
-    return direction_of(frames_.total().direction(way));
-}
-
-/// Whether the block changes where places are: its direction is not known before it is executed.
-bool Executor::frames_change_in(const Block& block) const {
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        switch (block.functions[i].function) {
-            case Function::WorkOffset:
-            case Function::MachineCoordinates:
-            case Function::Shift:
-            case Function::ShiftAdd:
-            case Function::Rotate:
-            case Function::Scale:
-            case Function::Mirror:
-            case Function::PlaneXy:
-            case Function::PlaneZx:
-            case Function::PlaneYz:
-            case Function::DiameterOn:
-            case Function::DiameterOff: return true;
-            default: break;
-        }
-    }
-    return false;
-}
-
-/// Where an arc that a block says leaves the place of the tool, in the programmed system.
-std::optional<Vec3> Executor::tangent_of_arc(const Block& block, const Vec3& end) const {
-    const bool is_cw = block.motion == Function::ArcCw;
-    const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
-    const Vec3 start = linear(position_.here);
-    if (block.has(Slot::Radius)) {
-        const auto arc =
-            path::arc_of_radius({start, end}, block.at(Slot::Radius), {modal_.plane, is_cw, 0});
-        if (!arc) return std::nullopt;
-        return Vec3(arc->normal.cross(start - arc->center));
-    }
-    if ((block.given & nc::kCenterSlots) == 0) return std::nullopt;
-    Vec3 out = Vec3::Zero();  // from the centre to the start
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
-        const auto k = static_cast<Eigen::Index>(i);
-        if (!block.has(slot)) continue;
-        out[k] = (block.absolute & bit(slot)) != 0 ? start[k] - block.at(slot) : -block.at(slot);
-    }
-    out -= out.dot(third) * third;
-    return Vec3((is_cw ? Vec3(-third) : third).cross(out));
 }
 
 // ------------------------------------------------------------------------------ any spline

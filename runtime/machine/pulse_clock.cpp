@@ -22,6 +22,10 @@ PulseWindow pulse_window(const PulseClock& clock, std::int64_t k) {
     return {before + clock.least, before + clock.most};
 }
 
+std::int64_t best_tick(const PulseClock& clock, std::int64_t k) {
+    return k == 1 ? clock.nominal : pulse_window(clock, k).first;
+}
+
 std::int64_t pulse_at_or_after(const PulseClock& clock, std::int64_t ticks) {
     const std::int64_t beyond = std::max<std::int64_t>(0, ticks - clock.most);
     return 1 + (beyond + clock.nominal - 1) / clock.nominal;

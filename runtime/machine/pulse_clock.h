@@ -35,6 +35,13 @@ struct PulseWindow {
 /// The window of the k-th pulse, k ≥ 1.
 PulseWindow pulse_window(const PulseClock& clock, std::int64_t k);
 
+/// The tick of the k-th window at which a point is burnt best. A single interval lies between two
+/// working pulses, whose energy is that of the nominal frequency. Of several the first one ends
+/// with an empty pulse, and that may come early.
+///
+/// source: the laser dissertation, condition 2 of its Fig. 11; reference motion §3.3
+std::int64_t best_tick(const PulseClock& clock, std::int64_t k);
+
 /// The first window that ends `ticks` or later after the last pulse.
 std::int64_t pulse_at_or_after(const PulseClock& clock, std::int64_t ticks);
 

@@ -24,8 +24,8 @@ void LookAhead::append(const Stretch& stretch) {
     Node& fresh = node(count_++);
     fresh = node_of(stretch);
     fresh.limit = std::min({fresh.corner, last_speed_, fresh.speed});
-    last_ = fresh.most;
-    last_speed_ = fresh.has_course ? fresh.exit_feed : fresh.speed;
+    last_ = fresh;
+    last_speed_ = fresh.exit_speed(overrides_);
     pieces_ += stretch.pieces;
 }
 
@@ -37,16 +37,14 @@ LookAhead::Node LookAhead::node_of(const Stretch& stretch) const {
     fresh.pieces = stretch.pieces;
     fresh.gain = 2 * stretch.acceleration * stretch.length;
     fresh.most = stretch.most();
-    const double speed = fresh.most.speed_at(overrides_);
-    fresh.speed = speed * speed;
     fresh.corner = stretch.entry_limit * stretch.entry_limit;
     if (stretch.has_course()) {
         fresh.has_course = true;
         fresh.entry_feed = stretch.entry_feed * stretch.entry_feed;
         fresh.exit_feed = stretch.exit_feed * stretch.exit_feed;
         fresh.corner *= fresh.entry_feed;
-        fresh.speed = fresh.entry_feed;
     }
+    fresh.speed = fresh.entry_speed(overrides_);
     return fresh;
 }
 
@@ -68,6 +66,16 @@ void LookAhead::grow() {
     cells_ = std::move(cells);
     mask_ = nodes_.size() - 1;
     first_ = 0;
+}
+
+double LookAhead::Node::entry_speed(const Overrides& overrides) const {
+    const double own = most.speed_at(overrides);
+    return own * own * (has_course ? entry_feed : 1);
+}
+
+double LookAhead::Node::exit_speed(const Overrides& overrides) const {
+    const double own = most.speed_at(overrides);
+    return own * own * (has_course ? exit_feed : 1);
 }
 
 double LookAhead::Node::reach(double other) const {
@@ -153,13 +161,11 @@ void LookAhead::set_overrides(const Overrides& overrides) {
     double before = 0;  // the entry of the oldest stretch is behind: its limit has no say
     for (std::size_t i = 0; i < count_; ++i) {
         Node& current = node(i);
-        const double speed = current.most.speed_at(overrides);
-        current.speed = speed * speed;
+        current.speed = current.entry_speed(overrides);
         current.limit = std::min({current.corner, before, current.speed});
-        before = current.speed;
+        before = current.exit_speed(overrides);
     }
-    const double last = last_.speed_at(overrides);
-    last_speed_ = last * last;
+    last_speed_ = last_.exit_speed(overrides);
     planned_ = 0;
     takeable_ = 0;
 }

@@ -80,6 +80,9 @@ class LookAhead {
         double entry_feed = 0;  // squared as well
         double exit_feed = 0;
 
+        /// The speeds allowed inside at its ends, under overrides.
+        double entry_speed(const Overrides& overrides) const;
+        double exit_speed(const Overrides& overrides) const;
         /// The speed allowed at one end by that at the other.
         double reach(double other) const;
         double entry_by(double after) const;
@@ -105,8 +108,8 @@ class LookAhead {
     std::size_t pieces_ = 0;    // of all nodes
     std::size_t planned_ = 0;   // nodes whose `backward` holds
     std::size_t takeable_ = 0;  // nodes that may go before the next backward pass
-    OverriddenSpeed last_;      // of the last stretch appended
-    double last_speed_ = 0;     // squared, the same under the overrides
+    Node last_;                 // appended last
+    double last_speed_ = 0;     // squared, inside of it at its end
     double reached_ = 0;        // squared, entry speed of the oldest stretch
     Overrides overrides_;
     bool is_finished_ = false;

@@ -15,7 +15,14 @@ Piece part_of(const Piece& whole, double from, double to, const AxisTable& axes)
         piece.segment.ends_command = false;
         piece.segment.has_pulse = false;
     }
+    if (whole.course.is_on())
+        piece.course = course_of(path::feed_from(whole.course.feed, from), piece.length);
     return piece;
+}
+
+Piece part_between(const Piece& whole, double from, double to, const AxisTable& axes) {
+    if (!whole.course.is_on()) return part_of(whole, from, to, axes);
+    return part_of(whole, place_at(whole.course, from), place_at(whole.course, to), axes);
 }
 
 }  // namespace kadr::motion

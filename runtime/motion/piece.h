@@ -43,12 +43,16 @@ struct Piece {
     bool has_dynamics = false;     // the program says what of their limits the axes have
     BentCell cell;
     FeedCourse course;  // is_on: the feed changes along it
+    /// As a Stretch counts it: mm (deg), or s of its course.
+    double extent() const { return course.is_on() ? course.time : length; }
     AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;
 };
 
 /// A part of a piece between two lengths of its path; in itself it has no corner.
 Piece part_of(const Piece& whole, double from, double to, const AxisTable& axes);
+/// The same between two of its extents.
+Piece part_between(const Piece& whole, double from, double to, const AxisTable& axes);
 
 /// Pieces between preparation and delivery: a ring that grows to the length of the look-ahead.
 class PieceRing {

@@ -85,6 +85,8 @@ void Planner::State::hand_on(const Piece& piece, double exit_limit) {
         const RateLimits rate = rate_limits(course, piece.acceleration, piece.jerk);
         stretch.length = course.time;
         stretch.speed = 1;
+        // The course is that of the highest override.
+        if (std::isfinite(piece.feed_asked)) stretch.feed_asked = piece.programmed / course.most;
         stretch.acceleration = rate.acceleration;
         stretch.entry_feed = course.entry();
         stretch.exit_feed = course.exit();
@@ -116,6 +118,13 @@ void Planner::State::append_complete() {
     gathered.clear();
 }
 
+/// Speeds along the path in the unit of a stretch; at most its own, but for rounding.
+JunctionSpeeds own_speeds(const Stretch& stretch, const JunctionSpeeds& speeds) {
+    if (!stretch.has_course()) return speeds;
+    return {std::min(stretch.speed, speeds.entry / stretch.entry_feed),
+            std::min(stretch.speed, speeds.exit / stretch.exit_feed)};
+}
+
 /// The oldest stretch of the look-ahead with its speeds, and the profile that it has by itself.
 PlannedStretch Planner::State::take_stretch() {
     PlannedStretch next;
@@ -126,11 +135,7 @@ PlannedStretch Planner::State::take_stretch() {
     stretches.pop_front();
     const Stretch& limits = next.limits;
     if (std::isinf(limits.jerk)) return next;
-    JunctionSpeeds ends = next.speeds;
-    if (limits.has_course()) {
-        ends.entry = std::min(1.0, ends.entry / limits.entry_feed);
-        ends.exit = std::min(1.0, ends.exit / limits.exit_feed);
-    }
+    const JunctionSpeeds ends = own_speeds(limits, next.speeds);
     const auto whole =
         seven_phases(limits.length, ends.entry, ends.exit,
                      {limits.speed, limits.acceleration, limits.acceleration, limits.jerk});
@@ -224,7 +229,7 @@ void Planner::State::plan(Piece& piece, bool is_last) {
     if (piece.is_cell) {
         segment.profile = profile_over(piece.cell, speeds.entry, speeds.exit);
     } else if (given) {
-        segment.profile = *given;
+        segment.profile = piece.course.is_on() ? over_course(*given, piece.course) : *given;
     } else if (piece.course.is_on()) {
         plan_course(piece, is_last);
     } else if (std::isinf(current.jerk)) {

@@ -98,6 +98,8 @@ void Planner::State::deliver(Segment& segment) {
         const bool is_limited = max_feed > 0 && !segment.turns_only;
         segment.feed = std::min(dial * piece.programmed, is_limited ? max_feed : kInfinity);
         segment.feed_per_revolution *= dial / options.feed_override;
+        if (piece.course.is_on())
+            segment.feed = piece.length / piece.course.time * dial / options.feed_override;
     }
     if (std::isfinite(piece.rapid_asked)) segment.feed = panel.dials().rapid * piece.programmed;
     pieces.pop_front();
@@ -158,56 +160,61 @@ bool Planner::State::wait(Segment& segment) {
 void Planner::State::begin_operated() {
     current = stretches.front();
     stretches.pop_front();
-    const PathMoment at{lookahead.reached(), start.acceleration};
+    const PathMoment at{lookahead.reached() / current.entry_scale(), start.acceleration};
     start.acceleration = 0;
     given.reset();
     rest_follows = false;
     Stretch now = current;
     now.speed = current.most().speed_at(panel.acting());
-    const double exit_limit = lookahead.exit_limit();
+    const double exit_limit = lookahead.exit_limit() / current.exit_scale();
     const bool moves = current.length > 0;
     const auto answer = moves ? reaction(at, now, exit_limit) : std::nullopt;
     speeds = lookahead.take();
     left = current.pieces;
-    if (answer) {
-        speeds.exit = answer->exit_speed;
+    if (answer && answer->length < current.length) {
+        split_current(answer->length, answer->exit_speed);
+    } else if (answer) {
+        speeds.exit = answer->exit_speed * current.exit_scale();
         lookahead.depart(speeds.exit);
-        if (answer->length < current.length) split_current(answer->length);
     }
     if (!moves) return;
     const ProfileLimits limits{now.speed, now.acceleration, now.acceleration, now.jerk};
+    const JunctionSpeeds ends = own_speeds(now, speeds);
     if (std::isinf(now.jerk)) {
-        const auto sharp = trapezoid(now.length, speeds.entry, speeds.exit, limits);
+        const auto sharp = trapezoid(now.length, ends.entry, ends.exit, limits);
         KADR_ASSERT(answer || sharp.has_value(),
                     "the look-ahead promised a ramp that does not fit");
         given = answer ? *answer : *sharp;
         return;
     }
     const auto smooth = answer ? Result<Profile, ProfileFault>(*answer)
-                               : seven_phases(now.length, speeds.entry, speeds.exit, limits);
+                               : seven_phases(now.length, ends.entry, ends.exit, limits);
     KADR_ASSERT(smooth.has_value(), "the look-ahead promised a smooth ramp that does not fit");
     cut = ProfileCut(*smooth);
 }
 
-/// The current stretch ends behind this length, in a piece of its own; the rest follows.
-void Planner::State::split_current(double length) {
+/// The current stretch ends behind this length, in a piece of its own and at this speed; the rest
+/// follows.
+void Planner::State::split_current(double length, double exit_speed) {
     std::size_t count = 0;
     double to = length;  // from the start of the piece `count`
-    while (count + 1 < current.pieces && to > pieces.at(count).length - kSamePlace)
-        to -= pieces.at(count++).length;
+    while (count + 1 < current.pieces && to > pieces.at(count).extent() - kSamePlace)
+        to -= pieces.at(count++).extent();
     Stretch rest = current;
     rest.entry_limit = current.speed;
     rest.entry_acceleration = kInfinity;
     rest.length -= length;
     if (to > kSamePlace) {
         const Piece whole = pieces.at(count);
-        pieces.insert(count) = part_of(whole, 0, to, axes);
-        pieces.at(count + 1) = part_of(whole, to, whole.length, axes);
+        pieces.insert(count) = part_between(whole, 0, to, axes);
+        pieces.at(count + 1) = part_between(whole, to, whole.extent(), axes);
         ++count;
         ++rest.pieces;
     }
     rest.pieces -= count;
+    if (rest.has_course()) rest.entry_feed = current.exit_feed = pieces.at(count).course.entry();
     stretches.push_front(rest);
+    speeds.exit = exit_speed * rest.entry_scale();
     lookahead.put_back(rest, speeds.exit);
     current.length = length;
     current.pieces = left = count;
@@ -215,22 +222,25 @@ void Planner::State::split_current(double length) {
     rest_follows = std::isfinite(current.jerk);
 }
 
-/// The current stretch, as far as it is not delivered, is to be begun anew, in this state.
+/// The current stretch, as far as it is not delivered, is to be begun anew, in this state, which is
+/// told in the stretch's own unit.
 void Planner::State::interrupt(const PathMoment& moment) {
     Stretch rest = current;
     rest.entry_limit = current.speed;
     rest.entry_acceleration = kInfinity;
     rest.pieces = left;
     rest.length = 0;
-    for (std::size_t i = 0; i < left; ++i) rest.length += pieces.at(i).length;
+    for (std::size_t i = 0; i < left; ++i) rest.length += pieces.at(i).extent();
+    if (rest.has_course()) rest.entry_feed = pieces.front().course.entry();
     if (rest_follows) {
         rest.length += stretches.front().length;
+        rest.exit_feed = stretches.front().exit_feed;
         rest.pieces += stretches.front().pieces;
         stretches.pop_front();
         lookahead.drop();
     }
     stretches.push_front(rest);
-    lookahead.put_back(rest, moment.speed);
+    lookahead.put_back(rest, moment.speed * rest.entry_scale());
     start = moment;
     left = 0;
 }
@@ -242,22 +252,26 @@ void Planner::State::interrupt(const PathMoment& moment) {
 bool Planner::State::run_for(double passed, Segment& segment) {
     Piece& piece = pieces.front();
     const double time = totals.time + passed;
-    const Profile profile = piece.segment.profile;
+    const Profile whole_profile = piece.segment.profile;
+    const Profile profile = whole_profile.has_course() ? rate_of(whole_profile) : whole_profile;
     const ProfileState state = state_at(profile, passed);
-    if (state.distance > piece.length - kSamePlace) {
+    if (state.distance > piece.extent() - kSamePlace) {
         deliver(segment);
         return true;
     }
     const bool is_begun = state.distance > kSamePlace;
-    PathMoment moment{profile.entry_speed, profile.entry_acceleration};
+    const bool is_smooth = std::isfinite(current.jerk);
+    PathMoment moment{profile.entry_speed, is_smooth ? profile.entry_acceleration : 0};
     if (is_begun) {
-        moment = {state.speed, profile.is_smooth ? state.acceleration : 0};
+        moment = {state.speed, is_smooth ? state.acceleration : 0};
         const Piece whole = piece;
-        pieces.insert(0) = part_of(whole, 0, state.distance, axes);
-        pieces.at(1) = part_of(whole, state.distance, whole.length, axes);
+        pieces.insert(0) = part_between(whole, 0, state.distance, axes);
+        pieces.at(1) = part_between(whole, state.distance, whole.extent(), axes);
         ++left;
+        const FeedCourse& course = pieces.front().course;
         Segment& head = pieces.front().segment;
         head.profile = head_of(profile, passed);
+        if (course.is_on()) head.profile = over_course(head.profile, course);
         head.duration = passed;
         deliver(segment);
     }

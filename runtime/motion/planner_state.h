@@ -20,6 +20,8 @@
 
 namespace kadr::motion {
 
+JunctionSpeeds own_speeds(const Stretch& stretch, const JunctionSpeeds& speeds);
+
 struct Planner::State {
     State(Stream<path::Command>& commands, const machine::Machine& machine,
           const PlannerOptions& options_in, DiagnosticSink& sink_in)
@@ -67,7 +69,7 @@ struct Planner::State {
     bool goes_through();
     bool wait(Segment& segment);
     void begin_operated();
-    void split_current(double length);
+    void split_current(double length, double exit_speed);
     void interrupt(const PathMoment& moment);
     bool run_for(double passed, Segment& segment);
     bool stand_for(Segment& segment);
@@ -94,7 +96,8 @@ struct Planner::State {
     LossTrace losses;
     SpindleAngle spindle_angle;
     double acknowledged = 0;       // s, all that was issued so far
-    PathMoment start;              // in it the oldest stretch begins; its speed the look-ahead has
+    PathMoment start;              // in it the oldest stretch begins, in the unit of its stretch;
+                                   // its speed the look-ahead has
     std::optional<Profile> given;  // of the current stretch, if its jerk is not limited
     bool rest_follows = false;     // of the current stretch: it is the oldest one
     std::uint32_t line = 0;        // of the block that was begun last

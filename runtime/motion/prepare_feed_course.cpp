@@ -1,8 +1,8 @@
 // prepare_feed_course.cpp — motions whose feed changes along them.
 //
 // Where the axes can follow the feed, a piece has it as its course (feed_course.h). Where they
-// cannot, or an operator or the pulses of a laser may change the speed meanwhile, it goes in steps:
-// short pieces, each with the least feed on it, whose limits are those of any other piece.
+// cannot, or the pulses of a laser change the speed meanwhile, it goes in steps: short pieces, each
+// with the least feed on it, whose limits are those of any other piece.
 #include <algorithm>
 #include <cmath>
 
@@ -121,7 +121,7 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
 std::optional<FeedCourse> Preparer::State::course_on(const PathLimits& limits,
                                                      const path::FeedPolynomial& feed,
                                                      double length) const {
-    if (!options.events.empty() || has_pulses()) return std::nullopt;
+    if (has_pulses()) return std::nullopt;
     const FeedCourse course = course_of(feed, length);
     if (course.acceleration > kOfAcceleration * limits.acceleration) return std::nullopt;
     if (course.jerk > kOfJerk * limits.jerk) return std::nullopt;

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "motion/corner.h"
 #include "motion/feed.h"
 #include "motion/prepare_state.h"
 #include "motion/rounding.h"
@@ -23,25 +23,17 @@ using path::Op;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of the jump of an axis' velocity that a corner could have, what is left beside ramps, and of the
-/// acceleration what is left to them.
-constexpr double kJumpBesideRamps = 0.42;
-constexpr double kRampBesideJump = 0.9;
-/// The same of an axis' jerk, where the curvature jumps.
-constexpr double kJerkBesideRamps = 0.5;
-
 /// A curve around a corner, and the corner as it is.
 struct Alternative {
     double way = 0;       // mm of the curve on either side
     double on_curve = 0;  // speed there
-    double at_corner = 0;
+    CornerPassage corner;
     double half = 0;  // of the shorter one of both motions, mm
 };
 
 /// Whether the curve takes less time than the corner, which may be passed or be a stop. Ramps end
 /// in the middles of both motions.
 bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& beside) {
-    const double most = std::min(beside[0].speed, beside[1].speed);
     double on_curve = 0;
     double through_corner = 0;
     double with_stop = 0;
@@ -50,8 +42,9 @@ bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& besid
         on_curve += curve.way / curve.on_curve +
                     time_over(curve.half - curve.way, curve.on_curve, limits.speed, ramp);
         with_stop += time_over(curve.half, 0, limits.speed, ramp);
-        if (curve.at_corner < most) ramp.acceleration *= kRampBesideJump;
-        through_corner += time_over(curve.half, curve.at_corner, limits.speed, ramp);
+        ramp.acceleration *= curve.corner.ramp;
+        ramp.jerk *= curve.corner.jerk_share;
+        through_corner += time_over(curve.half, curve.corner.speed, limits.speed, ramp);
     }
     return on_curve < std::min(through_corner, with_stop);
 }
@@ -140,8 +133,9 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     const double most = std::min(beside[0].speed, beside[1].speed);
     const double on_curve =
         std::min(least_speed(before, held.segment, most), least_speed(behind, segment, most));
-    const double at_corner = corner_estimate(held.segment, segment, beside);
-    if (!saves_time({found->way, on_curve, at_corner, std::min(held.length, length) / 2}, beside))
+    const CornerPassage corner =
+        corner_between({held.segment, held.length, beside[0]}, {segment, length, beside[1]});
+    if (!saves_time({found->way, on_curve, corner, std::min(held.length, length) / 2}, beside))
         return release(), 0;
     held.is_held = false;
     emit_part(held.command, held.segment, held.length, {held.from, held.length - found->way});
@@ -156,7 +150,7 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
 /// it takes less time than the corner.
 std::optional<TurnedRounding> Preparer::State::rounded_turn(const Command& command,
                                                             const TurningWay& before,
-                                                            const TurningWay& behind) const {
+                                                            const TurningWay& behind) {
     const path::Blending& wish = held.command.blending;
     if (wish.kind == path::BlendKind::None || !(wish.size > 0)) return std::nullopt;
     const auto found = turned_rounding(axes.chain(), before, wish, behind, command.blending);
@@ -168,9 +162,11 @@ std::optional<TurnedRounding> Preparer::State::rounded_turn(const Command& comma
     double on_curve = std::min(beside[0].speed, beside[1].speed);
     for (const Segment& piece : found->pieces)
         on_curve = std::min(on_curve, axes.limits(piece, axes.start_rates(piece), on_curve).speed);
-    const double at_corner = corner_estimate(tail, head, beside);
-    const double half = std::min(held.length, behind.whole().turn.length) / 2;
-    const bool is_quicker = saves_time({found->way, on_curve, at_corner, half}, beside);
+    const double length = behind.whole().turn.length;
+    const CornerPassage corner =
+        corner_between({tail, held.length, beside[0]}, {head, length, beside[1]});
+    const double half = std::min(held.length, length) / 2;
+    const bool is_quicker = saves_time({found->way, on_curve, corner, half}, beside);
     return is_quicker ? found : std::nullopt;
 }
 
@@ -217,34 +213,42 @@ double Preparer::State::least_speed(std::span<const path::Curve> curves, const S
     return most;
 }
 
-/// About how fast the corner would be passed as it is: the rules of prepare_corners.cpp, of which
-/// the shares depend on more than the corner.
-double Preparer::State::corner_estimate(const Segment& before, const Segment& behind,
-                                        const std::array<PathLimits, 2>& beside) const {
-    const std::size_t n = axes.size();
-    const AxisRates in = axes.end_rates(before);
-    const AxisRates out = axes.start_rates(behind);
-    double speed = std::min(beside[0].speed, beside[1].speed);
-    if (options.corner_rule == CornerRule::AxisJump) {
-        speed = std::min(speed, kJumpBesideRamps * axis_jump_speed({in.data(), n}, {out.data(), n},
-                                                                   {jump.data(), n}));
-    } else {
-        const path::Vec3 from = path::evaluate(before.curve, path::length(before.curve)).tangent;
-        const path::Vec3 to = path::evaluate(behind.curve, 0).tangent;
-        const double least = std::min(beside[0].acceleration, beside[1].acceleration);
-        speed =
-            std::min(speed, junction_deviation_speed(from, to, options.junction_deviation, least));
-    }
-    if (!axes.limits_jerk()) return speed;
-    const AxisRates bend_in = axes.end_bends(before);
-    const AxisRates bend_out = axes.start_bends(behind);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double change = std::abs(bend_out[i] - bend_in[i]);
-        if (change == 0) continue;
-        speed = std::min(speed,
-                         std::sqrt(kJerkBesideRamps * axes.jerk(i) * tick / (kJumpBell * change)));
-    }
-    return speed;
+/// How the corner between the motion that waits and the next one would be passed as it is, by the
+/// rules of prepare_corners.cpp.
+CornerPassage Preparer::State::corner_between(const Beside& before, const Beside& behind) {
+    Piece piece;
+    piece.segment = behind.segment;
+    piece.length = behind.length;
+    piece.speed = behind.limits.speed;
+    piece.acceleration = behind.limits.acceleration;
+    piece.jerk = behind.limits.jerk;
+    piece.turning_acceleration = behind.limits.turning_acceleration;
+    piece.rates = axes.start_rates(behind.segment);
+    piece.loads = axes.loads(behind.segment, piece.rates);
+
+    CornerMemory memory;
+    memory.rates = axes.end_rates(before.segment);
+    memory.loads = axes.loads(before.segment, axes.start_rates(before.segment));
+    memory.is_bent = !is_straight(before.segment);
+    if (axes.limits_jerk() && memory.is_bent) memory.bends = axes.end_bends(before.segment);
+    memory.dynamics = dynamics;
+    memory.is_plain = is_plain;
+    memory.length = before.length;
+    memory.speed = before.limits.speed;
+    memory.acceleration = before.limits.acceleration;
+    memory.jerk = before.limits.jerk;
+    memory.must_stop = false;
+    if (options.corner_rule == CornerRule::JunctionDeviation)
+        memory.direction =
+            path::evaluate(before.segment.curve, path::length(before.segment.curve)).tangent;
+
+    std::swap(last, memory);
+    piece.entry_limit = corner_speed(behind.segment, piece.rates, piece.acceleration);
+    take_corner(piece);
+    if (axes.limits_jerk()) take_bend(piece);
+    std::swap(last, memory);
+    return {std::min({piece.entry_limit, piece.speed, before.limits.speed}), piece.ramp,
+            piece.jerk_share};
 }
 
 }  // namespace kadr::motion

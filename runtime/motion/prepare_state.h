@@ -69,6 +69,21 @@ struct Emission {
     const FeedCourse* course = nullptr;  // … or this one
 };
 
+/// How a corner is passed: so fast, with this part of the acceleration and of the jerk left to the
+/// ramps beside it. 0: at rest.
+struct CornerPassage {
+    double speed = 0;
+    double ramp = 1;
+    double jerk_share = 1;
+};
+
+/// What is beside a corner.
+struct Beside {
+    const Segment& segment;
+    double length = 0;  // of the whole motion
+    PathLimits limits;
+};
+
 /// So much of the way of a motion whose feed changes along it has become pieces.
 struct LawfulWay {
     double done = 0;
@@ -183,15 +198,13 @@ struct Preparer::State {
                         const Arrival& arrival);
     double round_turned_corner(const path::Command& command, const Segment& segment, double length);
     std::optional<TurnedRounding> rounded_turn(const path::Command& command,
-                                               const TurningWay& before,
-                                               const TurningWay& behind) const;
+                                               const TurningWay& before, const TurningWay& behind);
     void emit_rest(const path::Command& command, const Segment& whole, double length, double from);
     bool is_one_way(const Segment& whole, const path::Vec3& to) const;  // prepare_transformed.cpp
     PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;
     double least_speed(std::span<const path::Curve> curves, const Segment& whole,
                        double most) const;
-    double corner_estimate(const Segment& before, const Segment& behind,
-                           const std::array<PathLimits, 2>& beside) const;
+    CornerPassage corner_between(const Beside& before, const Beside& behind);
 
     void alarm_raised();
 

@@ -81,7 +81,8 @@ Profile in_phases(const Profile& trapezoid) {
     return profile;
 }
 
-/// The run of phases of the rate, over the course's time.
+}  // namespace
+
 Profile rate_of(const Profile& profile) {
     const Profile::Rate& own = *profile.rate;
     Profile rate = profile;
@@ -90,19 +91,18 @@ Profile rate_of(const Profile& profile) {
     rate.entry_speed = own.entry;
     rate.exit_speed = own.exit;
     rate.entry_acceleration = own.entry_acceleration;
-    rate.acceleration = rate.deceleration = own.acceleration;
+    rate.acceleration = own.acceleration;
+    rate.deceleration = own.deceleration;
     rate.jerk = own.jerk;
     return rate;
 }
-
-}  // namespace
 
 Profile over_course(const Profile& rate, const FeedCourse& course) {
     const Profile phased = rate.is_smooth ? rate : in_phases(rate);
     Profile profile = phased;
     profile.rate = std::make_shared<const Profile::Rate>(
         Profile::Rate{course, phased.entry_speed, phased.entry_acceleration, phased.exit_speed,
-                      phased.acceleration, phased.jerk});
+                      phased.acceleration, phased.deceleration, phased.jerk});
     profile.length = course.length;
     profile.entry_speed = course.entry() * phased.entry_speed;
     profile.exit_speed = course.exit() * phased.exit_speed;

@@ -60,6 +60,7 @@ struct Profile {
         double entry_acceleration = 0;
         double exit = 0;
         double acceleration = 0;
+        double deceleration = 0;
         double jerk = std::numeric_limits<double>::infinity();
     };
     std::shared_ptr<const Rate> rate;  // hardly a piece has one
@@ -155,6 +156,8 @@ inline ProfileState advanced(const ProfileState& from, const Phase& phase, doubl
 
 /// The profile over a piece with such a feed by the one of its rate, over its time.
 Profile over_course(const Profile& rate, const FeedCourse& course);
+/// … and back: the profile of the rate of one that has a course.
+Profile rate_of(const Profile& profile);
 ProfileState state_on_course(const Profile& profile, double time);
 
 /// `state_at` of a run of phases. At most seven are added up, so nothing accumulates over pieces.

@@ -72,6 +72,9 @@ struct Stretch {
     double entry_feed = 0;
     double exit_feed = 0;
     bool has_course() const { return entry_feed > 0; }
+    /// Path speed for a speed of 1 in its own unit, at its ends.
+    double entry_scale() const { return has_course() ? entry_feed : 1; }
+    double exit_scale() const { return has_course() ? exit_feed : 1; }
     bool follows_spindle = false;  // its speed is the spindle's: another one would be another feed
 };
 

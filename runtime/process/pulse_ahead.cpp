@@ -187,7 +187,7 @@ std::vector<PulseAhead::Way> PulseAhead::ways(const Node& at, const Bands& behin
             const Durations time = durations_to(at.leg, speed_, ends);
             const Times latest = times_of(window.last - since, window.last - since, tick_);
             can_be_later = can_be_later || time.most > latest.last;
-            const std::int64_t ticks = ticks_in(window, time, k * clock_.nominal, since);
+            const std::int64_t ticks = ticks_in(window, time, machine::best_tick(clock_, k), since);
             if (ticks == 0) continue;
             if (hit == 0) hit = k;
             found.push_back({k, k + band.intervals, ticks, ends.low, ends.high});
@@ -200,15 +200,15 @@ std::vector<PulseAhead::Way> PulseAhead::ways(const Node& at, const Bands& behin
 }
 
 /// The ticks of the window, after those that are gone, that a range of times allows and that come
-/// closest to the nominal ones; 0: none.
+/// closest to the best one; 0: none.
 std::int64_t PulseAhead::ticks_in(const PulseWindow& window, const Durations& time,
-                                  std::int64_t nominal, std::int64_t since) const {
+                                  std::int64_t wished, std::int64_t since) const {
     std::int64_t best = 0;
     for (std::int64_t ticks = std::max<std::int64_t>(window.first - since, 1);
          ticks <= window.last - since; ++ticks) {
         const Times exact = times_of(ticks, ticks, tick_);
         if (time.least > exact.last || time.most < exact.first) continue;
-        if (best == 0 || std::abs(ticks + since - nominal) < std::abs(best + since - nominal)) {
+        if (best == 0 || std::abs(ticks + since - wished) < std::abs(best + since - wished)) {
             best = ticks;
         }
     }

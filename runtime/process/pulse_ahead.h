@@ -75,7 +75,7 @@ class PulseAhead {
     void find_bands(Node& at, const Bands& behind) const;
     std::vector<Way> ways(const Node& at, const Bands& behind, std::int64_t since) const;
     double wanted_exit(std::size_t legs);
-    std::int64_t ticks_in(const PulseWindow& window, const Durations& time, std::int64_t nominal,
+    std::int64_t ticks_in(const PulseWindow& window, const Durations& time, std::int64_t wished,
                           std::int64_t since) const;
     PulseBlock block_of(const PulseLeg& leg, const Way& way, double wanted) const;
 

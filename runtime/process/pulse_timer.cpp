@@ -176,9 +176,8 @@ void PulseTimer::finish_alone(bool is_point) {
         return;
     }
     const std::int64_t since = reached - last_pulse_;
-    const PulseWindow window =
-        machine::pulse_window(clock_, machine::pulse_at_or_after(clock_, since));
-    const std::int64_t pulse = last_pulse_ + std::max(since, window.first);
+    const std::int64_t best = machine::best_tick(clock_, machine::pulse_at_or_after(clock_, since));
+    const std::int64_t pulse = last_pulse_ + std::max(since, best);
     wait_until(pulse, true);
     last_pulse_ = pulse;
     ++pulses_;

@@ -182,6 +182,75 @@ TEST_F(FiveAxis, FeedOfTipAndRotaryAxes) {
     }
 }
 
+/// How long every line of the text lasts, s, by ticks of a thousandth.
+std::map<int, double> times_of_lines(const std::vector<Row>& rows) {
+    std::map<int, double> times;
+    for (const Row& row : rows) times[static_cast<int>(row.at("iso"))] += 0.001;
+    return times;
+}
+
+// Under the transformation a block lasts as long as the axes of FGROUP need at F together, and no
+// shorter than FL lets an axis come along (SINUMERIK reference 2.3, 8.4). A turns by atan 0.5 on
+// 50 mm, and by as much back while the tip stands.
+TEST_F(FiveAxis, BlocksLastAsTheFeedAxesSay) {
+    const double turn = std::atan(0.5);  // rad
+    const double degrees = turn * 180 / std::numbers::pi;
+    constexpr double kFeed = 1000.0 / 60;  // mm/s or deg/s
+    struct Case {
+        const char* words;
+        double moved;   // s, tip and tool
+        double turned;  // s, the tool alone
+    };
+    for (const Case& row :
+         {Case{"FGROUP()", 50 / kFeed, degrees / kFeed},
+          {"FGROUP(X,Y,Z,A) FGREF[A]=200", std::hypot(50, 200 * turn) / kFeed, 200 * turn / kFeed},
+          {"FGROUP(A) FGREF[A]=200", 200 * turn / kFeed, 200 * turn / kFeed},
+          {"FGROUP(A)", degrees / kFeed, degrees / kFeed},
+          {"FGROUP(X) FGREF[A]=200", 50 / kFeed, degrees / kFeed},
+          // Slower than F, and faster: which is no limit then.
+          {"FL[A]=300", degrees / 5, degrees / 5},
+          {"FL[A]=1100", 50 / kFeed, degrees / kFeed},
+          // An axis that does not move, and one that makes up F, have nothing to limit.
+          {"FL[C]=1 FL[X]=1", 50 / kFeed, degrees / kFeed}}) {
+        SCOPED_TRACE(row.words);
+        save("part.mpf",
+             "G17 G54 G90 G60\nT1 D1 M6\nS8000 M3\nG0 X0 Y0 Z50 A0 C90\nTRAORI\nG54\n"
+             "ORIWKS ORIVECT\nG0 X0 Y0 Z0 C3=1\n" +
+                 std::string(row.words) + "\nG1 X50 A3=0.5 C3=1 F1000\nA3=0 C3=1\nTRAFOOF\nM30\n");
+        const auto result = kadr({"run", file("part.mpf"), "-d", "sinumerik", "-m", "trunnion-ac",
+                                  "--setpoints", file("part.csv")});
+        ASSERT_EQ(result.status, 0) << result.err;
+        const auto times = times_of_lines(rows_of(read_file(file("part.csv")).value()));
+        // Ramps from rest and to it are beside the time of F.
+        constexpr double kRamps = 0.12;
+        EXPECT_GE(times.at(10), row.moved - 0.002);
+        EXPECT_LE(times.at(10), row.moved + kRamps);
+        EXPECT_GE(times.at(11), row.turned - 0.002);
+        EXPECT_LE(times.at(11), row.turned + kRamps);
+    }
+}
+
+// The example of the manual for FGROUP: the times of its blocks by $AC_TIME, in mm and in inches,
+// where a degree is a millimetre, and an inch by FGREF. (SINUMERIK programming manual, path feed.)
+TEST_F(FiveAxis, TimesOfTheManualForFeedGroups) {
+    save("group.mpf",
+         "G17 G60\nT1 D1 M6\nS100 M3\nG0 X-300 A0\nFGROUP(X,A)\nG91 G1 G710 F100\n"
+         "X10\nX10 A10\nA10\nX0.001 A10\nG700 F100\nX10\nX10 A10\n"
+         "FGREF[A]=360/(2*$PI)\nX0.001 A10\nM30\n");
+    const auto result = kadr({"run", file("group.mpf"), "-d", "sinumerik", "-m", "rotary-a",
+                              "--setpoints", file("part.csv")});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto times = times_of_lines(rows_of(read_file(file("part.csv")).value()));
+    for (const auto& [line, time] : {std::pair(7, 6.0),
+                                     {8, 6 * std::sqrt(2)},
+                                     {9, 6.0},
+                                     {10, 6.0},
+                                     {12, 6.0},
+                                     {13, 6.0},
+                                     {15, 6.0}})
+        EXPECT_NEAR(times.at(line), time, 0.1) << line;
+}
+
 TEST_F(FiveAxis, CommandsDifferInRotaryAxesOnly) {
     save("part.mpf", kProgram);
     std::string first;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "path/curve.h"
+#include "path/curve_of.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
@@ -212,7 +213,7 @@ TEST(ThroughSplines, WhatIsWrong) {
 // ------------------------------------------------------------------------------ polynomials
 
 Words poly() { return through(Function::Polynomial); }
-Words& axis(Words& words, double which, double end, std::initializer_list<double> more = {}) {
+Words& axis(Words& words, double which, double end, const std::vector<double>& more = {}) {
     std::vector<std::pair<std::size_t, double>> said = {{0, which}, {1, end}};
     for (const double value : more) said.emplace_back(said.size(), value);
     switch (said.size()) {
@@ -479,6 +480,143 @@ TEST(VaryingThreads, WhatIsWrong) {
     EXPECT_EQ(wrong(Function::ThreadDecreasing, 2, 0.1), "K5492");
     EXPECT_EQ(wrong(Function::ThreadIncreasing, 2, -0.1), "K5492");
     EXPECT_EQ(wrong(Function::ThreadDecreasing, 2, 0.099), "");
+}
+
+// ------------------------------------------------------------------------------ neighbours
+
+struct Neighbour {
+    const char* name;
+    Words words;
+    double tolerance = 1e-6;  // of the tangents
+};
+
+Words polynomials(std::initializer_list<double> x, std::initializer_list<double> y) {
+    Words words = poly();
+    axis(words, 1, *x.begin(), {x.begin() + 1, x.end()});
+    axis(words, 2, *y.begin(), {y.begin() + 1, y.end()});
+    return words;
+}
+
+/// Every motion that has a direction of its own, from (20, 0).
+std::vector<Neighbour> neighbours() {
+    Words conic = polynomials({30, 3}, {5, -2, 4});
+    conic.fn(Function::PolynomialWeight, {{0, 2}, {1, 0.5}});
+    return {{"line", line().x(30).y(7)},
+            {"line upwards", line().x(30).y(7).z(4)},
+            {"line by distances", line().x(9).y(-4).fn(Function::Incremental)},
+            {"polar line", line().set(Slot::PolarAngle, 30).set(Slot::PolarRadius, 50)},
+            {"polar arc", ccw().set(Slot::PolarAngle, 70).set(Slot::PolarRadius, 20)},
+            {"arc about a centre", cw().x(40).y(0).i(10).j(0)},
+            {"whole circle", ccw().i(10).j(5)},
+            {"arc of a radius", ccw().x(33).y(9).r(40)},
+            {"arc of an opening", ccw().x(33).y(9).set(Slot::Opening, 70)},
+            {"arc of an opening about a centre", cw().i(3).j(8).set(Slot::Opening, 70)},
+            {"helix", ccw().x(40).y(0).z(12).i(10).j(0)},
+            {"helix of turns", cw().x(40).y(0).z(-30).i(10).j(0).set(Slot::Turns, 3)},
+            {"arc over a point", through(Function::ArcThrough)
+                                     .x(40)
+                                     .y(3)
+                                     .z(2)
+                                     .set(Slot::ThroughX, 28)
+                                     .set(Slot::ThroughY, 9)
+                                     .set(Slot::ThroughZ, 5)},
+            {"polynomials", polynomials({30, 3, -1}, {5, 20, -7, 2})},
+            // Where a curve's slope vanishes its tangent is that of a place beside.
+            {"polynomials that begin at rest", polynomials({40, 20}, {6, 2, 4}), 1e-3},
+            {"polynomials by a divisor", conic},
+            {"control points",
+             through(Function::Spline).x(30).y(9).fn(Function::SplineDegree, {{0, 1}})},
+            {"involute", involute(Function::InvoluteCcw).i(-20).j(0).r(8).set(Slot::Opening, 120)},
+            {"involute inwards",
+             involute(Function::InvoluteCw).i(-20).j(0).r(8).set(Slot::Opening, -30)}};
+}
+
+/// The tangents of two commands where they meet.
+struct Meeting {
+    Vec3 in = Vec3::Zero();
+    Vec3 out = Vec3::Zero();
+};
+
+/// Between command `i` and the one behind it, from where `start` is.
+Meeting meeting_behind(const Ran& ran, std::size_t i, Vec3 start) {
+    std::vector<path::Curve> ways;
+    for (const path::Command& command : ran.commands) {
+        if (!path::is_motion(command.op)) continue;
+        ways.push_back(path::curve_of(command, start, place(command)));
+        start = place(command);
+    }
+    if (i + 1 >= ways.size()) return {};
+    return {path::evaluate(ways[i], path::arc_length(ways[i])).tangent,
+            path::evaluate(ways[i + 1], 0).tangent};
+}
+
+/// Under frames of every kind the spline ends as the block behind it begins, and begins as the one
+/// before it ends: as these are executed, not as their words say.
+TEST(SplineNeighbours, TakeTheirDirections) {
+    const std::vector<std::vector<Block>> heads = {
+        {},
+        {fn(Function::Shift, {{0, 3}, {1, -7}}), fn(Function::Rotate, {{0, 40}})},
+        {fn(Function::Mirror, {{0, 0}})}};
+    for (const auto& head : heads) {
+        for (const Function kind : {Function::AkimaSpline, Function::CubicSpline}) {
+            for (const Neighbour& next : neighbours()) {
+                SCOPED_TRACE(next.name);
+                std::vector<Block> blocks = head;
+                for (const Words& words :
+                     {line().x(0).y(0).z(0).f(500), start_end(through(kind).x(10).y(10), 0, 2),
+                      at(20, 0), next.words, line().x(60).y(60).z(0)})
+                    blocks.push_back(words);
+                const Ran ending = run(blocks);
+                EXPECT_EQ(ending.codes(), "");
+                const Meeting end = meeting_behind(ending, 2, Vec3(0, 0, 0));
+                EXPECT_GT(end.in.norm(), 0.9);
+                EXPECT_LT((end.in - end.out).norm(), next.tolerance);
+
+                blocks = head;
+                for (const Words& words : {line().x(20).y(0).z(0).f(500), next.words,
+                                           start_end(through(kind).x(60).y(50).z(0), 2, 0),
+                                           at(70, 80), line().x(90).y(90)})
+                    blocks.push_back(words);
+                const Ran beginning = run(blocks);
+                if (next.words.operator Block().motion == Function::Spline) continue;
+                EXPECT_EQ(beginning.codes(), "");
+                const Meeting begin = meeting_behind(beginning, 1, Vec3(0, 0, 0));
+                EXPECT_LT((begin.in - begin.out).norm(), 1e-6);
+            }
+        }
+    }
+}
+
+/// The block behind is executed as if nobody had looked at it before.
+TEST(SplineNeighbours, AreNotChangedByBeingLookedAt) {
+    for (const Neighbour& next : neighbours()) {
+        SCOPED_TRACE(next.name);
+        const auto behind = [&](double end) {
+            const Ran ran = run({line().x(0).y(0).z(0).f(500),
+                                 start_end(through(Function::CubicSpline).x(10).y(10), 0, end),
+                                 at(20, 0), next.words, line().x(60).y(60).z(0)});
+            const std::string all = ran.listing();
+            std::size_t from = 0;
+            for (int lines = 0; lines < 3; ++lines) from = all.find('\n', from) + 1;
+            return all.substr(from);
+        };
+        EXPECT_EQ(behind(2), behind(1));
+    }
+}
+
+TEST(SplineNeighbours, WithoutADirectionOfTheirOwn) {
+    const Words first = start_end(through(Function::CubicSpline).x(10).y(10), 1, 2);
+    const auto behind = [&](const Words& next) { return codes({first, at(20, 0), next}); };
+    EXPECT_EQ(behind(through(Function::ArcTangent).x(30).y(5)), "K5481");
+    EXPECT_EQ(behind(through(Function::AkimaSpline).x(30).y(5)), "K5481");
+    EXPECT_EQ(behind(line().x(20).y(0)), "K5481");
+    EXPECT_EQ(behind(through(Function::Spline).x(20).y(0)), "K5481");
+    EXPECT_EQ(behind(line().x(30).fn(Function::PlaneZx)), "K5481");
+    // What is wrong with the block itself is said instead.
+    EXPECT_EQ(behind(ccw().x(200).y(0).r(3)).find("K5481"), std::string::npos);
+    EXPECT_EQ(behind(poly().x(30).fn(Function::PolynomialRange, {{0, 0}})), "K5482");
+    EXPECT_EQ(behind(line().set(Slot::PolarAngle, 30).set(Slot::PolarRadius, -5)).find("K5481"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -246,6 +246,33 @@ TEST(FeedCourse, TooSteep) {
     }
 }
 
+/// From rest up to the feed, and down to a corner that is passed slowly: the ramps at both ends
+/// differ, and neither of them jumps.
+TEST(FeedCourse, BetweenRestAndASlowCorner) {
+    for (const double jerk : {kUnlimited, 50000.0, 2000.0}) {
+        for (const Vec3& aside : {Vec3(0, 100, 0), Vec3(100, 20, 0), Vec3(100, 3, 0)}) {
+            SCOPED_TRACE(jerk);
+            SCOPED_TRACE(aside.transpose());
+            const auto machine = machine_of({.jerk = Vec3::Constant(jerk)});
+            Command first = line_to({10, 0, 0}, 6000);
+            first.exact_stop = true;
+            const Vec3 end = Vec3(110, 0, 0) + aside;
+            const std::vector<Command> program = {
+                first, with_feed(line_to({110, 0, 0}, 9000), {6000, 3000, 0, 0}),
+                line_to({end[0], end[1], end[2]}, 9000)};
+            const auto points = sample(machine, program);
+            const Watched seen = watch(
+                machine, points, [](double) { return 1.0; }, 1e9, 1e9);
+            EXPECT_LE(seen.acceleration, 5000 * (1 + 1e-6));
+            double fastest = 0;
+            for (const Setpoint& point : points)
+                if (point.tip[0] > 10 && point.tip[0] < 110)
+                    fastest = std::max(fastest, point.feed);
+            EXPECT_GT(fastest, 100);
+        }
+    }
+}
+
 /// Short blocks of one course are as one block with it.
 TEST(FeedCourse, ShortBlocksGoOn) {
     for (const double jerk : {kUnlimited, 50000.0}) {
@@ -261,14 +288,107 @@ TEST(FeedCourse, ShortBlocksGoOn) {
     }
 }
 
-/// Where an operator may change the speed meanwhile the feed goes in steps of 2 %.
-TEST(FeedCourse, InStepsForAnOperator) {
+OperatorEvent feed_to(double value, double time) {
+    return {OperatorAct::FeedOverride, value, time, 0, -1};
+}
+
+PlannerOptions operated(std::vector<OperatorEvent> events) {
     PlannerOptions options;
-    options.events = {{OperatorAct::FeedOverride, 0.5, 1000, 0, -1}};
-    const double time = run(machine_of(), rising()).totals.time;
-    const double stepped = run(machine_of(), rising(), options).totals.time;
-    EXPECT_GT(stepped, time);
-    EXPECT_LT(stepped, time * 1.01);
+    options.events = std::move(events);
+    return options;
+}
+
+/// ∫ ds/f over the ramp of `rising` between two places, at 100 %.
+double ramp_time(double from, double to) { return 6 * std::log(to / from); }
+
+/// An operator who turns nothing changes nothing; who has turned the override before the start, and
+/// whoever turns it far below 100 % and back, runs the same feed in parts of it.
+TEST(FeedCourse, TimesUnderAnOperator) {
+    const double plain = run(machine_of(), rising()).totals.time;
+    EXPECT_NEAR(run(machine_of(), rising(), operated({feed_to(0.5, 1000)})).totals.time, plain,
+                1e-9);
+    PlannerOptions half;
+    half.feed_override = 0.5;
+    EXPECT_NEAR(run(machine_of(), rising(), operated({feed_to(0.5, 0)})).totals.time,
+                run(machine_of(), rising(), half).totals.time, 1e-9);
+    // The highest override of the run is not the programmed feed.
+    EXPECT_NEAR(
+        run(machine_of(), rising(), operated({feed_to(1.2, 0), feed_to(1, 1e-6)})).totals.time,
+        plain, 1e-5);
+    // Over 120 mm, where F would be 1200 (8.1 s), to half; at 160 mm back again. The ramps between,
+    // of 0.002 s and 0.01 mm, cost as much before as they save behind.
+    const double v = 1000 / 60.0;
+    const double at_120 = 100 / v + v / 1e4 + ramp_time(1, 1.2);
+    const double at_160 = at_120 + 2 * ramp_time(1.2, 1.6);
+    const double changed =
+        run(machine_of(), rising(), operated({feed_to(0.5, at_120), feed_to(1, at_160)}))
+            .totals.time;
+    EXPECT_NEAR(changed, plain + ramp_time(1.2, 1.6), 2e-3);
+    // A hold costs its time; the ramps down and up lie half inside of it.
+    const double held = run(machine_of(), rising(),
+                            operated({{OperatorAct::FeedHold, 1, at_120, 0, -1},
+                                      {OperatorAct::CycleStart, 1, at_120 + 3, 0, -1}}))
+                            .totals.time;
+    EXPECT_NEAR(held, plain + 3, 1e-3);
+}
+
+/// At every tick the tip has the feed of its place, times the override, but for the ramps between
+/// two overrides; and the axes keep their limits.
+TEST(FeedCourse, TheTipFollowsUnderAnOperator) {
+    for (const double jerk : {kUnlimited, 50000.0}) {
+        SCOPED_TRACE(jerk);
+        const auto machine = machine_of({.jerk = Vec3::Constant(jerk)});
+        std::vector<OperatorEvent> events;
+        std::vector<std::pair<double, double>> dials = {{0, 1}};
+        for (const auto& [value, time] :
+             {std::pair(0.6, 6.5), {1.3, 7.4}, {0.1, 7.9}, {1.0, 8.6}, {0.85, 9.3}, {1.2, 13.0}}) {
+            events.push_back(feed_to(value, time));
+            dials.emplace_back(time, value);
+        }
+        const auto points = sample(machine, rising(), operated(events));
+        const auto feed = [](double x) {
+            return (1000 + 1000 * std::clamp((x - 100) / 100, 0.0, 1.0)) / 60;
+        };
+        std::size_t followed = 0;
+        for (const Setpoint& point : points) {
+            auto dial = dials.end() - 1;
+            while (dial->first > point.time) --dial;
+            const bool is_settled = point.time > dial->first + 0.08;
+            const double x = point.tip[0];
+            const bool is_inside =
+                (x > 105 && x < 195) || (x > 10 && x < 95) || (x > 205 && x < 290);
+            if (!is_settled || !is_inside) continue;
+            ++followed;
+            ASSERT_NEAR(point.feed, feed(x) * dial->second, 1e-6 * feed(x)) << point.time;
+        }
+        EXPECT_GT(followed, 8000u);
+        const Watched seen = watch(machine, points, feed, 1e9, 1e9);
+        EXPECT_LE(seen.acceleration, 5000 * (1 + 1e-6));
+        if (!std::isinf(jerk)) {
+            EXPECT_LE(seen.jerk, jerk * (1 + 1e-3));
+        }
+        EXPECT_EQ(points.back().tip[0], 300);
+    }
+}
+
+/// Events that come one upon the other, in any place, leave a way without a gap.
+TEST(FeedCourse, ManyEventsOnOneCourse) {
+    for (const double jerk : {kUnlimited, 50000.0, 500.0}) {
+        SCOPED_TRACE(jerk);
+        const auto machine = machine_of({.jerk = Vec3::Constant(jerk)});
+        std::vector<OperatorEvent> events;
+        for (int i = 0; i < 400; ++i)
+            events.push_back(feed_to(0.1 + 0.011 * ((i * 37) % 101), 5.5 + 0.0173 * i));
+        const Motion motion = run(machine, rising(), operated(events));
+        EXPECT_NEAR(motion.totals.length, 300, 1e-8);
+        const auto points = sample(machine, rising(), operated(events));
+        const Watched seen = watch(
+            machine, points, [](double) { return 1.0; }, 1e9, 1e9);
+        EXPECT_LE(seen.acceleration, 5000 * (1 + 1e-6));
+        if (!std::isinf(jerk)) {
+            EXPECT_LE(seen.jerk, jerk * (1 + 1e-3));
+        }
+    }
 }
 
 }  // namespace

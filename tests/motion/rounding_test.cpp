@@ -161,6 +161,32 @@ TEST(Rounding, KeepsTheJerkAndCostsNoTime) {
     }
 }
 
+/// Along a wave of lines as long as here, corners follow each other so closely that a path through
+/// them is quick: curves around all of them would cost a quarter more.
+TEST(Rounding, OfShortLinesCostsNoTime) {
+    const auto machine = smooth_machine();
+    double sharp = 0;
+    double round = 0;
+    for (const double step : {0.1, 0.3, 0.5, 1.0, 2.0, 5.0}) {
+        for (const double height : {1.0, 3.0, 8.0}) {
+            for (const double feed : {3000.0, 10000.0}) {
+                SCOPED_TRACE(step);
+                SCOPED_TRACE(height);
+                SCOPED_TRACE(feed);
+                std::vector<Command> wave;
+                for (double x = step; x < 60; x += step)
+                    wave.push_back(line_to({x, height * std::sin(0.3 * x), 0}, feed));
+                const double as_is = run(machine, wave).totals.time;
+                const double curved = run(machine, rounded(wave, within(0.05))).totals.time;
+                EXPECT_LE(curved, 1.05 * as_is);
+                sharp += as_is;
+                round += curved;
+            }
+        }
+    }
+    EXPECT_LT(round, 0.98 * sharp);
+}
+
 /// How far the programmed path is kept: from its start, and to its end.
 double kept_from(const std::vector<Segment>& sharp, const std::vector<Segment>& round) {
     double reach = 0;

@@ -117,6 +117,59 @@ TEST(PulseTimer, TheStopModeRestsAtEveryPoint) {
     }
 }
 
+/// Legs in which every point is a stop win nothing by being synchronised, and lose nothing.
+TEST(PulseTimer, WhereEveryPointIsAStopBothModesTakeTheSame) {
+    using machine::PulseMode;
+    for (const double step : {0.03, 0.0468, 0.06, 0.125, 0.2, 0.9}) {
+        SCOPED_TRACE(step);
+        std::vector<Command> commands = {motion::test::spindle_on(100)};
+        for (int i = 1; i <= 30; ++i) {
+            commands.push_back(line_to({step * i, 0, 0}, kFeed));
+            commands.back().exact_stop = true;
+        }
+        const Timed synchronised = run(laser_of(), commands);
+        const Timed stopping = run(laser_of(PulseMode::Stop), commands);
+        EXPECT_EQ(intervals_of(synchronised), intervals_of(stopping));
+        EXPECT_NEAR(synchronised.totals.time, stopping.totals.time, 1e-9);
+    }
+    // One interval is between two working pulses, which come at the frequency of the pump; a
+    // second one begins with an empty pulse, which may come early.
+    const auto interval_of = [](double step) {
+        std::vector<Command> commands = {motion::test::spindle_on(100)};
+        for (int i = 1; i <= 3; ++i) commands.push_back(line_to({step * i, 0, 0}, kFeed));
+        return intervals_of(run(laser_of(PulseMode::Stop), commands)).back();
+    };
+    EXPECT_EQ(interval_of(0.03), 25);
+    EXPECT_EQ(interval_of(0.06), 48);
+}
+
+/// Whatever the points: to be synchronised costs no time.
+TEST(PulseTimer, SynchronisedIsNeverSlower) {
+    std::uint64_t seed = 7;
+    const auto chance = [&seed] {
+        seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<double>(seed >> 11) * 0x1p-53;
+    };
+    for (int set = 0; set < 60; ++set) {
+        SCOPED_TRACE(set);
+        const double longest = 0.03 + 0.2 * chance();
+        const double turn = set % 3 == 0 ? 3 : 0.4 * chance();
+        std::vector<Command> commands = {motion::test::spindle_on(100)};
+        Vec3 at = Vec3::Zero();
+        double angle = 0;
+        for (int i = 0; i < 40; ++i) {
+            angle += turn * (2 * chance() - 1);
+            at += longest * (0.3 + 0.7 * chance()) * Vec3(std::cos(angle), std::sin(angle), 0);
+            commands.push_back(line_to(at, kFeed));
+            commands.back().exact_stop = chance() < 0.1 * (set % 5);
+        }
+        const Timed synchronised = run(laser_of(), commands);
+        const Timed stopping = run(laser_of(machine::PulseMode::Stop), commands);
+        EXPECT_EQ(synchronised.pulses, 40u);
+        EXPECT_LE(synchronised.totals.time, stopping.totals.time + 1e-9);
+    }
+}
+
 TEST(PulseTimer, RapidsAndDwellsBurnNothingAndThePumpGoesOn) {
     std::vector<Command> commands = straight(3);
     commands.push_back(rapid_to({3, 2, 0}));
