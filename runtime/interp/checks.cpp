@@ -139,7 +139,10 @@ void Executor::check_units(const Block& block, nc::Function units) {
 }
 
 bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
-    if (contour_) return true;
+    // No axis goes along a contour that is only read; but it does not leave every machine.
+    constexpr double kAnyMachine = 1e7;  // mm, deg
+    const auto is_near = [](double place) { return std::abs(place) < kAnyMachine; };
+    if (contour_ && std::ranges::all_of(base, is_near)) return true;
     // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
     if (is_transformed()) return !area_.acts() || check_area(block, base, moved);
     return check_machine_limits(block, base, moved) &&
@@ -175,8 +178,8 @@ bool Executor::check_machine_limits(const Block& block, const AxisValues& base, 
 }
 
 bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const Target& target) {
-    if (contour_) return true;
     if (!check_limits(block, target.base, target.moved)) return false;
+    if (contour_) return true;
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
     const path::ArcShape shape = path::shape_of(arc);
     if (is_transformed()) return true;

@@ -156,6 +156,8 @@ Program::State::Done Program::State::end_contour(CompiledLine& line,
 Program::State::Done Program::State::run_contour_row(CompiledLine& line,
                                                      const ControlStatement& statement,
                                                      Block& out) {
+    if (interpreter == nullptr)
+        return fail(line, diag::IsoNotSupported, statement.span, {"a contour as a table"});
     if (given > 0) return Done::Wait;
     const nc::Reference& row = statement.table;
     std::array<std::int64_t, 4> indices{};

@@ -307,6 +307,9 @@ std::optional<ContourElement> element_of(const ContourRow& row) {
     out.is_rapid = motion == 0;
     out.modes.is_metric = digits / 10 % 10 == 1;
     out.modes.is_incremental = digits / 100 == 1;
+    constexpr double kFarthest = 1e8;  // mm; farther than any machine goes
+    if (std::ranges::any_of(row, [](double cell) { return !(std::fabs(cell) < kFarthest); }))
+        return std::nullopt;
     const Vec2 from{row[3], row[4]};
     const Vec2 to{row[5], row[6]};
     if (motion < 2) {
