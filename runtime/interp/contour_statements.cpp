@@ -195,7 +195,9 @@ Program::State::Done Program::State::run_contour_row(CompiledLine& line,
         out.set(to, element->shape.to[k] * unit);
         out.absolute |= bit(to);
         if (!is_arc) continue;
-        out.set(center, element->shape.center[k] * unit);
+        // A place of a centre is a diameter where words of the axis are.
+        const double factor = interpreter->word_factor(-static_cast<std::int64_t>(axes[i]) - 1);
+        out.set(center, element->shape.center[k] * unit * factor);
         out.absolute |= bit(center);
     }
     return Done::Block;
