@@ -85,6 +85,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     const Invocation& invocation = *actions.cycle;
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
     if (!info.curve.empty()) return move_along_curve(block, invocation);
+    if (names_contour(info)) return;  // the program keeps it for the cycles behind
     if (cycles_ == nullptr || cycle_.blocks || shape_) {
         report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
         return;

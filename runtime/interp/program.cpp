@@ -380,6 +380,7 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
     const auto number_of = [&](int parameter) -> std::int64_t {
         return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
     };
+    if (names_contour(cycle)) return keep_contour(block, number_of(1));
     if (names_shape(cycle)) return follow_named_shape(block, text, place);
     if (!cycle.takes_shape()) return;
     const std::int64_t first = number_of(cycle.roles.first_block);

@@ -746,8 +746,45 @@ void Program::State::follow_modal_shape(const Block& block) {
     follow_named_shape(shape.block, shape.text, shape.place);
 }
 
+namespace {
+
+std::vector<std::string> parts_of(std::string_view text) {
+    std::vector<std::string> parts;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(':'), text.size());
+        if (end > 0) parts.emplace_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return parts;
+}
+
+}  // namespace
+
+/// Of the cycles behind that name no contour themselves; it stays until another is named.
+void Program::State::keep_contour(const Block& block, std::int64_t kind) {
+    named_contour = NamedContour{parts_of(block.text), std::max<std::int64_t>(kind, 0)};
+}
+
+/// The contour along which a cycle works: the one that it names, or the one that was named before.
+Program::State::NamedContour Program::State::contour_of(const Block& block) const {
+    NamedContour contour;
+    if (block.text.empty() && named_contour) {
+        contour = *named_contour;
+    } else {
+        contour.parts = parts_of(block.text);
+        contour.kind = static_cast<std::int64_t>(contour.parts.size() == 2 ? ContourPlace::Labels
+                                                                           : ContourPlace::Program);
+    }
+    if (contour.kind == static_cast<std::int64_t>(ContourPlace::Named) && !contour.parts.empty()) {
+        const std::string name = contour.parts[0];
+        contour.parts = {std::string(kContourBegin) + name, std::string(kContourEnd) + name};
+    }
+    return contour;
+}
+
 /// The blocks of a shape that a cycle names: those of a program, or those between two labels of the
-/// program that runs (`"BEGIN:END"`). They come next; behind them the cycle is called.
+/// program that runs (`"BEGIN:END"`) or of another. They come next; behind them the cycle is
+/// called.
 void Program::State::follow_named_shape(const Block& block, std::string_view text_of_line,
                                         const Place& place) {
     const nc::Span whole{0, static_cast<std::uint32_t>(text_of_line.size())};
@@ -755,31 +792,35 @@ void Program::State::follow_named_shape(const Block& block, std::string_view tex
         lines.report_fault(text_of_line, nc::LineFault{&row, whole, {std::move(what)}});
         has_ended = true;
     };
+    NamedContour contour = contour_of(block);
+    const auto kind = static_cast<ContourPlace>(contour.kind);
     PreparedCall call;
     call.is_shape = true;
     call.site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(text_of_line, place.line.line, whole), frame->site});
-    const std::size_t colon = block.text.find(':');
-    if (colon == std::string::npos) {
+    call.unit = frame->unit;
+    if (kind == ContourPlace::Program || kind == ContourPlace::ProgramLabels) {
+        const std::string said = contour.parts.empty() ? std::string() : contour.parts[0];
         const std::string name =
-            nc::program_of_path(language.calls, block.text, tables.rules.ignores_case);
+            nc::program_of_path(language.calls, said, tables.rules.ignores_case);
         call.unit = name.empty() ? nullptr : units.find(name, text());
         if (call.unit == nullptr)
-            return missing(
-                diag::ProgramMissing,
-                quoted(name.empty() ? block.text : nc::shown_program(language.calls, name)));
+            return missing(diag::ProgramMissing,
+                           quoted(name.empty() ? said : nc::shown_program(language.calls, name)));
+        if (!contour.parts.empty()) contour.parts.erase(contour.parts.begin());
+    }
+    if (kind == ContourPlace::Program) {
         due = std::move(call);
         return;
     }
-    call.unit = frame->unit;
-    Place begin{frame->unit->begin, frame->unit->begin};
+    contour.parts.resize(2);  // a label that nobody said is missing
+    Place begin{call.unit->begin, call.unit->begin};
     Place end;
-    for (const std::string_view label : {std::string_view(block.text).substr(0, colon),
-                                         std::string_view(block.text).substr(colon + 1)}) {
-        const LineTarget target{std::string(label), -1};
+    for (const std::string& label : contour.parts) {
         const Place from = begin;
-        Place& found = label.data() == block.text.data() ? begin : end;
-        if (map().find(target, Direction::Forward, from, found) != ProgramMap::Fault::None)
+        Place& found = &label == &contour.parts[0] ? begin : end;
+        if (call.unit->map.find({label, -1}, Direction::Forward, from, found) !=
+            ProgramMap::Fault::None)
             return missing(diag::JumpTargetMissing, quoted(label));
     }
     call.from = begin;

@@ -163,6 +163,12 @@ struct Program::State {
         Place place;
     };
     std::optional<ModalShape> modal_shape;
+    /// Of the cycles that name none: parts of a text, and which they are.
+    struct NamedContour {
+        std::vector<std::string> parts;
+        std::int64_t kind = 0;
+    };
+    std::optional<NamedContour> named_contour;
     bool moves_alone = false;                   // an axis of the block, beside the path
     std::vector<ControlVariable> written_data;  // that the last block may write, before it
     struct WrittenOffset {
@@ -247,6 +253,8 @@ struct Program::State {
     void follow_shape(const nc::Block& block, std::string_view text, const Place& place);
     void keep_modal_shape(const nc::Block& block, std::string_view text, const Place& place);
     void follow_modal_shape(const nc::Block& block);
+    void keep_contour(const nc::Block& block, std::int64_t kind);
+    NamedContour contour_of(const nc::Block& block) const;
     void follow_named_shape(const nc::Block& block, std::string_view text, const Place& place);
     Done end_of_text();
     void advance();

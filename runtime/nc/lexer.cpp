@@ -879,6 +879,7 @@ class Lexer {
         ++at_;
         const auto first = static_cast<std::uint16_t>(out_.arguments.size());
         auto mode = GivenWord::Mode::Modal;
+        bool has_text = false;
         while (skip_blanks() && peek() != ')') {
             if (out_.arguments.size() - first >= kMaxCallArguments) {
                 return fail(diag::IsoTooManyWords, begin, at_, {});
@@ -897,7 +898,11 @@ class Lexer {
                 if (fault_) return;
                 argument.kind = GivenArgument::Kind::Number;
             } else if (peek() == '"') {
+                // A block has one text: several of a call stand in it with colons between them.
+                const std::string before = has_text ? out_.text + ':' : std::string();
                 if (!take_text(begin)) return;
+                out_.text.insert(0, before);
+                has_text = true;
                 argument.kind = GivenArgument::Kind::Text;
             } else if (peek() != ',') {
                 const Decimal decimal =
