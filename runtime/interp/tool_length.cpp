@@ -133,8 +133,7 @@ Command& Executor::put_tool_length(const Block& block, Axis axis) {
     command.aside[chief] = 0;
     command.is_swivelled = is_turned || carrier_.stand.has_value();
     if (carrier_.stand) command.direction = carrier_.stand->head() * path::unit(axis);
-    if (tilting_.turns > 0)
-        command.direction = frames_.tilt().direction(Vec3::UnitZ());
+    if (tilting_.turns > 0) command.direction = frames_.tilt().direction(Vec3::UnitZ());
     else if (tilting_.carries)
         command.direction = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
     return command;
