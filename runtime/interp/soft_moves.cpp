@@ -200,8 +200,7 @@ void Executor::put_soft_approach() {
         soft_level(at, move, contour[normal], soft_approach_.from()[normal]);
     if (!level) return;
     const Element element = path::way_to(place.place, place.direction, *way);
-    approached_.emplace();
-    approached_->end = approached_->start = contour;
+    approached_ = Approached{contour, contour};
     set_in_plane(approached_->start, element.from);
     if (!move.choice.in_steps) approached_->start[normal] = *level;
 
