@@ -220,6 +220,9 @@ Words& axis(Words& words, double which, double end, const std::vector<double>& m
         case 2: return words.fn(Function::PolynomialAxis, {said[0], said[1]});
         case 3: return words.fn(Function::PolynomialAxis, {said[0], said[1], said[2]});
         case 4: return words.fn(Function::PolynomialAxis, {said[0], said[1], said[2], said[3]});
+        case 5:
+            return words.fn(Function::PolynomialAxis,
+                            {said[0], said[1], said[2], said[3], said[4]});
         default:
             return words.fn(Function::PolynomialAxis,
                             {said[0], said[1], said[2], said[3], said[4], said[5]});
