@@ -5,6 +5,7 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "interp/contour_words.h"
 #include "interp/executor.h"
 
 namespace kadr::interp {
@@ -19,36 +20,15 @@ namespace {
 
 /// What moves places, changes planes, or is no block of a contour at all.
 bool is_out_of_contour(Function function) {
+    if (leaves_contour(function)) return true;
     if (nc::info(function).group == nc::Group::Transformation) return true;
     switch (function) {
-        case Function::Cycle:
-        case Function::CyclePreset:
-        case Function::CycleModal:
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn:
-        case Function::ReferenceCheck:
-        case Function::ReferenceLeave:
-        case Function::RapidOnce:
-        case Function::WayOffset:
-        case Function::MachineCoordinates:
-        case Function::PositionReset:
-        case Function::SetPosition:
-        case Function::WorkOffset:
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::Rotate:
-        case Function::RotateOff:
-        case Function::Scale:
-        case Function::ScaleOff:
-        case Function::Mirror:
-        case Function::MirrorOff:
         case Function::RadiusCompLeft:
         case Function::RadiusCompRight:
         case Function::SideCompLeft:
         case Function::SideCompRight:
         case Function::SoftApproach:
-        case Function::SoftRetract:
-        case Function::Probe: return true;
+        case Function::SoftRetract: return true;
         default: return false;
     }
 }

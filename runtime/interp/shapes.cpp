@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
+#include "interp/contour_words.h"
 #include "interp/executor.h"
 #include "interp/named_shape.h"
 
@@ -19,35 +20,14 @@ namespace {
 
 /// What is not the way along a shape, and cannot be a part of it.
 bool is_foreign(Function function) {
+    if (leaves_contour(function)) return true;
     switch (function) {
-        case Function::Cycle:
-        case Function::CyclePreset:
-        case Function::CycleModal:
         case Function::End:
         case Function::EndRewind:
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn:
-        case Function::ReferenceCheck:
-        case Function::ReferenceLeave:
-        case Function::RapidOnce:
-        case Function::WayOffset:
-        case Function::MachineCoordinates:
-        case Function::PositionReset:
-        case Function::SetPosition:
-        case Function::WorkOffset:
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::Rotate:
-        case Function::RotateOff:
-        case Function::Scale:
-        case Function::ScaleOff:
-        case Function::Mirror:
-        case Function::MirrorOff:
         case Function::PlaneXy:
         case Function::PlaneYz:
         case Function::Inch:
         case Function::Metric:
-        case Function::Probe:
         case Function::Dwell: return true;
         default: return false;
     }
