@@ -156,6 +156,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     block.cycle = plan.cycle;
     block.number = plan.number;
     block.feed_along_arc = (plan.customs & sema::custom::kFeedOfArc) != 0;
+    block.feed_of_all_axes = (plan.customs & sema::custom::kFeedOfAxes) != 0;
     block.function_count = static_cast<std::uint8_t>(plan.functions.size());
     for (std::size_t i = 0; i < plan.functions.size(); ++i) block.functions[i] = plan.functions[i];
     for (const auto& [place, value] : plan.arguments) block.arguments[place] = value;

@@ -185,6 +185,7 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
     add(!cycle_modules_.empty(), custom::kPlaces);
     add(dialect.has_rule("incremental_frame", "traversed"), custom::kIncrementTravels);
     add(dialect.has_rule("helix_feed_along_arc"), custom::kFeedOfArc);
+    add(dialect.has_rule("feed_of_all_axes"), custom::kFeedOfAxes);
     for (const nc::Invocation& invocation : plan.functions) {
         using nc::Function;
         add(dialect.has_rule("rotation_is_innermost"), custom::kFrameOrder);

@@ -234,10 +234,11 @@ inline constexpr std::uint32_t kPlaces = 32768;       // while a cycle is modal,
 inline constexpr std::uint32_t kCoreOffsets = 65536;  // `G43 H1` and `D1` of the common core
 inline constexpr std::uint32_t kRepeats = 131072;     // `K5`: the cycle that is modal, so often
 inline constexpr std::uint32_t kFrameDiameter =
-    262144;                                           // X of a frame is a diameter where X is one
-inline constexpr std::uint32_t kFeedOfArc = 524288;   // F of a helix is meant along its arc
-inline constexpr std::uint32_t kStation = 1048576;    // `T0102` says an offset as well
-inline constexpr std::uint32_t kDirection = 2097152;  // the direction of the tool is said
+    262144;                                            // X of a frame is a diameter where X is one
+inline constexpr std::uint32_t kFeedOfArc = 524288;    // F of a helix is meant along its arc
+inline constexpr std::uint32_t kStation = 1048576;     // `T0102` says an offset as well
+inline constexpr std::uint32_t kDirection = 2097152;   // the direction of the tool is said
+inline constexpr std::uint32_t kFeedOfAxes = 4194304;  // F is meant over rotary axes, too
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.

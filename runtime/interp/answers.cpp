@@ -246,6 +246,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::Timer: return timer(first);
         case Quantity::CuttingTime: run_time(); return clocks_.cutting;
         case Quantity::ToolRadius:
+            if (tool_.source == Tool::Source::None) return 0;
             return tool_offsets_.radius(tool_.edge_number()) + extra_.radius + sum_offset(4);
         case Quantity::ActiveToolDatum: return tool_datum(first);
         case Quantity::ToolDatum:

@@ -70,15 +70,15 @@ inline bool is_circle(nc::Function motion) {
            motion == nc::Function::ArcTangent;
 }
 
-/// X, Y, Z of a frame function, from its parameter `first` on.
+/// X, Y, Z of a frame function, from its parameter `first` on, or more axes.
 ///
 /// x_scale  0.5 where X is a diameter
 inline FrameWords frame_words(const nc::Block& block, const nc::Invocation& invocation,
-                              std::size_t first, double x_scale) {
+                              std::size_t first, double x_scale, std::size_t axes = 3) {
     FrameWords words;
-    for (std::size_t i = 0; i < 3; ++i) words.values[i] = block.argument(invocation, first + i);
+    for (std::size_t i = 0; i < axes; ++i) words.values[i] = block.argument(invocation, first + i);
     words.values[0] *= x_scale;
-    words.given = invocation.given >> first & 0b111u;
+    words.given = invocation.given >> first & ((1u << axes) - 1);
     return words;
 }
 

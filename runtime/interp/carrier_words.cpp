@@ -4,6 +4,7 @@
 // A carrier is part of the tool's length: what it makes of the lengths acts along each axis with
 // that axis' next motion, as another tool does, and no rotary axis moves. What a table has done to
 // the workpiece's zero is the frame of the tables; PAROT turns that frame along.
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -51,7 +52,8 @@ void Executor::choose_carrier(const Block& block, const Invocation& invocation, 
             carrier_.number = std::llround(block.argument(invocation, 0));
             break;
         case Function::CarrierByFrame:
-            carrier_.frame_axis = static_cast<int>(block.argument(invocation, 0));
+            carrier_.frame_axis =
+                static_cast<int>(std::clamp(block.argument(invocation, 0), 0.0, 3.0));
             break;
         default: carrier_.frame_axis = 0;
     }

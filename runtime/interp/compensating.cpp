@@ -262,6 +262,7 @@ void Executor::begin_comp(const Block& block, Function side) {
         return;
     }
     comp_.acting = comp_.chosen();
+    comp_.is_mirrored = frames_.is_mirrored(modal_.plane);
     const bool is_of_tool = comp_.acting == Function::CompInPlane && !comp_.is_in_frame;
     if (is_of_tool && is_turned_by_carrier() && !is_plane_on_carrier()) {
         report(diag::CarrierPlane, block, comp_.side);
@@ -397,6 +398,10 @@ void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_l
     if (!alarmed_) alarm = compensation_.end_block(here, block);
     if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();
     take_comp(alarm);
+    // A frame that mirrors the plane from here on changes the side, as the other word would.
+    const bool goes_on = !ended_ && comp_.side != Function::RadiusCompOff && is_same_plane;
+    if (goes_on && frames_.is_mirrored(modal_.plane) != comp_.is_mirrored)
+        begin_comp(block, comp_.side);
 }
 
 void Executor::flush_comp() {

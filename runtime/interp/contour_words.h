@@ -25,6 +25,9 @@ inline bool leaves_contour(nc::Function function) {
         case Function::WorkOffset:
         case Function::Shift:
         case Function::ShiftAdd:
+        case Function::ShiftAxes:
+        case Function::ShiftAxesAdd:
+        case Function::SetPositionAxes:
         case Function::Rotate:
         case Function::RotateOff:
         case Function::Scale:

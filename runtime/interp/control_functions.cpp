@@ -8,12 +8,13 @@
 
 #include "base/text.h"
 #include "interp/control_value.h"
+#include "nc/letters.h"
 
 namespace kadr::interp {
 
-namespace {
+using nc::is_digit;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+namespace {
 
 /// What stands behind a `%`.
 struct Place {

@@ -408,7 +408,23 @@ bool Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
     return true;
 }
 
-bool Evaluator::compare(Operation operation, Value& a, const Value& b) {
+/// A character beside a text of one character, `TXT[0]=="A"`: that is a constant of its kind.
+/// S 1.4.
+void Evaluator::make_character(Value& value, const Value& other) const {
+    if (!value.is_text() || other.kind != Value::Kind::Char) return;
+    const std::string_view said = text(value);
+    if (count_code_points(said) != 1) return;
+    value = Value::of(static_cast<double>(first_code_point(said)), nc::ValueType::Char);
+}
+
+std::optional<bool> Evaluator::is_same(Value a, const Value& b) {
+    if (!compare(Operation::Equal, a, b)) return std::nullopt;
+    return a.number != 0;
+}
+
+bool Evaluator::compare(Operation operation, Value& a, Value b) {
+    make_character(a, b);
+    make_character(b, a);
     const bool is_alike = a.is_number() ? b.is_number() : a.kind == b.kind;
     if (!is_alike || a.is_frame()) {
         const Value& first = a.is_number() ? b : a;

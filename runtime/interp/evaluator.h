@@ -74,6 +74,9 @@ class Evaluator {
                 int decimals = -1);
     /// Why it came to no value.
     const nc::LineFault& fault() const { return fault_; }
+    /// Whether two values are equal, as `==` has it; none: they cannot be compared, `fault` says
+    /// why.
+    std::optional<bool> is_same(Value a, const Value& b);
     /// A text that a value holds; valid until the next `forget`.
     std::string_view text(const Value& value) const {
         return value.is_text() ? std::string_view(texts_[value.text]) : std::string_view();
@@ -125,7 +128,8 @@ class Evaluator {
     bool answer(Variables::Answer answer);
     bool operate(const nc::Instruction& instruction, int decimals);
     bool arithmetic(nc::Operation operation, Value& a, const Value& b);
-    bool compare(nc::Operation operation, Value& a, const Value& b);
+    void make_character(Value& value, const Value& other) const;
+    bool compare(nc::Operation operation, Value& a, Value b);
     bool bits(nc::Operation operation, Value& a, const Value& b);
     bool function(nc::Operation operation, Value* a, int decimals);
     bool text_function(nc::Operation operation, Value* a, int count);

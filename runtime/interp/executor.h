@@ -199,6 +199,7 @@ class Executor {
     bool is_too_late(nc::Function function) const;
     bool is_other_plane(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
+    bool has_axes(const nc::Block& block, const nc::Invocation& invocation, AxisMask named);
     FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
@@ -698,6 +699,8 @@ class Executor {
     void set_axis_speed(const nc::Block& block, const nc::Invocation& invocation);
     void take_polynomial(const nc::Block& block, const nc::Invocation& invocation);
     void put_positioning(path::Command& command) const;
+    bool may_count_degrees(const nc::Block& block) const;
+    void count_degrees(const nc::Block& block, path::Command& command) const;
     void put_course(path::Command& command) const;
     ControlState::Write suppress_panel(double value);
     double suppressed_panel() const;

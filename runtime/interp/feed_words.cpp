@@ -74,6 +74,35 @@ void Executor::set_feed_radius(const Block& block, const Invocation& invocation)
     said_dynamics().feed_radius[index(*axis)] = radius;
 }
 
+/// Whether it may matter how much a degree is in F.
+bool Executor::may_count_degrees(const Block& block) const {
+    constexpr auto kFollowers = static_cast<AxisMask>(~kLinearXYZ);
+    const bool has_followers = (block.given & axes_.present & kFollowers) != 0;
+    return has_followers && (rules_.feed_of_all_axes || block.has_inch_feed) && !is_transformed();
+}
+
+/// A degree is as much in F as a unit of length: an inch where F is in inches. So it is on every
+/// control in a block in which rotary axes move alone, of which none has a radius of its own
+/// (SINUMERIK programming manual, FGREF); with other axes where F is the speed of all of them.
+void Executor::count_degrees(const Block& block, path::Command& command) const {
+    AxisMask moving = 0;
+    for (const machine::MachineAxis& axis : machine_.axes) {
+        const std::size_t i = index(axis.axis);
+        if (command.to[i] != position_.base[i]) moving |= bit(axis.axis);
+    }
+    const auto turning = static_cast<AxisMask>(moving & kRotaryABC);
+    const bool turns_alone = moving == turning;
+    const bool counts_all = rules_.feed_of_all_axes && !turns_alone && (moving & ~kLinearXYZ) != 0;
+    const bool has_inches = block.has_inch_feed && turning != 0 && (turns_alone || counts_all);
+    if (!counts_all && !has_inches) return;
+    if (command.dynamics.empty()) command.dynamics.emplace_back();
+    path::Dynamics& said = command.dynamics.front();
+    if (counts_all) said.feed_axes = axes_.present;
+    constexpr double kSame = 1e-9;  // mm: a program may say the control's radius
+    for (double& radius : said.feed_radius)
+        if (has_inches && std::abs(radius - path::kRadiusOfDegrees) < kSame) radius *= kMmPerInch;
+}
+
 /// What a word says of the speed of one axis: of one that is not among the feed axes (motion/ asks
 /// whether it is), or of one that positions by itself.
 void Executor::set_axis_speed(const Block& block, const Invocation& invocation) {

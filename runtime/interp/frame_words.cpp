@@ -1,5 +1,6 @@
 // frame_words.cpp — words of frames: work offsets, shifts, rotations, scales.
 #include <algorithm>
+#include <bit>
 
 #include "base/assert.h"
 #include "base/diagnostics/control.h"
@@ -23,7 +24,10 @@ bool lets_comp_go(Function function) {
     switch (function) {
         case Function::Shift:
         case Function::ShiftAdd:
+        case Function::ShiftAxes:
+        case Function::ShiftAxesAdd:
         case Function::SetPosition:
+        case Function::SetPositionAxes:
         case Function::PositionReset: return true;
         default: return false;
     }
@@ -44,6 +48,7 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
 
 void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     const bool is_set = invocation.function == Function::SetPosition ||
+                        invocation.function == Function::SetPositionAxes ||
                         invocation.function == Function::PositionReset;
     if (is_set && cycles_said_.modal.is_active) {
         report(diag::SetPositionInCycle, block, invocation.function);
@@ -55,10 +60,17 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         if (ended_) return;
     }
     const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
-    const FrameWords words = frame_words(block, invocation, 0, x_scale);
+    const bool is_of_axes = invocation.function == Function::ShiftAxes ||
+                            invocation.function == Function::ShiftAxesAdd ||
+                            invocation.function == Function::SetPositionAxes;
+    const FrameWords words =
+        frame_words(block, invocation, 0, x_scale, is_of_axes ? std::size_t{6} : std::size_t{3});
+    if (is_of_axes && !has_axes(block, invocation, static_cast<AxisMask>(words.given))) return;
     switch (invocation.function) {
-        case Function::Shift: frames_.shift(words); break;
-        case Function::ShiftAdd: frames_.shift_add(words); break;
+        case Function::Shift:
+        case Function::ShiftAxes: frames_.shift(words); break;
+        case Function::ShiftAdd:
+        case Function::ShiftAxesAdd: frames_.shift_add(words); break;
         case Function::ShiftCoarse: frames_.set_coarse(words); break;
         case Function::ShiftFine: frames_.set_fine(words); break;
         case Function::RotateSpace:
@@ -78,6 +90,7 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         case Function::Mirror: frames_.mirror(words); break;
         case Function::MirrorOff: frames_.mirror_off(static_cast<AxisMask>(words.given)); break;
         case Function::SetPosition:
+        case Function::SetPositionAxes:
             frames_.set_position(words, position_.here, position_.base);
             break;
         case Function::PositionReset:
@@ -86,9 +99,18 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         default: KADR_ASSERT(false, "not a function of frames");
     }
     frame_changed();
-    for (std::size_t i = 0; is_set && i < 3; ++i) {
+    for (std::size_t i = 0; is_set && i < kAxes; ++i) {
         if (words.has(i)) position_.programmed[i] = position_.here[i];
     }
+}
+
+/// False: the machine lacks an axis that the words name, which is said.
+bool Executor::has_axes(const Block& block, const Invocation& invocation, AxisMask named) {
+    const auto missing = static_cast<AxisMask>(named & ~(axes_.present | kLinearXYZ));
+    if (missing == 0) return true;
+    report(diag::AxisMissing, block, invocation.function)
+        .arg(kAxisNames[static_cast<std::size_t>(std::countr_zero(missing))]);
+    return false;
 }
 
 /// Center of a rotation or a scaling; it stands behind their first parameter.

@@ -85,17 +85,16 @@ void Frames::shift(const FrameWords& words) {
         fine_ = {};
         steps_.clear();
     }
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
         if (words.has(i)) shift_[i] = words.values[i];
     }
     update();
 }
 
 void Frames::shift_add(const FrameWords& words) {
-    if (steps_.empty()) {
-        for (std::size_t i = 0; i < 3; ++i) fine_[i] += words.values[i];
-        return update();
-    }
+    const std::size_t added = steps_.empty() ? 0 : 3;  // rotations do not reach other axes
+    for (std::size_t i = added; i < kAxes; ++i) fine_[i] += words.values[i];
+    if (steps_.empty()) return update();
     append(Step::Kind::Shift, path::translation(vector_of(words)));
 }
 
@@ -204,7 +203,7 @@ void Frames::erase_mirrors(AxisMask axes) {
 
 void Frames::set_position(const FrameWords& words, const AxisValues& here, const AxisValues& base) {
     AxisValues wanted = here;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
         if (!words.has(i)) continue;
         wanted[i] = words.values[i];
         // Setting the position of an axis ends its local shift.
@@ -213,7 +212,7 @@ void Frames::set_position(const FrameWords& words, const AxisValues& here, const
     set_shift_ = {};
     update();
     const AxisValues reached = to_base(wanted);
-    for (std::size_t i = 0; i < 3; ++i) set_shift_[i] = base[i] - reached[i];
+    for (std::size_t i = 0; i < kAxes; ++i) set_shift_[i] = base[i] - reached[i];
     update();
 }
 
@@ -223,7 +222,7 @@ void Frames::preset(Axis axis, double by) {
 }
 
 void Frames::reset_position(AxisMask axes) {
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
         if ((axes >> i & 1u) != 0) set_shift_[i] = shift_[i] = 0;
     }
     update();

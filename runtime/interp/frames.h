@@ -18,8 +18,8 @@ namespace kadr::interp {
 
 /// Words of a frame function: which of X, Y, Z were given, and their values, mm.
 struct FrameWords {
-    std::array<double, 3> values{};
-    unsigned given = 0;  // bit 0: X …
+    AxisValues values{};
+    unsigned given = 0;  // bit 0: X …; of rotations, scales and mirrors up to Z
     bool has(std::size_t i) const { return (given >> i & 1u) != 0; }
 };
 

@@ -27,6 +27,8 @@ bool is_before_tilt(Function function) {
     switch (function) {
         case Function::WorkOffset:
         case Function::Shift:
+        case Function::ShiftAxes:
+        case Function::SetPositionAxes:
         case Function::ReferencePoint:
         case Function::ReferenceReturn:
         case Function::ReferenceCheck:
@@ -69,6 +71,9 @@ bool Executor::is_too_late(Function function) const {
         case Function::WorkOffset:
         case Function::Shift:
         case Function::ShiftAdd:
+        case Function::ShiftAxes:
+        case Function::ShiftAxesAdd:
+        case Function::SetPositionAxes:
         case Function::Mirror:
         case Function::MirrorOff:
         case Function::Scale:
@@ -104,6 +109,9 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
         // Before them, or on the way there, the compensation is taken back; it begins anew behind.
         case Function::Shift:
         case Function::ShiftAdd:
+        case Function::ShiftAxes:
+        case Function::ShiftAxesAdd:
+        case Function::SetPositionAxes:
         case Function::PositionReset:
         case Function::SetPosition:
         case Function::ReferencePoint:
@@ -486,6 +494,9 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ToolOffsetData: actions.data = &invocation; break;
         case Function::Shift:
         case Function::ShiftAdd:
+        case Function::ShiftAxes:
+        case Function::ShiftAxesAdd:
+        case Function::SetPositionAxes:
         case Function::ShiftCoarse:
         case Function::ShiftFine:
         case Function::Rotate:

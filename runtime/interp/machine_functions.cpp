@@ -1,5 +1,7 @@
 // M functions that take the machine time, as its file tells: where they are issued, and where the
 // program waits for them.
+#include <cmath>
+
 #include "interp/executor.h"
 
 namespace kadr::interp {
@@ -16,8 +18,7 @@ constexpr std::int64_t kNoCode = -1;
 /// same number on every control.
 std::int64_t code_of(const nc::Block& block, const nc::Invocation& invocation) {
     switch (invocation.function) {
-        case Function::MachineFunction:
-            return static_cast<std::int64_t>(block.argument(invocation, 0));
+        case Function::MachineFunction: return std::llround(block.argument(invocation, 0));
         case Function::SpindleCw: return 3;
         case Function::SpindleCcw: return 4;
         case Function::SpindleStop: return 5;

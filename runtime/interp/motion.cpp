@@ -262,6 +262,7 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
         command.keeps_feed = command.ignores_hold = true;
     if (panel_.positioning.is_said && block.find(Function::RapidOnce) != nullptr)
         put_positioning(command);
+    if (op != Op::Rapid && may_count_degrees(block)) count_degrees(block, command);
     arrive(target);
     if (op != Op::Probe) return;
     probed_.emplace();

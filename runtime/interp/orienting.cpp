@@ -288,6 +288,8 @@ bool Executor::refuses_under_tcp(const Block& block, Function function) {
         case Function::RadiusCompRight:
         case Function::WorkOffset:
         case Function::Shift:
+        case Function::ShiftAxes:
+        case Function::SetPositionAxes:
         case Function::SetPosition:
         case Function::Rotate:
         case Function::Scale:

@@ -44,6 +44,7 @@ bool Executor::move_plainly(const Block& block) {
     if (is_rapid ? !told_.rapid && spindle_.mode == path::SpindleMode::Stop
                  : motion != Function::Line)
         return false;
+    if (!is_rapid && may_count_degrees(block)) return false;
     if (options_.max_blocks != 0 && block_count_ >= options_.max_blocks) return false;
     const AxisValues& shift = frames_.shift_values();
     AxisValues to;  // in the base system

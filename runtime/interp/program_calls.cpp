@@ -490,6 +490,12 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
     const auto set = [&](std::uint32_t place, const Value& value, const Content& content) {
         const auto fault = variables.store_element(added, added.slot + place, value, content);
         if (fault.row == nullptr) return Done::Nothing;
+        if (given_value.is_given && fault.row == &diag::TypesDiffer) {
+            const auto type = std::ranges::find(language.types, added.type, &nc::TypeName::type);
+            const std::string wanted =
+                type == language.types.end() ? "one of its type" : std::string(type->name);
+            return fail(line, diag::ArgumentDiffers, span, {quoted(added.name), wanted});
+        }
         return fail(line, *fault.row, span, fault.arguments);
     };
     if (given_value.is_array) {

@@ -122,7 +122,9 @@ Program::State::Done Program::State::choose_case(CompiledLine& line,
             Value wanted;
             done = evaluate(line, statement.list[i], wanted);
             if (done == Done::Wait || lines.failed()) return done;
-            if (wanted.number != value.number) continue;
+            const std::optional<bool> is_same = evaluator.is_same(value, wanted);
+            if (!is_same) return fail(line, evaluator.fault());
+            if (!*is_same) continue;
         }
         return jump(line, statement.inner[i]);
     }

@@ -37,6 +37,14 @@ struct OpenStructure {
     std::unique_ptr<nc::ControlLine> counts;  // … its head
 };
 
+/// Where the values of a list go.
+struct ListPlace {
+    nc::Instruction load;     // Element, Global
+    std::string name;         // for messages
+    std::uint32_t first = 0;  // slot of the first one
+    std::uint32_t left = 0;   // so many there are from it on
+};
+
 /// A section that is being repeated.
 struct OpenRepeat {
     LinePosition begin;
@@ -270,6 +278,10 @@ struct Program::State {
     Done assign(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
     Done fit_text(CompiledLine& line, const nc::ControlStatement& statement, Value& value);
     Done assign_list(CompiledLine& line, const nc::ControlStatement& statement);
+    Done fill_count(CompiledLine& line, std::span<const nc::Expression> said, std::size_t most,
+                    std::size_t& out);
+    Done list_place(CompiledLine& line, const nc::Reference& reference, ListPlace& out);
+    ControlVariables::Fault store_at(const ListPlace& place, std::uint32_t i, const Value& value);
     Done declare(CompiledLine& line, const nc::ControlStatement& statement);
     Done declare_one(CompiledLine& line, const nc::Declaration& declaration, nc::ValueType type,
                      std::uint32_t text_size);

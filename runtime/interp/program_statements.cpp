@@ -144,8 +144,10 @@ Program::State::Done Program::State::store(CompiledLine& line, const nc::Referen
     ControlVariables::Fault fault = store_noted(line, reference, indices, value);
     if (fault.row == nullptr) return Done::Nothing;
     // The control's own state has the name that the program says.
-    const bool is_state = reference.load.kind == nc::Instruction::Kind::System;
-    const auto quantity = static_cast<nc::Quantity>(reference.load.index);
+    const bool is_family = reference.load.kind == nc::Instruction::Kind::Family;
+    const bool is_state = is_family || reference.load.kind == nc::Instruction::Kind::System;
+    const auto quantity = is_family ? variables.quantity_of(reference.load.index, indices[0])
+                                    : static_cast<nc::Quantity>(reference.load.index);
     if (is_state && !fault.arguments.empty() && fault.arguments[0] == info(quantity).name) {
         fault.arguments[0] =
             line.text.substr(reference.span.begin, reference.span.end - reference.span.begin);
@@ -153,38 +155,98 @@ Program::State::Done Program::State::store(CompiledLine& line, const nc::Referen
     return fail(line, *fault.row, reference.span, fault.arguments);
 }
 
+/// `SET(1,,3)`, `REP(0)`, `REP(0,3)`: for elements of an array, or for variables with numbers.
 Program::State::Done Program::State::assign_list(CompiledLine& line,
                                                  const ControlStatement& statement) {
-    const nc::Instruction& load = statement.variable.load;
-    if (load.kind != nc::Instruction::Kind::Element)
-        return fail(line, diag::IndexWrong, statement.variable.span, {"this variable"});
-    std::array<std::int64_t, 4> indices{};
-    switch (evaluator.indices(line.line, statement.variable, indices)) {
-        case Evaluator::Outcome::Done: break;
-        case Evaluator::Outcome::Later: return Done::Wait;
-        case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
+    ListPlace place;
+    Done done = list_place(line, statement.variable, place);
+    if (done == Done::Wait || lines.failed()) return done;
+    std::size_t count = statement.list.size();
+    if (statement.fills) {
+        done = fill_count(line, statement.list, place.left, count);
+        if (done == Done::Wait || lines.failed()) return done;
+    } else if (count > place.left) {
+        return fail(line, diag::TooManyInitialValues, statement.span, {place.name});
     }
-    const nc::Symbol& symbol = variables.level().symbols.at(load.index);
-    const auto first = Evaluator::element(symbol, indices);
-    if (!first) {
-        return fail(line, diag::IndexWrong, statement.variable.span,
-                    {Evaluator::wrong_index(symbol, indices)});
-    }
-    const std::uint32_t end = symbol.slot + symbol.count();
-    if (!statement.fills && *first + statement.list.size() > end)
-        return fail(line, diag::TooManyInitialValues, statement.span, {symbol.name});
-    const std::size_t count = statement.fills ? end - *first : statement.list.size();
     for (std::size_t i = 0; i < count; ++i) {
         const nc::Expression& expression = statement.list[statement.fills ? 0 : i];
         if (!expression.is_given()) continue;
         Value value;
-        const Done done = evaluate(line, expression, value);
+        done = evaluate(line, expression, value);
         if (done == Done::Wait || lines.failed()) return done;
-        const auto fault = variables.store_element(symbol, *first + static_cast<std::uint32_t>(i),
-                                                   value, evaluator.content(value));
+        const auto fault = store_at(place, static_cast<std::uint32_t>(i), value);
         if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
     }
     return Done::Nothing;
+}
+
+/// How many variables get the value of a filling: so many as its second number says, else all.
+Program::State::Done Program::State::fill_count(CompiledLine& line,
+                                                std::span<const nc::Expression> said,
+                                                std::size_t most, std::size_t& out) {
+    out = most;
+    if (said.size() < 2 || !said[1].is_given()) return Done::Nothing;
+    Value number;
+    const Done done = evaluate(line, said[1], number);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (!(number.number >= 1) || number.number > static_cast<double>(most))
+        return fail(line, diag::TooManyInitialValues, said[1].span, {"this"});
+    out = static_cast<std::size_t>(number.number);
+    return Done::Nothing;
+}
+
+/// Where the values of a list go: from this element on, or from the variable of this number on.
+Program::State::Done Program::State::list_place(CompiledLine& line, const nc::Reference& reference,
+                                                ListPlace& out) {
+    using Kind = nc::Instruction::Kind;
+    out.load = reference.load;
+    out.name = line.text.substr(reference.span.begin, reference.span.end - reference.span.begin);
+    std::array<std::int64_t, 4> indices{};
+    switch (evaluator.indices(line.line, reference, indices)) {
+        case Evaluator::Outcome::Done: break;
+        case Evaluator::Outcome::Later: return Done::Wait;
+        case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
+    }
+    if (out.load.kind == Kind::Element) {
+        const nc::Symbol& symbol = variables.level().symbols.at(out.load.index);
+        const auto first = Evaluator::element(symbol, indices);
+        if (!first) {
+            return fail(line, diag::IndexWrong, reference.span,
+                        {Evaluator::wrong_index(symbol, indices)});
+        }
+        out.first = *first;
+        out.left = symbol.slot + symbol.count() - *first;
+        out.name = symbol.name;
+        return Done::Nothing;
+    }
+    const bool is_family = out.load.kind == Kind::Family;
+    if (!is_family && out.load.kind != Kind::Global)
+        return fail(line, diag::IndexWrong, reference.span, {"this variable"});
+    const nc::VariableRange* range =
+        is_family ? find_range(language.variables[out.load.index], indices[0])
+                  : range_of_slot(language, out.load.index);
+    if (range == nullptr || range->kind != nc::VariableRange::Kind::Global)
+        return fail(line, diag::IndexWrong, reference.span, {"this variable"});
+    const std::uint32_t behind_first = is_family
+                                           ? static_cast<std::uint32_t>(indices[0] - range->first)
+                                           : out.load.index - range->slot;
+    out.load.kind = Kind::Global;
+    out.load.type = range->type;
+    out.first = range->slot + behind_first;
+    out.left = static_cast<std::uint32_t>(range->last - range->first) + 1 - behind_first;
+    return Done::Nothing;
+}
+
+ControlVariables::Fault Program::State::store_at(const ListPlace& place, std::uint32_t i,
+                                                 const Value& value) {
+    const Content content = evaluator.content(value);
+    if (place.load.kind == nc::Instruction::Kind::Element) {
+        return variables.store_element(variables.level().symbols.at(place.load.index),
+                                       place.first + i, value, content);
+    }
+    nc::Instruction load = place.load;
+    load.index = place.first + i;
+    return variables.store(load, {}, value, content);
 }
 
 Program::State::Done Program::State::declare(CompiledLine& line,
@@ -241,9 +303,13 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
     if (variables.level().symbols.has_own(symbol.name))
         return fail(line, diag::NameTwice, declaration.span, {symbol.name});
     const nc::Symbol& added = variables.declare(std::move(symbol));
-    if (declaration.values.size() > added.count())
+    std::size_t filled = declaration.values.size();
+    if (declaration.fills) {
+        const Done done = fill_count(line, declaration.values, added.count(), filled);
+        if (done == Done::Wait || lines.failed()) return done;
+    } else if (filled > added.count()) {
         return fail(line, diag::TooManyInitialValues, declaration.span, {added.name});
-    const std::size_t filled = declaration.fills ? added.count() : declaration.values.size();
+    }
     for (std::size_t i = 0; i < filled; ++i) {
         const nc::Expression& expression = declaration.values[declaration.fills ? 0 : i];
         if (!expression.is_given()) continue;

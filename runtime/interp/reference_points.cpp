@@ -224,9 +224,9 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
         return;
     }
     const double number = block.argument(invocation, 0, 1);
-    const auto point = static_cast<std::size_t>(number - 1);
-    if (!(number >= 1) || point >= machine::kReferencePoints ||
-        (moved & ~axes_.has_reference_point[point]) != 0) {
+    const bool is_one = number >= 1 && number < machine::kReferencePoints + 1;
+    const std::size_t point = is_one ? static_cast<std::size_t>(number) - 1 : 0;
+    if (!is_one || (moved & ~axes_.has_reference_point[point]) != 0) {
         report(diag::ReferenceUnknown, block, invocation.function).arg(number);
         return;
     }

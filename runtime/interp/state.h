@@ -139,6 +139,7 @@ struct RadiusCompState {
     bool is_in_frame = false;                         // … in the plane that frames have tilted
     bool is_by_side_code = false;                     // … unless its own code says by the side
     nc::Function acting = nc::Function::CompInPlane;  // where it has begun
+    bool is_mirrored = false;  // … and whether a frame mirrored its plane there
     bool turns_on_arc = true;  // in space: blocks at corners that only turn the tool
     double depth = 0;          // in space: of the contour above the tip, mm
 

@@ -105,7 +105,9 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     tilting_.warned_turned = false;
     frame_changed();
 
-    const auto mode = static_cast<unsigned>(block.argument(invocation, kMode));
+    constexpr double kMostModes = 1e6;
+    const auto mode =
+        static_cast<unsigned>(std::clamp(block.argument(invocation, kMode), 0.0, kMostModes));
     std::optional<Vec3> joints = direct_joints(block, invocation);
     if (mode >> 6 != kDirect)
         joints = joints_for_plane(block, Function::Swivel, static_cast<int>(direction));

@@ -3,15 +3,17 @@
 #include <algorithm>
 
 #include "nc/control_words.h"
+#include "nc/letters.h"
 
 namespace kadr::interp {
+
+using nc::is_letter;
 
 namespace {
 
 /// Between the word and its text.
 constexpr std::string_view kAs = "AS";
 
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 bool is_in_name(char c) { return is_letter(c) || (c >= '0' && c <= '9'); }
 
 std::size_t end_of_name(std::string_view line, std::size_t begin) {

@@ -144,7 +144,8 @@ double ToolOffsets::radius(std::int64_t number) const {
 }
 
 int ToolOffsets::whole(Column column, std::int64_t number) const {
-    return static_cast<int>(value(column, number));
+    constexpr double kMost = 1e9;
+    return static_cast<int>(std::clamp(value(column, number), -kMost, kMost));
 }
 
 }  // namespace kadr::interp

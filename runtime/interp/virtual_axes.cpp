@@ -249,7 +249,7 @@ std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
     constexpr std::size_t kDiameter = 1;
     constexpr std::size_t kWalls = 3;
     constexpr std::size_t kAxis = 4;
-    const auto axis = static_cast<std::int64_t>(block.argument(invocation, kAxis, 0));
+    const std::int64_t axis = std::llround(block.argument(invocation, kAxis, 0));
     const std::array<Axis, 4> named = {Axis::C, Axis::A, Axis::B, Axis::C};
     VirtualAxes axes;
     axes.kind = VirtualKind::Cylinder;

@@ -19,8 +19,9 @@ constexpr double kMostRamp = 0.9;    // the jump has up to 42 % then
 constexpr double kSharedRamp = 0.5;  // half and half
 // Corners of equal distance below a tick weigh up to 1.125 times as much as their mean.
 constexpr double kCrowding = 1.125;
-// Beside a block that is shorter, mm (deg), a corner is never a stop: contours of short blocks
-// shall run through, and a rest at every one of them shakes the machine.
+// Between blocks that are shorter, mm (deg), a corner is never a stop: contours of short blocks
+// shall run through, and a rest at every one of them shakes the machine. Under a transformation
+// neither beside one: axes need a way to get up to their speed.
 constexpr double kShortBlock = 1;
 constexpr double kStraight = 1e-9;  // as in corner.cpp
 // A corner that could be passed so many times faster than the pieces beside it is none.
@@ -64,6 +65,12 @@ void Preparer::State::take_corner(Piece& piece) const {
     const bool is_free = options.corner_rule != CornerRule::AxisJump || is_jump_given ||
                          piece.entry_limit == 0 || std::isinf(piece.entry_limit);
     if (is_free) return;
+    // Whatever the ramp at the end of a thread lacks would be taken from its pitch.
+    if (leaves_thread) {
+        piece.entry_limit = 0;
+        piece.rests_at_corner = true;
+        return;
+    }
     const bool alone = is_alone(piece);
     double ramp = kSharedRamp;
     double speed = shared_speed(piece, alone, kSharedRamp);
@@ -76,19 +83,22 @@ void Preparer::State::take_corner(Piece& piece) const {
         ramp = other_ramp;
     };
     if (alone) take_if_quicker(shared_speed(piece, alone, kMostRamp), kMostRamp);
-    if (std::min(last.length, piece.length) >= kShortBlock) take_if_quicker(0, 1);
+    const bool may_rest = piece.segment.is_transformed()
+                              ? std::min(last.length, piece.length) >= kShortBlock
+                              : std::max(last.length, piece.length) >= kShortBlock;
+    if (may_rest) take_if_quicker(0, 1);
     piece.entry_limit = speed;
     piece.rests_at_corner = speed == 0;
     piece.ramp = piece.ramp_before = ramp;
     piece.acceleration *= ramp;
 }
 
-/// Time for half of the shorter piece beside a corner that is left at this speed.
+/// Time for the halves of both pieces beside a corner that is passed at this speed.
 double Preparer::State::time_beside(const Piece& piece, double speed, double ramp) const {
-    const RampLimits limits{ramp * std::min(last.acceleration, piece.acceleration),
-                            std::min(last.jerk, piece.jerk)};
-    return time_over(std::min(last.length, piece.length) / 2, speed,
-                     std::min(last.speed, piece.speed), limits);
+    const double before = time_over(last.length / 2, std::min(speed, last.speed), last.speed,
+                                    {ramp * last.acceleration, last.jerk});
+    return before + time_over(piece.length / 2, std::min(speed, piece.speed), piece.speed,
+                              {ramp * piece.acceleration, piece.jerk});
 }
 
 /// Whether no other corner comes within two ticks.

@@ -230,6 +230,7 @@ struct Preparer::State {
     bool thread_corner_reported = false;
     bool is_threading = false;    // the latest motion is a thread …
     bool thread_goes_on = false;  // … that goes on with the one before it
+    bool leaves_thread = false;   // the latest motion is none, and the one before it was
 
     Standing standing;
     Spindle spindle;

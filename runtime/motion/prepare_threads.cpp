@@ -48,6 +48,7 @@ double ramp_to(double speed, const PathLimits& limits) {
 void Preparer::State::meet_spindle(const path::Command& command) {
     const bool is_thread = command.op == path::Op::Thread;
     thread_goes_on = is_thread && is_threading && !last.must_stop;
+    leaves_thread = is_threading && !is_thread;
     is_threading = is_thread;
     if (!is_thread || thread_goes_on || !spindle.is_turning) return;
     release();

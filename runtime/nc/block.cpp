@@ -141,7 +141,8 @@ bool operator==(const Block& a, const Block& b) {
         a.find(Function::Cycle) != nullptr || a.find(Function::CyclePreset) != nullptr;
     if (has_cycle && a.cycle != b.cycle) return false;
     if (a.x_measure != b.x_measure || a.rotary_ways != b.rotary_ways) return false;
-    if (a.feed_along_arc != b.feed_along_arc) return false;
+    if (a.feed_along_arc != b.feed_along_arc || a.feed_of_all_axes != b.feed_of_all_axes)
+        return false;
     return a.skip == b.skip && a.skip_also == b.skip_also && a.number == b.number &&
            a.text == b.text && a.comment == b.comment;
 }

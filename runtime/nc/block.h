@@ -97,11 +97,13 @@ struct Block {
     SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state says
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
-    std::int8_t skip = -1;         // optional skip level 0…9; -1 none
-    bool feed_along_arc = false;   // F of a helix is meant along its arc, not its path
-    std::uint16_t skip_also = 0;   // bit n: the block is left out at level n as well
-    std::uint8_t rotary_ways = 0;  // of A, B, C: two bits each, a RotaryWay
-    CycleId cycle = 0;             // holds if Function::Cycle is among the functions
+    std::int8_t skip = -1;              // optional skip level 0…9; -1 none
+    bool feed_along_arc : 1 = false;    // F of a helix is meant along its arc, not its path
+    bool feed_of_all_axes : 1 = false;  // F of a straight block is meant over rotary axes, too
+    bool has_inch_feed : 1 = false;     // of what was read: F is in inches
+    std::uint16_t skip_also = 0;        // bit n: the block is left out at level n as well
+    std::uint8_t rotary_ways = 0;       // of A, B, C: two bits each, a RotaryWay
+    CycleId cycle = 0;                  // holds if Function::Cycle is among the functions
     // Of its parameters, the first 16, bit i: no word says it, the form of the cycle does.
     std::uint16_t cycle_by_form = 0;
     std::int32_t number = -1;           // N; -1 none
@@ -122,7 +124,7 @@ struct Block {
         skip = -1;
         skip_also = 0;
         x_measure = XMeasure::Modal;
-        feed_along_arc = false;
+        feed_along_arc = feed_of_all_axes = has_inch_feed = false;
         rotary_ways = 0;
         cycle = 0;
         cycle_by_form = 0;

@@ -56,6 +56,7 @@ constexpr bool is_quiet_group(Group group) {
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
     : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
     counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
+    counts_all_axes_ = dialect.has_rule("feed_of_all_axes");
     shifts_center_ = dialect.has_rule("arc_error", "shift_center");
     scale_replaces_ = dialect.has_rule("scale_replaces");
     changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
@@ -286,6 +287,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     } else if (block.function_count == 0 && !options_.verbose_modal) {
         drop_unchanged(block, start, targets);
     }
+    if (motion == Function::Line) place_axes_feed(block, start, targets);
     // An incremental word that the control can only say under incremental dimensions.
     if (targets.written != 0 && targets.needs_incremental &&
         modal_.text_of(Group::Distance) != Function::Incremental) {

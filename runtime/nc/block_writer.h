@@ -212,6 +212,10 @@ class BlockWriter {
     MeantArc meant_arc(const Block& block, const WrittenPosition& start) const;
     void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_helix_feed(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_axes_feed(const Block& block, const WrittenPosition& start, Targets& targets);
+    std::optional<double> meant_way(const Block& block, const WrittenPosition& start,
+                                    std::size_t axis) const;
+    bool leads_tip();
     PlanePoint meant_center(const Block& block, const PlanePoint& start,
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
@@ -324,6 +328,7 @@ class BlockWriter {
     std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
     std::uint32_t done_ = 0;                        // functions that need no word any more
     bool counts_feed_along_arc_ = false;            // F of a helix, in the text
+    bool counts_all_axes_ = false;                  // in F of a straight block, in the text
     bool shifts_center_ = false;                    // the control, of an arc that does not close
     bool is_halved_ = false;                        // the blocks are halves of an arc
     bool scale_replaces_ = false;                   // a second scale ends the first

@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
+#include "nc/letters.h"
 
 namespace kadr::nc {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 
 /// How many variables the next round of a series lies behind.
 constexpr std::uint32_t kSeriesStep = 3;

@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "nc/letters.h"
 
 namespace kadr::nc {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool is_name_char(char c) {
     return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
            c == '-' || c == '+' || c == '.';

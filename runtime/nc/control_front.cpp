@@ -3,13 +3,12 @@
 
 #include "nc/control_line.h"
 #include "nc/control_words.h"
+#include "nc/letters.h"
 #include "nc/loop_front.h"
 
 namespace kadr::nc {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 class Front {
   public:

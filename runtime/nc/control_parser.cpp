@@ -309,7 +309,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                     const Word word = words_.word_at(at_);
                     if (!words_.says_with_digits(word, token.text)) {
                         if (token.is_optional) return is_finished();
-                        return fail_here(diag::StatementSyntax);
+                        if (at_ < line_.size()) return fail_here(diag::StatementSyntax);
+                        return fail_missing(token.text);
                     }
                     at_ += words_.length_of(word, token.text);
                     break;
@@ -331,6 +332,13 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             }
         }
         return form.repeats || is_finished();
+    }
+
+    /// The line ends in front of a word of the statement.
+    bool fail_missing(const std::string& word) {
+        fail_here(diag::StatementWordMissing);
+        fault_->arguments = {word};
+        return false;
     }
 
     /// Nothing but a comment behind the statement.
@@ -373,9 +381,10 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             case Hole::Variable: return take_reference(out.variable);
             case Hole::Condition:
                 if (!take_expression(out.value)) return false;
-                if (!rules_.stores_comparisons && !out.value.is_logical)
-                    return fail(diag::ExpressionSyntax, out.value.span);
-                return true;
+                if (rules_.stores_comparisons || out.value.is_logical) return true;
+                skip();
+                if (peek() == '=') return fail_here(diag::ExpressionSyntax);
+                return fail(diag::ExpressionSyntax, out.value.span);
             case Hole::Value:
             case Hole::First:
             case Hole::Number: return take_stored(out.value);

@@ -3,16 +3,9 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "nc/letters.h"
 
 namespace kadr::nc {
-
-namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
-
-}  // namespace
 
 ControlWords::ControlWords(const DialectTables& tables, std::string_view line)
     : tables_(tables), line_(line), comment_(tables.comment.open) {

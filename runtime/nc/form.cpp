@@ -5,14 +5,12 @@
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "nc/letters.h"
 #include "nc/quoted.h"
 
 namespace kadr::nc {
 
 namespace {
-
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");

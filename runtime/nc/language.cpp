@@ -86,6 +86,17 @@ bool set_language_rule(LanguageRules& rules, std::string_view name, std::string_
     return false;
 }
 
+const VariableRange* range_of_slot(const Language& language, std::uint32_t slot) {
+    for (const VariableForm& form : language.variables) {
+        for (const VariableRange& range : form.ranges) {
+            const bool is_store = form.is_family && range.kind == VariableRange::Kind::Global;
+            const auto place = static_cast<std::int64_t>(slot) - range.slot;
+            if (is_store && place >= 0 && place <= range.last - range.first) return &range;
+        }
+    }
+    return nullptr;
+}
+
 const VariableRange* find_range(const VariableForm& family, std::int64_t number) {
     const auto found = std::ranges::find_if(family.ranges, [&](const VariableRange& range) {
         return number >= range.first && number <= range.last;

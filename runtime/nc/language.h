@@ -257,6 +257,9 @@ struct Language {
     std::bitset<128> call_starts;      // first letters of codes that call a program
 };
 
+/// The range of a family whose variables are in the store of the run, and hold this slot; nullptr
+/// if a named variable or a declared one is there.
+const VariableRange* range_of_slot(const Language& language, std::uint32_t slot);
 /// The range that holds the number; nullptr if the family has no such variable.
 const VariableRange* find_range(const VariableForm& family, std::int64_t number);
 

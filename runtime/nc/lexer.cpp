@@ -7,16 +7,13 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
+#include "nc/letters.h"
 #include "nc/refused_words.h"
 
 namespace kadr::nc {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 
 struct ModeName {
@@ -100,6 +97,7 @@ class Lexer {
     void fail_assigned(std::size_t begin, const char* otherwise) {
         const std::string known =
             tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)) + '=');
+        if (known.empty() && !rules_.has_assignment) return fail_here(diag::IsoSyntax);
         fail(diag::IsoNotSupported, begin, at_, {known.empty() ? otherwise : known});
     }
     /// What stands behind a word that Kadr does not know may have a form that it does not know.
@@ -237,9 +235,7 @@ class Lexer {
         if (c == '/' && rules_.has_several_skips) return take_skip_of_rest();
         is_behind_computed_ = false;
         if (c == ',' && has_comma_words_) return take_comma_word();
-        const bool is_index = c == '[' && compiler_ != nullptr;
-        if (is_index)
-            return fail(diag::IsoNotSupported, at_, at_ + 1, {"an address with an index"});
+        if (c == '[' && compiler_ != nullptr) return fail_here(diag::IsoSyntax);
         if ((c == '#' || c == '[' || c == '$') && compiler_ == nullptr) {
             return fail(diag::IsoNotSupported, at_, at_ + 1,
                         {"the control's own parametric language"});
@@ -338,9 +334,9 @@ class Lexer {
         if (peek() == '=') fail_assigned(begin, "an address with a number of its own");
     }
 
-    /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the first spindle, which is the master unless the
-    /// program says otherwise; `at_` is behind the letters that begin at `begin`. What the dialect
-    /// declares for other spindles are addresses of their own.
+    /// `S1=500`, `M1=3`, `SPOS[1]=90`, `S[SPI(1)]=500`: a word of the first spindle, which is the
+    /// master unless the program says otherwise; `at_` is behind the letters that begin at `begin`.
+    /// What the dialect declares for other spindles are addresses of their own.
     bool take_spindle(std::size_t begin) {
         const bool has_index = peek() == '[';
         if ((!has_index && !is_digit(peek())) || rules_.spindle_words.empty()) return false;
@@ -349,17 +345,26 @@ class Lexer {
         if (std::ranges::find(rules_.spindle_words, name) == rules_.spindle_words.end())
             return false;
         std::size_t end = at_ + (has_index ? 1 : 0);
+        // `S[SPI(2)]`: as `S[2]`.
+        const bool is_named = has_index && upper_ascii(line_.substr(end, 4)) == "SPI(";
+        if (is_named) end += 4;
         const std::size_t first = end;
         while (end < line_.size() && is_digit(line_[end])) ++end;
         const std::string_view number = line_.substr(first, end - first);
+        if (is_named && (end == line_.size() || line_[end++] != ')')) return false;
         if (has_index) {
             if (end == line_.size() || line_[end] != ']') return false;
             ++end;
         }
         const std::size_t sign = std::min(line_.find_first_not_of(" \t", end), line_.size());
         if (number.empty() || sign == line_.size() || line_[sign] != '=') return false;
+        if (has_index && number != "1" && is_declared(name, number, false)) {
+            at_ = sign;
+            take_assigned(tables_.find_address(name + std::string(number)), begin);
+            return true;
+        }
         if (number != "1") {
-            if (is_declared(name, number, has_index)) return false;
+            if (!is_named && is_declared(name, number, has_index)) return false;
             if (is_declared(name, "2", has_index)) {
                 fail(diag::SpindleMissing, begin, end, {std::string(number)});
                 return true;

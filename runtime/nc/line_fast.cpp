@@ -7,13 +7,12 @@
 #include "base/numbers.h"
 #include "base/powers.h"
 #include "base/short_number.h"
+#include "nc/letters.h"
 #include "nc/line_reader.h"
 
 namespace kadr::nc {
 
 namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 /// What a byte behind the digits of a number says about it.
 enum NumberEnd : std::uint8_t { kEnds = 0, kGoesOn = 1, kIsExpression = 2, kBlank = 4 };
@@ -81,6 +80,7 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
     const char* const end = p + line.size();
     std::uint32_t groups = 0;
     bool has_word = false;
+    block.has_inch_feed = units_.inch_feed;
     const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
     const Function length = modal_[static_cast<std::size_t>(Group::LengthComp)];
     if (closely_read_[static_cast<std::size_t>(motion)] ||

@@ -6,6 +6,8 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "nc/foreign_words.h"
+#include "nc/letters.h"
 #include "nc/line_reader.h"
 
 namespace kadr::nc {
@@ -132,6 +134,11 @@ void LineReader::report(std::string_view line, const LineFault& fault) {
     }
     if (const auto alarm = dialect_.alarm(*fault.row, detail))
         builder.alarm(alarm->number, alarm->text);
+    const std::string_view instead = instead_of_foreign(tables_, line, fault.span);
+    const std::size_t at = fault.span.begin;
+    const bool is_small = !tables_.rules.ignores_case && at < line.size() && is_lower(line[at]);
+    if (!instead.empty()) builder.fix(std::string(instead));
+    else if (is_small && fault.row == &diag::IsoSyntax) builder.fix("write capital letters");
     write_notes(builder);
 }
 
@@ -156,8 +163,12 @@ void LineReader::take_argument_fault(const MatchFault& fault, LineFault& out) co
         lexed_->arguments[word.first_argument + place].kind == GivenArgument::Kind::Text;
     const bool is_cycle =
         fault.form != kNoForm && tables_.forms[fault.form].function == Function::Cycle;
-    out.row = is_text && is_cycle ? &diag::IsoArgumentType : &diag::IsoNotSupported;
+    const bool is_text_missing = !is_text && fault.form != kNoForm &&
+                                 tables_.forms[fault.form].function == Function::Message;
+    const bool is_of_type = is_text_missing || (is_text && is_cycle);
+    out.row = is_of_type ? &diag::IsoArgumentType : &diag::IsoNotSupported;
     out.arguments = {argument_words(*lexed_, fault, tables_.addresses[word.address].name)};
+    if (is_of_type) out.arguments.emplace_back(is_text ? "a number" : "a text");
 }
 
 void LineReader::report(std::string_view line, const MatchFault& fault) {
@@ -192,9 +203,10 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             break;
         case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
         case Kind::Missing:
-            out.row = &diag::IsoWordsMissing, out.arguments = {word, form};
-            if (fault.form != kNoForm)
-                out.arguments = {word, missing_words(tables_, tables_.forms[fault.form], *lexed_)};
+            out.row = &diag::IsoWordsMissing;
+            // A word that is inherited, and of which the control has no form.
+            if (fault.form == kNoForm) out.row = &diag::IsoUnknownWord, out.arguments = {word};
+            else out.arguments = {word, missing_words(tables_, tables_.forms[fault.form], *lexed_)};
             if (is_polynomial(fault.form) &&
                 modal_[static_cast<std::size_t>(Group::Motion)] != Function::Polynomial)
                 out.row = &diag::PolynomialAlone, out.arguments = {word};

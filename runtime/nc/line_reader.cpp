@@ -8,13 +8,11 @@
 #include "base/numbers.h"
 #include "base/powers.h"
 #include "base/text.h"
+#include "nc/letters.h"
 
 namespace kadr::nc {
 
 namespace {
-
-bool is_digit(char c) { return static_cast<unsigned char>(c - '0') <= 9; }
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 /// Whether a line is the last one of a program: it begins as the template does before what is
 /// filled in.
@@ -59,8 +57,13 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
     const auto is_end = [&](const std::string& end) { return is_end_line(line, end); };
     if (text_->has_content && std::ranges::any_of(ends, is_end)) text_->has_ended = true;
     if (text_->has_ended) return LineKind::Nothing;
-    const bool is_header = std::ranges::any_of(
-        tables_.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
+    // `O100`, `O<NAME>`, and no word that begins with the letter.
+    const bool is_header =
+        std::ranges::any_of(tables_.program.skipped, [&](const std::string& front) {
+            const bool goes_on = !front.empty() && is_letter(front.back()) &&
+                                 line.size() > front.size() && is_letter(line[front.size()]);
+            return line.starts_with(front) && !goes_on;
+        });
     if (!is_header) return LineKind::Words;
     if (!text_->has_content) {
         if (auto program =
@@ -470,6 +473,7 @@ bool LineReader::apply(Block& block, std::string_view line) {
     const ModalFunctions before = modal_;
     follow_modal(block, modal_);
     follow_units();
+    block.has_inch_feed = units_.inch_feed;
     bool is_fine = true;
     for (std::size_t i = 0; i < match_.claim_count && is_fine; ++i) {
         is_fine = apply_claim(match_.claims[i], block, line);

@@ -36,6 +36,7 @@ bool apply_dialect(const XmlElement& root, DialectTables& tables, DiagnosticSink
         if (e.name == "alarm") load_alarm(e, tables, attributes);
         if (e.name == "rule") load_rule(e, tables);
         if (e.name == "unsupported") load_unsupported(e, tables);
+        if (e.name == "foreign") load_foreign(e, tables);
         if (e.name == "passed") load_passed(e, tables, attributes);
         if (e.name == "example") load_example(e, tables);
         if (e.name == "language") load_language(e, tables, attributes);

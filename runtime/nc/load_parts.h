@@ -27,6 +27,7 @@ void load_remove(const XmlElement& element, DialectTables& tables, Attributes& a
 void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& attributes);
 void load_rule(const XmlElement& element, DialectTables& tables);
 void load_unsupported(const XmlElement& element, DialectTables& tables);
+void load_foreign(const XmlElement& element, DialectTables& tables);
 void load_passed(const XmlElement& element, DialectTables& tables, Attributes& attributes);
 void load_example(const XmlElement& element, DialectTables& tables);
 

@@ -78,6 +78,12 @@ void load_unsupported(const XmlElement& element, DialectTables& tables) {
     }
 }
 
+void load_foreign(const XmlElement& element, DialectTables& tables) {
+    const std::string& instead = needed(element, "instead").value;
+    for (const XmlWord& word : words_of(needed(element, "words")))
+        tables.foreign.insert_or_assign(word.text, instead);
+}
+
 void load_passed(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
     PassedWord passed;
     passed.meaning = needed(element, "meaning").value;

@@ -1,12 +1,12 @@
 #include "nc/loop_front.h"
 
+#include "nc/letters.h"
+
 namespace kadr::nc {
 
 namespace {
 
 constexpr int kMostNumber = 100000;  // what no control takes any more
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

@@ -3,14 +3,9 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "nc/letters.h"
 
 namespace kadr::nc {
-
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
 
 bool is_program_call(const DialectTables& tables, std::string_view written) {
     constexpr std::string_view kDigits = "{digits}";

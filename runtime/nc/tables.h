@@ -293,6 +293,8 @@ struct DialectTables {
     std::vector<AlarmAbout> alarms_about;                  // looked at first
     std::map<std::string, std::string, std::less<>>
         unsupported;  // words that the control has and Kadr does not read, with their meaning
+    std::map<std::string, std::string, std::less<>>
+        foreign;  // words of other controls, and what this one has instead
     /// By the word alone, or with all that belongs to it: `SETMS(1)`.
     std::map<std::string, PassedWord, std::less<>> passed;
     std::vector<RuleSetting> rule_settings;  // of the interpreter

@@ -61,6 +61,9 @@ bool BlockWriter::is_fast(const Block& block) const {
         return false;
     const Function motion = effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;
+    const bool moves_others = (targets & ~SlotMask{kLinearXYZ}) != 0;
+    if (moves_others && block.feed_of_all_axes != counts_all_axes_ && motion == Function::Line)
+        return false;
     if (options_.verbose_modal && fast_code(motion).empty()) return false;
     const auto distance = static_cast<std::size_t>(Group::Distance);
     const auto feed_mode = static_cast<std::size_t>(Group::FeedMode);

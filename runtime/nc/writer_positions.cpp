@@ -6,6 +6,7 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
+#include "base/units.h"
 #include "nc/arc_words.h"
 #include "nc/block_writer.h"
 
@@ -555,6 +556,49 @@ void BlockWriter::place_helix_feed(const Block& block, const WrittenPosition& st
     if (arc < kSame) return;  // no arc: that has its message
     const double path = std::hypot(arc, height);
     targets.feed_factor = block.feed_along_arc ? path / arc : arc / path;
+}
+
+/// The axes of a straight block shall be as fast as the program means it, where program and control
+/// count different ones: X, Y and Z, or all of them, of which a degree is a unit of length.
+void BlockWriter::place_axes_feed(const Block& block, const WrittenPosition& start,
+                                  Targets& targets) {
+    constexpr SlotMask kFollowers = kTargetSlots & ~SlotMask{kLinearXYZ};
+    if (block.feed_of_all_axes == counts_all_axes_ || (block.given & kFollowers) == 0) return;
+    if (leads_tip() || modal_.meant_of(Group::FeedMode) == Function::FeedInverseTime) return;
+    if (!block.has(Slot::Feed) && !modal_.has_meant_feed) return;  // that has its message
+    double way = 0;                                                // squares, mm
+    double parallel = 0;                                           // of U, V, W
+    double turn = 0;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if (!block.has(static_cast<Slot>(axis))) continue;
+        const std::optional<double> distance = meant_way(block, start, axis);
+        if (!distance) return position_unknown(block, "F");
+        const bool turns = is_rotary(static_cast<Axis>(axis));
+        const double unit = turns && modal_.units.inch_feed ? kMmPerInch : 1;
+        (turns ? turn : axis < 3 ? way : parallel) += *distance * *distance * unit * unit;
+    }
+    const double all = std::sqrt(way + parallel + turn);
+    const double counted = std::sqrt(way > kSame * kSame ? way : parallel);
+    if (counted < kSame || all - counted < kSame)
+        return;  // where rotary axes are alone, F is theirs
+    targets.feed_factor = block.feed_of_all_axes ? counted / all : all / counted;
+}
+
+/// How far an axis goes in a block, frames included; none where nobody knows where it stands.
+std::optional<double> BlockWriter::meant_way(const Block& block, const WrittenPosition& start,
+                                             std::size_t axis) const {
+    const bool is_way = is_distance(block, axis);
+    if (!is_way && (start.known >> axis & 1u) == 0) return std::nullopt;
+    const double way = block.at(static_cast<Slot>(axis)) - (is_way ? 0 : start.meant[axis]);
+    return axis < modal_.factors.size() ? way * on_part(axis) * modal_.factors[axis] : way;
+}
+
+/// Whether F is the speed of the tip, whatever the axes do.
+bool BlockWriter::leads_tip() {
+    const Function length = modal_.meant_of(Group::LengthComp);
+    const Function transformation = modal_.meant_of(Group::Transformation);
+    const bool is_axes = transformation == Function::None || transformation == Function::TcpOff;
+    return !is_axes || length == Function::TcpLength || length == Function::TcpVector;
 }
 
 /// Whether the points of a helix are known so far that its turns can be shared out; says so if not.

@@ -116,8 +116,11 @@ Result<Arc, ArcFault> arc_through(const ArcEnds& ends, const Vec3& through) {
     const Vec3 to_center =
         (a.squaredNorm() * b - b.squaredNorm() * a).cross(w) / (2 * w.squaredNorm());
     const Vec3 normal = w.normalized();
-    return Arc{ends.start, ends.end, ends.start + to_center, normal,
-               sweep_between(-to_center, b - to_center, normal)};
+    const double sweep = sweep_between(-to_center, b - to_center, normal);
+    // Of a circle so large that start and end are the same place on it nobody knows how it goes.
+    constexpr double kLargest = 1e12;  // mm
+    if (!(sweep > 0) || !(to_center.norm() < kLargest)) return ArcFault::Collinear;
+    return Arc{ends.start, ends.end, ends.start + to_center, normal, sweep};
 }
 
 Result<Arc, ArcFault> arc_along_tangent(const ArcEnds& ends, const Vec3& tangent) {

@@ -168,31 +168,47 @@ double spread(const Element& path) {
 }
 
 /// Where an element lies that has left another one.
-enum class Beside : std::uint8_t { Nowhere, Left, Right };
+enum class Beside : std::uint8_t {
+    Nowhere,
+    Along,  // it goes the way of what is behind the other
+    Left,
+    Right,
+};
 
 /// On which side of the other the way goes on (direction 1) or comes from (-1), seen from a place
 /// on one of its pieces at which both meet: nowhere, if it ends before more than rounding is
 /// between them.
+///
+/// next  behind the other; nullptr: nobody knows yet
 Beside side_beyond(const std::vector<Element>& way, std::size_t piece, double share, int direction,
-                   const Element& other) {
+                   const Element& other, const Element* next) {
     constexpr double kGrowth = 1.5;
+    bool goes_along = false;
     for (double step = kCut;;) {
         const double whole = length(way[piece]);
         const double at = whole > 0 ? share + direction * step / whole : direction;
         const Vec2 point = point_at(way[piece], std::clamp(at, 0.0, 1.0));
         const Nearest foot = nearest(other, point);
-        // Beyond an end of the other its tangent goes on.
+        // Beyond an end of the other its tangent goes on, …
         const bool is_behind = foot.share >= 1;
         const Vec2 along =
             is_behind ? end_direction(other) : start_direction(part(other, foot.share, 1));
         const double aside = cross(along, point - foot.point);
         const double touching = kCut + spread(way[piece]) + spread(other);
-        if (std::abs(aside) > touching) return aside > 0 ? Beside::Left : Beside::Right;
+        // … and whoever goes the way of what is behind it, as the next turn of a circle, is beside
+        // neither.
+        if (std::abs(aside) > touching) {
+            const bool is_along =
+                next != nullptr && nearest(*next, point).distance <= touching + spread(*next);
+            if (!is_along) return aside > 0 ? Beside::Left : Beside::Right;
+            goes_along = true;
+        }
         if (at > 0 && at < 1) {
             step *= kGrowth;
             continue;
         }
-        if (piece == (direction > 0 ? way.size() - 1 : 0)) return Beside::Nowhere;
+        if (piece == (direction > 0 ? way.size() - 1 : 0))
+            return goes_along ? Beside::Along : Beside::Nowhere;
         piece = direction > 0 ? piece + 1 : piece - 1;
         share = direction > 0 ? 0 : 1;
         step = kCut;
@@ -537,24 +553,35 @@ bool RadiusComp::cuts_into(const Side& side, const Side& other) {
 bool RadiusComp::runs_into_earlier(std::size_t done) const {
     if (std::abs(sides_[done].distance) < kCut) return false;
     const std::vector<Element> latest = way_of(sides_[done]);
-    const auto meets_at = [&](const Element& earlier, bool is_neighbour, std::size_t piece,
-                              double share) {
-        const Beside beyond = side_beyond(latest, piece, share, 1, earlier);
-        if (beyond == Beside::Nowhere) return false;  // what follows tells
-        const Beside before = side_beyond(latest, piece, share, -1, earlier);
-        return before == Beside::Nowhere ? !is_neighbour : before != beyond;
+    // Where it comes from the side before it tells.
+    std::vector<Element> whole = done > 0 ? way_of(sides_[done - 1]) : std::vector<Element>();
+    const std::size_t in_front = whole.size();
+    whole.insert(whole.end(), latest.begin(), latest.end());
+    const auto meets_at = [&](const Element& earlier, const Element* next, bool is_neighbour,
+                              std::size_t piece, double share) {
+        const Beside beyond = side_beyond(latest, piece, share, 1, earlier, next);
+        // What follows tells.
+        if (beyond == Beside::Nowhere || beyond == Beside::Along) return false;
+        const Beside before = is_neighbour
+                                  ? side_beyond(latest, piece, share, -1, earlier, next)
+                                  : side_beyond(whole, in_front + piece, share, -1, earlier, next);
+        return before != Beside::Nowhere && before != Beside::Along && before != beyond;
     };
-    const auto crosses = [&](const Element& earlier, bool is_neighbour) {
+    const auto crosses = [&](const Element& earlier, const Element* next, bool is_neighbour) {
         for (std::size_t piece = 0; piece < latest.size(); ++piece)
             for (const Crossing& crossing : crossings(earlier, latest[piece]))
-                if (meets_at(earlier, is_neighbour, piece, crossing.share_b)) return true;
+                if (meets_at(earlier, next, is_neighbour, piece, crossing.share_b)) return true;
         return false;
     };
     for (std::size_t i = 0; i < done; ++i) {
-        const std::vector<Element> way = way_of(sides_[i]);
-        const bool meet = std::any_of(way.begin(), way.end(), [&](const Element& earlier) {
-            return crosses(earlier, i + 1 == done);
-        });
+        std::vector<Element> way = way_of(sides_[i]);
+        const std::size_t count = way.size();
+        const bool is_neighbour = i + 1 == done;  // what goes on behind it is this side itself
+        if (!is_neighbour) way.push_back(way_of(sides_[i + 1]).front());
+        bool meet = false;
+        for (std::size_t piece = 0; piece < count && !meet; ++piece)
+            meet = crosses(way[piece], piece + 1 < way.size() ? &way[piece + 1] : nullptr,
+                           is_neighbour);
         if (meet && (cuts_into(sides_[done], sides_[i]) || cuts_into(sides_[i], sides_[done])))
             return true;
     }

@@ -236,7 +236,7 @@ TEST_F(FiveAxis, TimesOfTheManualForFeedGroups) {
     save("group.mpf",
          "G17 G60\nT1 D1 M6\nS100 M3\nG0 X-300 A0\nFGROUP(X,A)\nG91 G1 G710 F100\n"
          "X10\nX10 A10\nA10\nX0.001 A10\nG700 F100\nX10\nX10 A10\n"
-         "FGREF[A]=360/(2*$PI)\nX0.001 A10\nM30\n");
+         "FGREF[A]=360/(2*$PI)\nX0.001 A10\nFGREF[A]=180/$PI/25.4\nA10\nX0.0001 A10\nM30\n");
     const auto result = kadr({"run", file("group.mpf"), "-d", "sinumerik", "-m", "rotary-a",
                               "--setpoints", file("part.csv")});
     ASSERT_EQ(result.status, 0) << result.err;
@@ -247,8 +247,35 @@ TEST_F(FiveAxis, TimesOfTheManualForFeedGroups) {
                                      {10, 6.0},
                                      {12, 6.0},
                                      {13, 6.0},
-                                     {15, 6.0}})
+                                     {15, 6.0},
+                                     {17, 6.0},
+                                     {18, 6 / 25.4}})
         EXPECT_NEAR(times.at(line), time, 0.1) << line;
+}
+
+// F is the speed of all axes of a block, of which a degree is a millimetre, or an inch under G20:
+// of the tip alone under tool centre point control. Rotary axes alone turn by degrees a minute.
+// (FANUC operator's manual, linear interpolation: X20. B40. F300. is 0.14907 min; F reference 3.2.)
+TEST_F(FiveAxis, FeedOfAllAxes) {
+    save("all.nc",
+         "%\nO1\nG17 G21 G94 G61\nT1 M6\nS100 M3\nG90 G0 X-100. Y0. A0.\nG91 G1 X20. A40. F300.\n"
+         "X5.\nA30.\nX0. A30.\nG93 X5. A30. F10.\nM30\n%\n");
+    save("inch.nc",
+         "%\nO1\nG17 G20 G94 G61\nT1 M6\nS100 M3\nG90 G0 X-5. Y0. A0.\nG91 G1 X2. A40. F300.\n"
+         "A30.\nX1.\nM30\n%\n");
+    const auto times_of = [&](const char* name) {
+        const auto result = kadr(
+            {"run", file(name), "-d", "fanuc", "-m", "rotary-a", "--setpoints", file("part.csv")});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return times_of_lines(rows_of(read_file(file("part.csv")).value()));
+    };
+    const auto metric = times_of("all.nc");
+    for (const auto& [line, time] :
+         {std::pair(7, std::hypot(20, 40) / 5), {8, 1.0}, {9, 6.0}, {10, 6.0}, {11, 6.0}})
+        EXPECT_NEAR(metric.at(line), time, 0.1) << line;
+    const auto inches = times_of("inch.nc");
+    for (const auto& [line, time] : {std::pair(7, std::hypot(2, 40) / 5), {8, 6.0}, {9, 0.2}})
+        EXPECT_NEAR(inches.at(line), time, 0.1) << line;
 }
 
 TEST_F(FiveAxis, CommandsDifferInRotaryAxesOnly) {

@@ -239,6 +239,7 @@ void check_round_trip(const Dialect& dialect) {
     Block block = any_block(dialect.tables());
     // F of a helix as the control counts it; the writer's tests have the numbers of the others.
     block.feed_along_arc = dialect.has_rule("helix_feed_along_arc");
+    block.feed_of_all_axes = dialect.has_rule("feed_of_all_axes");
     std::string text;
     RC_PRE(write_program(dialect, block, text));  // else it has no spelling, and the writer said so
     std::string head;
@@ -261,7 +262,7 @@ void check_round_trip(const Dialect& dialect) {
         block.given &= ~bit(Slot::Feed);
         back.given &= ~bit(Slot::Feed);
     }
-    block.feed_along_arc = false;  // what is read does not say it
+    block.feed_along_arc = block.feed_of_all_axes = false;  // what is read does not say it
     RC_LOG() << text << "meant " << describe(block) << "\nread  " << describe(back) << '\n';
     for (const Diagnostic& one : result.messages.all()) RC_LOG() << one.message() << '\n';
     RC_ASSERT(!result.failed);

@@ -95,6 +95,8 @@ TEST(Arc, Faults) {
            ArcFault::BadTurns},
           {"through a point between", arc_through({{0, 0, 0}, {4, 4, 4}}, {1, 1, 1}),
            ArcFault::Straight},
+          {"over a point beyond all numbers", arc_through({{-20, 0, 0}, {20, 0, 0}}, {0, -1e90, 0}),
+           ArcFault::Collinear},
           {"through the start", arc_through({{0, 0, 0}, {0, 0, 0}}, {0, 0, 0}),
            ArcFault::Collinear},
           {"straight on", arc_along_tangent({{0, 0, 0}, {5, 0, 0}}, {2, 0, 0}), ArcFault::Straight},

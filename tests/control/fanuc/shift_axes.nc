@@ -1,14 +1,14 @@
 %
 O0001
-(rule: F 3.4 G52: per axis, absolute, G91 does not count; G52 X0 Y0 cancels)
-(expect: to X11)
-(expect: to X12 Y7)
-(expect: to X3 Y3)
-G52X10.
-X1.
-G91G52Y5.
-G90X2.Y2.
-G52X0Y0
-X3.Y3.
+(rule: F 3.4 G52 and G92 of B and C)
+(machine: head-cb)
+(expect: to B10 C20)
+(expect: to B12 C20)
+G52 B10. C20.
+G0 B0 C0
+G92 B5.
+G92 C0
+G0 B7. C0
+G52 C0
 M30
 %

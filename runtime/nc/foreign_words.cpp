@@ -1,0 +1,107 @@
+#include "nc/foreign_words.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/text.h"
+#include "nc/letters.h"
+
+namespace kadr::nc {
+
+namespace {
+
+constexpr std::string_view kSigns = "#([;=,";
+
+std::size_t end_of_word(std::string_view line, std::size_t begin) {
+    std::size_t end = begin;
+    while (end < line.size() && is_letter(line[end])) ++end;
+    while (end < line.size() && (is_digit(line[end]) || line[end] == '.')) ++end;
+    return end;
+}
+
+/// `G01` as the list has it: `G1`.
+std::string spelled(std::string_view word) {
+    std::string out = upper_ascii(word);
+    const std::size_t digits = out.find_first_of("0123456789");
+    if (digits == 1) {
+        std::size_t zeros = 0;
+        while (digits + zeros + 1 < out.size() && out[digits + zeros] == '0' &&
+               is_digit(out[digits + zeros + 1]))
+            ++zeros;
+        out.erase(digits, zeros);
+    }
+    return out;
+}
+
+/// By the whole word, or by a front that the list ends with `*`: `CYCLE*`.
+const std::string* entry(const DialectTables& tables, std::string_view word) {
+    if (const auto found = tables.foreign.find(word); found != tables.foreign.end())
+        return &found->second;
+    for (std::size_t front = word.size(); front > 0; --front) {
+        const auto found = tables.foreign.find(std::string(word.substr(0, front)) + '*');
+        if (found != tables.foreign.end()) return &found->second;
+    }
+    return nullptr;
+}
+
+/// Whether the control has the word after all, as a code or in a form: where a dialect extends
+/// another one, it may have what that one lacks.
+bool is_own(const DialectTables& tables, const std::string& word) {
+    const AddressId letter = tables.find_address(std::string_view(word).substr(0, 1));
+    const bool is_code = word.size() > 1 && is_digit(word[1]);
+    if (is_code && letter != kNoAddress && tables.find_code(letter, std::stod(word.substr(1))))
+        return true;
+    return std::ranges::any_of(tables.forms, [&](const Form& form) {
+        return std::ranges::any_of(form.words, [&](const FormWord& own) {
+            return own.kind == FormWord::Kind::Fixed && own.text == word;
+        });
+    });
+}
+
+/// Whether a sign stands as people who come from other controls write it: a bracket behind a blank
+/// opens a comment, a comma between digits is a decimal point, the second of two signs is no slip.
+bool is_out_of_habit(const DialectTables& tables, std::string_view line, std::size_t at) {
+    const char before = at > 0 ? line[at - 1] : ' ';
+    const char behind = at + 1 < line.size() ? line[at + 1] : ' ';
+    switch (line[at]) {
+        case '(': return is_blank(before) || tables.comment.open == "(";
+        case ',': return is_digit(before) && is_digit(behind);
+        case '=': return before != '=';
+        default: return true;
+    }
+}
+
+/// The word that holds the place, or the sign that stands there.
+const std::string* entry_at(const DialectTables& tables, std::string_view line, std::size_t at) {
+    if (at >= line.size()) return nullptr;
+    if (kSigns.find(line[at]) != kSigns.npos) {
+        if (!is_out_of_habit(tables, line, at)) return nullptr;
+        const bool is_double = at + 1 < line.size() && line[at] == '=' && line[at + 1] == '=';
+        return entry(tables, line.substr(at, is_double ? 2 : 1));
+    }
+    return is_letter(line[at]) ? entry(tables, spelled(line.substr(at, end_of_word(line, at) - at)))
+                               : nullptr;
+}
+
+}  // namespace
+
+std::string_view instead_of_foreign(const DialectTables& tables, std::string_view line,
+                                    const Span& fault) {
+    if (tables.foreign.empty()) return {};
+    if (const std::string* found = entry_at(tables, line, fault.begin)) return *found;
+    for (std::size_t at = 0; at < line.size();) {
+        if (line[at] == ';' || line[at] == '"' || line[at] == '(') return {};
+        if (!is_letter(line[at])) {
+            ++at;
+            continue;
+        }
+        const std::size_t end = end_of_word(line, at);
+        const std::string word = spelled(line.substr(at, end - at));
+        const std::string* found = word.size() > 1 ? entry(tables, word) : nullptr;
+        if (found != nullptr && !is_own(tables, word)) return *found;
+        at = end;
+    }
+    return {};
+}
+
+}  // namespace kadr::nc
