@@ -90,14 +90,19 @@ const char* words_of(Parting parting) {
         case Parting::Length: return "one stops before the other";
         case Parting::Followers: return "an axis beside X, Y, Z is elsewhere";
         case Parting::Standing: return "they stand for different times";
+        case Parting::Pitch: return "the pitches of their threads differ";
+        case Parting::Spindle: return "the spindle turns otherwise";
+        case Parting::Pulses: return "the laser burns other points";
+        case Parting::Marks: return "the module beside the axes does something else";
         case Parting::End: return "one ends before the other";
     }
     return "";
 }
 
 const char* name_of(Parting parting) {
-    constexpr std::array<const char*, 6> kNames = {"way",       "kind",     "length",
-                                                   "followers", "standing", "end"};
+    constexpr std::array<const char*, 10> kNames = {"way",      "kind",  "length",  "followers",
+                                                    "standing", "pitch", "spindle", "pulses",
+                                                    "marks",    "end"};
     return kNames[static_cast<std::size_t>(parting)];
 }
 

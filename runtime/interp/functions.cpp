@@ -66,6 +66,8 @@ Actions Executor::apply_functions(const Block& block) {
 bool Executor::is_too_late(Function function) const {
     if (!rules_.rotation_is_innermost) return false;
     if (tilting_.is_on && is_before_tilt(function)) return true;
+    const bool is_mirror = function == Function::Mirror || function == Function::MirrorOff;
+    if (is_mirror && frames_.is_scaled()) return true;
     if (!frames_.is_rotated()) return false;
     switch (function) {
         case Function::WorkOffset:
@@ -140,7 +142,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
     }
     if (is_too_late(invocation.function)) {
         report(diag::FrameInsideRotation, block, invocation.function)
-            .arg(word_of(block, invocation.function));
+            .arg(word_of(block, invocation.function))
+            .arg(frames_.is_rotated() || tilting_.is_on ? "rotation" : "scaling");
         return;
     }
     if (orienting_.has_length && refuses_under_tcp(block, invocation.function)) return;

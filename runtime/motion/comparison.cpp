@@ -20,6 +20,7 @@ constexpr double kNothing = 1e-9;    // mm: rounding of lengths
 constexpr double kStanding = 1e-6;   // of a tip's way, of that of the place that touches
 constexpr double kSameTime = 1e-6;   // s
 constexpr double kSameAngle = 1e-4;  // rad, 0.006 deg; mm of a parallel axis
+constexpr double kSameRate = 1e-3;   // of a pitch, of a speed: what rounded words leave
 
 /// A motion, and how far along it the walk has come.
 class Walker {
@@ -58,6 +59,8 @@ class Walker {
     /// Where the last piece ended, and whether that was in the workpiece as it is turned.
     const Vec3& end() const { return end_; }
     bool ended_transformed() const { return ended_transformed_; }
+    /// Points that were burnt so far.
+    std::uint64_t pulses() const { return pulses_; }
 
     /// Goes on by this way, not farther than the end of the piece. True: the piece is through.
     bool advance(double way) {
@@ -67,6 +70,7 @@ class Walker {
         return true;
     }
     void next() {
+        if (segment().has_pulse) ++pulses_;
         end_ = is_beside() ? tip_at(length_) : path::end(segment().curve);
         line_ = segment().line;
         ended_transformed_ = segment().is_in_workpiece();
@@ -115,7 +119,17 @@ class Walker {
     Vec3 end_ = Vec3::Zero();
     bool ended_transformed_ = false;
     std::uint32_t line_ = 0;
+    std::uint64_t pulses_ = 0;
 };
+
+bool is_same_rate(double a, double b) {
+    return std::abs(a - b) <= kSameRate * std::max(std::abs(a), std::abs(b));
+}
+
+/// mm of way for each turn of the spindle.
+double pitch_of(const Segment& piece) {
+    return piece.spindle.speed > 0 ? piece.feed / piece.spindle.speed : 0;
+}
 
 class Walk {
   public:
@@ -149,9 +163,22 @@ class Walk {
     }
 
     void stand(const Segment& a, const Segment& b) {
+        if (is_external(a.kind) && !mark_alike(a, b)) return part(Parting::Marks);
         if (std::abs(a.duration - b.duration) > kSameTime) return part(Parting::Standing);
         first_.next();
         second_.next();
+    }
+
+    /// Whether a module goes the same way, by its start, its middle and its end.
+    bool mark_alike(const Segment& a, const Segment& b) const {
+        const double first = path::length(a.curve);
+        const double second = path::length(b.curve);
+        for (const double share : {0.0, 0.5, 1.0}) {
+            const Vec3 apart = a.stage + path::position(a.curve, share * first) - b.stage -
+                               path::position(b.curve, share * second);
+            if (apart.norm() > tolerance_) return false;
+        }
+        return a.train.count == b.train.count;
     }
 
     /// Side by side until one comes to an end; rounded ways are not equally long, so the second is
@@ -174,7 +201,9 @@ class Walk {
         }
         finish(first_, second_, kind);
         finish(second_, first_, kind);
-        if (!result_.parting) look_at_ends();
+        if (result_.parting) return;
+        look_at_ends();
+        if (first_.pulses() != second_.pulses()) part(Parting::Pulses);
     }
 
     /// Where both are through: along the way one may have come farther.
@@ -220,6 +249,7 @@ class Walk {
         }
         if (distance > tolerance_) part(Parting::Way);
         else if (!do_followers_agree()) part(Parting::Followers);
+        else if (first_.segment().kind == SegmentKind::Feed) compare_cuts();
         compare_feeds();
         return leads ? ahead : 0;
     }
@@ -230,6 +260,22 @@ class Walk {
                 return false;
         }
         return true;
+    }
+
+    /// What makes another workpiece of the same way.
+    void compare_cuts() {
+        const Segment& a = first_.segment();
+        const Segment& b = second_.segment();
+        const Spindle& s = a.spindle;
+        const Spindle& t = b.spindle;
+        const bool turns_alike =
+            s.is_turning == t.is_turning && s.holds_cutting_speed == t.holds_cutting_speed &&
+            (!s.is_turning ||
+             (is_same_rate(s.speed, t.speed) && is_same_rate(s.cutting_speed, t.cutting_speed)));
+        if (!turns_alike) return part(Parting::Spindle);
+        const bool are_threads = a.is_thread && b.is_thread;
+        if (a.is_thread != b.is_thread || (are_threads && !is_same_rate(pitch_of(a), pitch_of(b))))
+            part(Parting::Pitch);
     }
 
     void compare_feeds() {

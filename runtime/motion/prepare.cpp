@@ -434,6 +434,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.segment.nominal_feed =
         segment.kind == SegmentKind::Feed ? programmed / programmed_override(command) : 0;
     piece.segment.ends_command = false;
+    piece.segment.is_thread =
+        command.op == Op::Thread || (command.keeps_feed && command.ignores_hold);
     piece.segment.spindle = spindle;
     piece.segment.tool_number = tool_number;
     if (segment.kind == SegmentKind::Feed && command.feed_mode == path::FeedMode::PerRevolution) {

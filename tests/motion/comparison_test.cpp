@@ -116,6 +116,17 @@ TEST(Comparison, TellsWhyTheyPart) {
     other = waits;
     other.back().time = 2;
     EXPECT_EQ(compared(waits, other).parting, Parting::Standing);
+    other = base;
+    other[0].speed *= 2;
+    EXPECT_EQ(compared(base, other).parting, Parting::Spindle);
+    std::vector<Command> thread = base;
+    thread[1].op = Op::Thread;
+    thread[1].feed_mode = path::FeedMode::PerRevolution;
+    thread[1].feed = 1;
+    EXPECT_FALSE(compared(thread, thread).parting);
+    other = thread;
+    other[1].feed = 1.5;
+    EXPECT_EQ(compared(thread, other).parting, Parting::Pitch);
 }
 
 TEST(Comparison, FeedsAreToldAndDoNotPart) {
