@@ -39,7 +39,7 @@ std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect
     for (const std::string& folder : folders_) {
         const std::vector<Entry>& names = entries(folder);
         for (const nc::ProgramPattern& pattern : tables.language.calls.files) {
-            if (pattern.is_number != is_number) continue;
+            if (pattern.is_number && !is_number) continue;
             const auto is_wanted = [&](const Entry& entry) {
                 return nc::match_program(pattern, entry.name, tables.rules.ignores_case, true) ==
                        program;

@@ -351,7 +351,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TurnConeOn:
         case Function::TurnPoint: orienting_.turning = invocation.function; break;
         case Function::AnglesEuler:
-        case Function::AnglesZyz:
+        case Function::AnglesZyz: orienting_.euler = invocation.function; [[fallthrough]];
         case Function::AnglesRpy:
         case Function::AnglesXyz: orienting_.angles = invocation.function; break;
         case Function::SpinFixed:

@@ -135,8 +135,9 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
 /// A way to a reference point, or from there; none of them stands among the holes of a cycle.
 void Executor::refer(const Block& block, const nc::Invocation& invocation) {
     if (is_transformed()) {
+        // The search for the reference point has no number; a fixed point may have the first.
         const bool is_fixed =
-            invocation.function == Function::ReferencePoint && block.argument(invocation, 0, 1) > 1;
+            invocation.function == Function::ReferencePoint && (invocation.given & 1u) != 0;
         if (is_fixed) {
             report(diag::TransformationMotion, block, invocation.function).arg("a fixed point");
         } else {

@@ -175,6 +175,7 @@ struct Smoothing {
 struct OrientModes {
     nc::Function turning = nc::Function::TurnPlane;
     nc::Function angles = nc::Function::AnglesEuler;
+    nc::Function euler = nc::Function::AnglesEuler;  // what Euler's angles are on this control
     nc::Function spin = nc::Function::SpinFixed;
     bool is_in_base = false;  // orientations are said in the base system
 };

@@ -530,7 +530,7 @@ std::optional<Vec3> Executor::spin_reference(const Vec3& tool, const path::Curve
             const double around = away < kSameStart ? 0 : std::atan2(said.y(), said.x());
             const double tilt = std::atan2(away, said.z());
             const machine::Mat3 turned =
-                orienting_.angles == Function::AnglesZyz
+                orienting_.euler == Function::AnglesZyz
                     ? machine::euler_zyz({around, tilt, 0})
                     : machine::euler_zxz(
                           {away < kSameStart ? 0 : around + std::numbers::pi / 2, tilt, 0});

@@ -54,7 +54,13 @@ class Lexer {
         out_.clear();
         take_skip();
         while (!fault_ && skip_blanks()) {
-            if (is_declared_name() || (!take_axis_word() && !take_language())) take_piece();
+            if (is_declared_name()) {
+                take_piece();
+            } else if (take_axis_word() || take_language()) {
+                is_behind_statement_ = true;
+            } else {
+                take_piece();
+            }
         }
         return std::move(fault_);
     }
@@ -665,13 +671,15 @@ class Lexer {
             if (peek() == '[' && take_bracketed_name(name, begin)) return;
             if (peek() == ':') {
                 ++at_;
-                if (out_.words.empty() && out_.label.empty()) {
-                    constexpr std::size_t kLongest = 32;  // S 1.5
-                    if (name.size() > kLongest)
-                        return fail(diag::LabelTooLong, begin, end, {std::string(written)});
-                    out_.label = name;
-                    return;
-                }
+                const bool is_front =
+                    out_.words.empty() && out_.label.empty() && !is_behind_statement_;
+                if (!is_front)
+                    return fail(diag::IsoSyntax, begin, at_, {std::string(written) + ':'});
+                constexpr std::size_t kLongest = 32;  // S 1.5
+                if (name.size() > kLongest)
+                    return fail(diag::LabelTooLong, begin, end, {std::string(written)});
+                out_.label = name;
+                return;
             }
             at_ = end;
             if (take_indexed(begin) || fail_at_axis(begin)) return;
@@ -955,6 +963,7 @@ class Lexer {
     std::string compact_;
     bool has_names_ = false;
     bool has_comma_words_ = false;     // `,C`
+    bool is_behind_statement_ = false;
     bool is_behind_computed_ = false;  // the piece before is a word that is worked out
     std::size_t at_ = 0;
     std::optional<LineFault> fault_;
