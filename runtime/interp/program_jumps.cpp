@@ -62,7 +62,11 @@ Program::State::Done Program::State::jump(CompiledLine& line, const ControlState
     if (fault != ProgramMap::Fault::None) {
         const std::string what =
             target.label.empty() ? "N" + std::to_string(target.number) : target.label;
-        return fail(line, fault, diag::JumpTargetMissing, statement.target.span, '`' + what + '`');
+        const char* const where = direction == Direction::Forward    ? " behind this block"
+                                  : direction == Direction::Backward ? " in front of this block"
+                                                                     : "";
+        return fail(line, fault, diag::JumpTargetMissing, statement.target.span,
+                    '`' + what + '`' + where);
     }
     warn_of_twin(line, statement.target.span, target, found);
     return go(line, found, statement.span);

@@ -338,8 +338,7 @@ Program::State::Done Program::State::raise(CompiledLine& line, const Span& span,
     const LinePlace place = lines.place(line.text, line.place.line.line, span);
     const auto own = dialect.alarm(diag::ProgramAlarm);
     DiagnosticBuilder message = sink.report(diag::ProgramAlarm, place);
-    message.arg(text.empty() ? shown : text)
-        .alarm((own ? own->number : std::string()) + shown, text);
+    message.arg(shown).alarm((own ? own->number : std::string()) + shown, text);
     lines.write_notes(message);
     lines.note_fault();
     return Done::Nothing;

@@ -5,6 +5,7 @@
 #include "nc/control_words.h"
 #include "nc/letters.h"
 #include "nc/loop_front.h"
+#include "nc/without_blanks.h"
 
 namespace kadr::nc {
 
@@ -173,7 +174,17 @@ std::string_view label_at(std::string_view line, std::size_t at) {
 }
 
 LineFront front_of(const DialectTables& tables, std::string_view line) {
-    return Front(tables, line).look();
+    if (!has_split_words(tables, line)) return Front(tables, line).look();
+    const LineWithoutBlanks whole = without_blanks(tables, line);
+    LineFront front = Front(tables, whole.text).look();
+    if (!front.label.empty()) {
+        // It stays when the text is gone.
+        const auto at = static_cast<std::uint32_t>(front.label.data() - whole.text.data());
+        Span span{at, at + static_cast<std::uint32_t>(front.label.size())};
+        whole.put_back(span);
+        front.label = line.substr(span.begin, span.end - span.begin);
+    }
+    return front;
 }
 
 }  // namespace kadr::nc

@@ -6,6 +6,7 @@
 #include "nc/call_compiler.h"
 #include "nc/control_line.h"
 #include "nc/loop_front.h"
+#include "nc/without_blanks.h"
 
 namespace kadr::nc {
 
@@ -733,6 +734,14 @@ std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolT
                                       std::string_view line, ControlLine& out,
                                       const LineContext& context) {
     out.clear();
+    if (has_split_words(tables, line)) {
+        const LineWithoutBlanks whole = without_blanks(tables, line);
+        if (!LineCompiler(tables, symbols, whole.text, out, context).run()) {
+            whole.put_back(out);
+            return {};
+        }
+        out.clear();  // what is wrong is told of the line as it was written
+    }
     return LineCompiler(tables, symbols, line, out, context).run();
 }
 

@@ -68,8 +68,8 @@ class Lexer {
   private:
     // ------------------------------------------------------------ characters
 
-    char peek(std::size_t ahead = 0) const {
-        const std::size_t i = at_ + ahead;
+    char peek(std::size_t ahead = 0) const { return peek_at(at_ + ahead); }
+    char peek_at(std::size_t i) const {
         if (i >= line_.size()) return '\0';
         return rules_.ignores_case ? upper(line_[i]) : line_[i];
     }
@@ -98,6 +98,20 @@ class Lexer {
         if (is_program_call(tables_, written))
             return fail(diag::CallNotAlone, begin, end, {written});
         if (!fail_at_unsupported()) fail(diag::IsoUnknownWord, begin, end, {written});
+    }
+    /// `XY1.` on a control whose words are letters with numbers: X has none. False: it is no
+    /// address.
+    bool fail_without_number(std::size_t begin) {
+        const AddressId address =
+            tables_.letters[static_cast<unsigned char>(peek_at(begin)) & 127u];
+        if (!rules_.blanks_inside_words || address == kNoAddress) return false;
+        const std::size_t next = begin + 1;
+        const bool is_next_word =
+            next + 1 < line_.size() && !is_letter(line_[next + 1]) &&
+            tables_.letters[static_cast<unsigned char>(peek_at(next)) & 127u] != kNoAddress;
+        if (!is_next_word) return false;
+        fail(diag::IsoNoValue, begin, next, {std::string(line_.substr(begin, 1))});
+        return true;
     }
     /// `A3=`: a letter with a number of its own, behind which `=` stands.
     void fail_assigned(std::size_t begin, const char* otherwise) {
@@ -256,9 +270,11 @@ class Lexer {
     void take_end() {
         const std::size_t sign = at_++;
         if (!skip_blanks()) return;
-        // What runs to the end of the line belongs to no block.
-        const bool is_comment = line_.compare(at_, open_.size(), open_) == 0;
-        if (is_comment && tables_.comment.close.empty()) return take_comment();
+        // Comments alone are a block that does nothing.
+        while (at_ < line_.size() && is_comment(at_)) {
+            take_comment();
+            if (fault_ || !skip_blanks()) return;
+        }
         // A word, or the comment of another control?
         const char next = peek(1);
         const bool is_word =
@@ -682,8 +698,8 @@ class Lexer {
                 return;
             }
             at_ = end;
-            if (take_indexed(begin) || fail_at_axis(begin)) return;
-            return take_passed(begin) ? void() : fail_unknown(begin, end);
+            if (take_indexed(begin) || fail_at_axis(begin) || take_passed(begin)) return;
+            return fail_without_number(begin) ? void() : fail_unknown(begin, end);
         }
         const std::size_t next = at_;
         at_ = end;
@@ -962,7 +978,7 @@ class Lexer {
     std::string_view open_;
     std::string compact_;
     bool has_names_ = false;
-    bool has_comma_words_ = false;     // `,C`
+    bool has_comma_words_ = false;  // `,C`
     bool is_behind_statement_ = false;
     bool is_behind_computed_ = false;  // the piece before is a word that is worked out
     std::size_t at_ = 0;

@@ -127,7 +127,7 @@ TEST(Reader, SinumerikWords) {
             {"ROT RPL=30\nROT\nSCALE X2\nMIRROR X0",
              "shift | rotate(angle=30)\nshift\nshift | scale(fx=2)\nshift | mirror(x=0)"},
             {"G75 FP=2 Z1=0\nG74 X1=0 Y1=0",
-             "reference_point(point=2, z=0)\nreference_point(point=1, x=0, y=0)"},
+             "reference_point(point=2, z=0)\nreference_point(x=0, y=0)"},
             {"G331 Z-10 K-1.25 S300\nG63 Z2 F375",
              "tap_in Z-10 K-1.25 S300\nZ2 F375 | tap_floating"},
             {"CYCLE84(50,2,0,-10,,,5,,-1.25,0,600)",
