@@ -28,7 +28,12 @@ void WorkTimes::add(const motion::Segment& segment) {
     const bool moves = motion::is_motion(segment.kind) || motion::is_external(segment.kind);
     const bool has_way = moves && !segment.turns_only;
     const double length = has_way ? path::arc_length(segment.curve) : 0;
-    add_to(tools_[tool_at_].share, segment, length);
+    // What tools have adds up to what the axes do: marks of a module have figures of their own.
+    if (motion::is_external(segment.kind)) {
+        tools_[tool_at_].share.time += segment.duration;
+    } else {
+        add_to(tools_[tool_at_].share, segment, length);
+    }
     add_to(share_of(segment), segment, length);
     if (segment.cycle != 0) {
         if (cycles_.size() <= segment.cycle) cycles_.resize(segment.cycle + 1u);

@@ -271,7 +271,8 @@ class Walk {
         const bool turns_alike =
             s.is_turning == t.is_turning && s.holds_cutting_speed == t.holds_cutting_speed &&
             (!s.is_turning ||
-             (is_same_rate(s.speed, t.speed) && is_same_rate(s.cutting_speed, t.cutting_speed)));
+             (s.is_counterclockwise == t.is_counterclockwise && is_same_rate(s.speed, t.speed) &&
+              is_same_rate(s.cutting_speed, t.cutting_speed)));
         if (!turns_alike) return part(Parting::Spindle);
         const bool are_threads = a.is_thread && b.is_thread;
         if (a.is_thread != b.is_thread || (are_threads && !is_same_rate(pitch_of(a), pitch_of(b))))

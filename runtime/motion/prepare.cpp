@@ -173,6 +173,7 @@ void Preparer::State::set_spindle(const Command& command) {
     }
     spindle.machine_limit = machine.max_speed_of(command.spindle_number);
     spindle.is_turning = command.spindle != path::SpindleMode::Stop && command.speed > 0;
+    spindle.is_counterclockwise = command.spindle == path::SpindleMode::Ccw;
     spindle.holds_cutting_speed = command.cutting_speed;
     if (command.cutting_speed) {
         spindle.cutting_speed = feed_from_mm_min(command.speed * 1000);  // from m/min

@@ -1,7 +1,7 @@
 // spindle.h — how fast the spindle turns, for feed per revolution and dwells in revolutions.
 //
 // Commanded speeds only: the time that a spindle needs to reach them is not modelled here; that is
-// the matter of process/ (drives), which comes later.
+// the matter of process/ (drives).
 #pragma once
 
 #include <cmath>
@@ -12,6 +12,7 @@ namespace kadr::motion {
 
 struct Spindle {
     bool is_turning = false;
+    bool is_counterclockwise = false;
     bool holds_cutting_speed = false;  // the speed follows the radius
     double speed = 0;                  // rev/s, if it does not
     double cutting_speed = 0;          // mm/s, if it does

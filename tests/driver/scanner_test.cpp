@@ -1,5 +1,6 @@
 // `kadr run` on a machine with a scanner: lists, setpoints, summary, and what it refuses.
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -121,6 +122,15 @@ TEST_F(Scanner, FieldsAreMarkedOneAfterTheOther) {
         EXPECT_EQ(scanner["lists"], 7);
         EXPECT_EQ(scanner["marks"], 6 * 16 + 3);
         EXPECT_NEAR(scanner["time_s"].get<double>() * 1e6, player.time_us, player.rounding());
+
+        // What tools have is what the axes have; all of them have all of the time.
+        std::map<std::string, double> of_tools;
+        for (const nlohmann::json& tool : summary["tools"]) {
+            for (const char* figure : {"time_s", "cutting_s", "length_mm"})
+                of_tools[figure] += tool[figure].get<double>();
+        }
+        for (const auto& [figure, sum] : of_tools)
+            EXPECT_NEAR(sum, summary[figure].get<double>(), 1e-3) << figure;
 
         double pulses = 0;
         std::vector<Row> rows = rows_of(read_file(file("fields.csv")).value());

@@ -119,6 +119,9 @@ TEST(Comparison, TellsWhyTheyPart) {
     other = base;
     other[0].speed *= 2;
     EXPECT_EQ(compared(base, other).parting, Parting::Spindle);
+    other = base;
+    other[0].spindle = path::SpindleMode::Ccw;
+    EXPECT_EQ(compared(base, other).parting, Parting::Spindle);
     std::vector<Command> thread = base;
     thread[1].op = Op::Thread;
     thread[1].feed_mode = path::FeedMode::PerRevolution;
