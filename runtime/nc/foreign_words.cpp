@@ -79,8 +79,23 @@ const std::string* entry_at(const DialectTables& tables, std::string_view line, 
         const bool is_double = at + 1 < line.size() && line[at] == '=' && line[at + 1] == '=';
         return entry(tables, line.substr(at, is_double ? 2 : 1));
     }
-    return is_letter(line[at]) ? entry(tables, spelled(line.substr(at, end_of_word(line, at) - at)))
-                               : nullptr;
+    if (!is_letter(line[at])) return nullptr;
+    const std::string word = spelled(line.substr(at, end_of_word(line, at) - at));
+    const std::string* const found = entry(tables, word);
+    // A letter of the list stands for itself with any number: `O100`.
+    const bool is_numbered = word.size() > 1 && is_digit(word[1]);
+    return found == nullptr && is_numbered ? entry(tables, word.substr(0, 1)) : found;
+}
+
+/// The word that ends in front of the place, without the blanks between them; empty: none does.
+std::string_view word_before(std::string_view line, std::size_t at) {
+    at = std::min(at, line.size());
+    while (at > 0 && is_blank(line[at - 1])) --at;
+    std::size_t begin = at;
+    while (begin > 0 && (is_digit(line[begin - 1]) || line[begin - 1] == '.')) --begin;
+    while (begin > 0 && is_letter(line[begin - 1])) --begin;
+    return begin < at && is_letter(line[begin]) ? line.substr(begin, at - begin)
+                                                : std::string_view();
 }
 
 }  // namespace
@@ -89,6 +104,9 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
                                     const Span& fault) {
     if (tables.foreign.empty()) return {};
     if (const std::string* found = entry_at(tables, line, fault.begin)) return *found;
+    const bool is_sign = fault.end < line.size() && !is_letter(line[fault.end]);
+    if (const std::string* found = is_sign ? entry_at(tables, line, fault.end) : nullptr)
+        return *found;
     for (std::size_t at = 0; at < line.size();) {
         if (line[at] == ';' || line[at] == '"' || line[at] == '(') return {};
         if (!is_letter(line[at])) {
@@ -101,7 +119,12 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
         if (found != nullptr && !is_own(tables, word)) return *found;
         at = end;
     }
-    return {};
+    // A word of the control's own that elsewhere has other words behind it: `G4 P100`, `M98 P100`.
+    const std::string_view before = word_before(line, fault.begin);
+    if (before.empty()) return {};
+    const auto place = static_cast<std::size_t>(before.data() - line.data());
+    const std::string* const found = entry_at(tables, line, place);
+    return found != nullptr ? std::string_view(*found) : std::string_view();
 }
 
 }  // namespace kadr::nc
