@@ -104,11 +104,8 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
                                     const Span& fault) {
     if (tables.foreign.empty()) return {};
     if (const std::string* found = entry_at(tables, line, fault.begin)) return *found;
-    const bool is_sign = fault.end < line.size() && !is_letter(line[fault.end]);
-    if (const std::string* found = is_sign ? entry_at(tables, line, fault.end) : nullptr)
-        return *found;
     for (std::size_t at = 0; at < line.size();) {
-        if (line[at] == ';' || line[at] == '"' || line[at] == '(') return {};
+        if (line[at] == ';' || line[at] == '"' || line[at] == '(') break;
         if (!is_letter(line[at])) {
             ++at;
             continue;
@@ -119,6 +116,10 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
         if (found != nullptr && !is_own(tables, word)) return *found;
         at = end;
     }
+    // `X=5`: the sign behind the word that has no number.
+    const bool is_sign = fault.end < line.size() && !is_letter(line[fault.end]);
+    if (const std::string* found = is_sign ? entry_at(tables, line, fault.end) : nullptr)
+        return *found;
     // A word of the control's own that elsewhere has other words behind it: `G4 P100`, `M98 P100`.
     const std::string_view before = word_before(line, fault.begin);
     if (before.empty()) return {};
