@@ -32,7 +32,8 @@ const std::vector<ProgramFolders::Entry>& ProgramFolders::entries(const std::str
 }
 
 std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect& dialect,
-                                                               const std::string& program) {
+                                                               const std::string& program,
+                                                               const std::string& kind) {
     const nc::DialectTables& tables = dialect.tables();
     const bool is_number =
         std::ranges::all_of(program, [](char c) { return c >= '0' && c <= '9'; });
@@ -40,6 +41,7 @@ std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect
         const std::vector<Entry>& names = entries(folder);
         for (const nc::ProgramPattern& pattern : tables.language.calls.files) {
             if (pattern.is_number && !is_number) continue;
+            if (!kind.empty() && nc::kind_of(pattern) != kind) continue;
             const auto is_wanted = [&](const Entry& entry) {
                 return nc::match_program(pattern, entry.name, tables.rules.ignores_case, true) ==
                        program;

@@ -15,7 +15,8 @@ class ProgramFolders final : public interp::ProgramFiles {
     /// folders  in the order in which they are searched
     explicit ProgramFolders(std::vector<std::string> folders) : folders_(std::move(folders)) {}
 
-    std::optional<File> open(const nc::Dialect& dialect, const std::string& program) override;
+    std::optional<File> open(const nc::Dialect& dialect, const std::string& program,
+                             const std::string& kind) override;
 
   private:
     struct Entry {

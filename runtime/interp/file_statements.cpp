@@ -51,7 +51,7 @@ Program::State::Done Program::State::use_file(CompiledLine& line,
     const std::string name = file_name(evaluator.text(path));
     const bool is_beside = !name.empty() && !control_files.knows(name) && options.files != nullptr;
     if (is_beside) {
-        if (const auto file = options.files->open(dialect, name))
+        if (const auto file = options.files->open(dialect, name, {}))
             control_files.add(name, lines_of(*file->text));
     }
     ControlFiles::Error error = ControlFiles::Error::None;

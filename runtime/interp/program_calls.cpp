@@ -87,7 +87,8 @@ Program::State::Done Program::State::number_of(CompiledLine& line, const nc::Cal
 Program::State::Done Program::State::program_name(CompiledLine& line,
                                                   const ControlStatement& statement,
                                                   const CallForm* form, PreparedCall& out,
-                                                  std::string& name) {
+                                                  ProgramName& found) {
+    std::string& name = found.name;
     if (statement.kind == Statement::CallByText) {
         Value text;
         const Done done = evaluate(line, statement.second, text);
@@ -95,7 +96,9 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
         if (!text.is_text())
             return fail(line, diag::TypesDiffer, statement.second.span,
                         {"the name of a program", "a number"});
-        name = nc::program_of_path(language.calls, evaluator.text(text), tables.rules.ignores_case);
+        const std::string_view path = evaluator.text(text);
+        name = nc::program_of_path(language.calls, path, tables.rules.ignores_case);
+        found.kind = nc::kind_of_path(language.calls, path, tables.rules.ignores_case);
         if (name.empty()) {
             return fail(line, diag::CallIncomplete, statement.second.span,
                         {std::string(evaluator.text(text))});
@@ -104,6 +107,7 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
     }
     const nc::Call& words = line.line.calls[statement.call];
     name = form != nullptr && !form->fixed.empty() ? form->fixed : words.name;
+    found.kind = words.kind;
     if (!name.empty()) return Done::Nothing;
     std::optional<double> number;
     const Done done = number_of(line, words.program, number);
@@ -135,12 +139,12 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
 Program::State::Done Program::State::find_program(CompiledLine& line,
                                                   const ControlStatement& statement,
                                                   const CallForm* form, PreparedCall& out) {
-    std::string name;
-    const Done done = program_name(line, statement, form, out, name);
+    ProgramName wanted;
+    const Done done = program_name(line, statement, form, out, wanted);
     if (done == Done::Wait || lines.failed()) return done;
-    if (out.unit == nullptr) out.unit = units.find(name, text());
+    if (out.unit == nullptr) out.unit = units.find(wanted.name, text(), wanted.kind);
     if (out.unit != nullptr) return Done::Nothing;
-    return missing_program(line, statement, name);
+    return missing_program(line, statement, wanted.name);
 }
 
 /// A word that could be a name of a program, and is none, is an unknown word.
@@ -167,7 +171,7 @@ Program::State::Done Program::State::missing_program(CompiledLine& line,
 void Program::State::check_call(CompiledLine& line, const ControlStatement& statement) {
     if (statement.kind != Statement::Call && statement.kind != Statement::CallModal) return;
     const nc::Call& words = line.line.calls[statement.call];
-    if (words.name.empty() || units.find(words.name, text()) != nullptr) return;
+    if (words.name.empty() || units.find(words.name, text(), words.kind) != nullptr) return;
     missing_program(line, statement, words.name);
 }
 
@@ -665,7 +669,8 @@ std::optional<std::string> Program::State::name_at(std::int64_t level) const {
 bool Program::State::has_program(std::string_view name) {
     const std::string wanted = nc::program_of_path(language.calls, name, tables.rules.ignores_case);
     if (control_files.knows(file_name(name))) return control_files.has(file_name(name));
-    return !wanted.empty() && units.find(wanted, text()) != nullptr;
+    const std::string kind = nc::kind_of_path(language.calls, name, tables.rules.ignores_case);
+    return !wanted.empty() && units.find(wanted, text(), kind) != nullptr;
 }
 
 bool Program::State::takes_blocks() const {
@@ -809,7 +814,9 @@ void Program::State::follow_named_shape(const Block& block, std::string_view tex
         const std::string said = contour.parts.empty() ? std::string() : contour.parts[0];
         const std::string name =
             nc::program_of_path(language.calls, said, tables.rules.ignores_case);
-        call.unit = name.empty() ? nullptr : units.find(name, text());
+        const std::string its_kind =
+            nc::kind_of_path(language.calls, said, tables.rules.ignores_case);
+        call.unit = name.empty() ? nullptr : units.find(name, text(), its_kind);
         if (call.unit == nullptr)
             return missing(diag::ProgramMissing,
                            quoted(name.empty() ? said : nc::shown_program(language.calls, name)));

@@ -18,7 +18,10 @@ class ProgramFiles {
     virtual ~ProgramFiles() = default;
     /// The file of the program with this name (a number without leading zeros), which can be read
     /// again from any place. Nothing: there is none.
-    virtual std::optional<File> open(const nc::Dialect& dialect, const std::string& program) = 0;
+    ///
+    /// kind  of the program (nc::kind_of); empty: any, in the order in which the control looks
+    virtual std::optional<File> open(const nc::Dialect& dialect, const std::string& program,
+                                     const std::string& kind) = 0;
 };
 
 }  // namespace kadr::interp

@@ -65,6 +65,12 @@ struct GivenValue {
     nc::Span span;
 };
 
+/// How a call names its program; the kind is empty where it leaves that open.
+struct ProgramName {
+    std::string name;
+    std::string kind;
+};
+
 /// A call with everything that it needs to begin, as often as it is to.
 struct PreparedCall {
     ProgramUnit* unit = nullptr;
@@ -350,7 +356,7 @@ struct Program::State {
     Done find_program(CompiledLine& line, const nc::ControlStatement& statement,
                       const nc::CallForm* form, PreparedCall& out);
     Done program_name(CompiledLine& line, const nc::ControlStatement& statement,
-                      const nc::CallForm* form, PreparedCall& out, std::string& name);
+                      const nc::CallForm* form, PreparedCall& out, ProgramName& name);
     Done missing_program(CompiledLine& line, const nc::ControlStatement& statement,
                          const std::string& name);
     Done number_of(CompiledLine& line, const nc::CallValue& value, std::optional<double>& out);

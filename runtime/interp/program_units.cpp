@@ -62,7 +62,7 @@ LinePosition ProgramUnits::main_begin() const {
         }
         if (head != nullptr) {
             const auto name = nc::program_of_header(calls, line, tables_.rules.ignores_case);
-            if (name) text.programs.emplace(*name, here);
+            if (name) text.programs[*name].emplace(nc::kind_of(*head), here);
         }
         here = {text.source.offset(), here.line + 1};
     }
@@ -70,55 +70,84 @@ LinePosition ProgramUnits::main_begin() const {
     return begin;
 }
 
-ProgramUnit* ProgramUnits::find(const std::string& name, ProgramText& near) {
-    if (const auto known = units_.find(name); known != units_.end()) return known->second.get();
+ProgramUnit* ProgramUnits::find(const std::string& name, ProgramText& near,
+                                const std::string& kind) {
+    if (const auto known = units_.find({name, kind}); known != units_.end())
+        return known->second.get();
     ProgramText* text = &near;
-    std::optional<LinePosition> begin = find_in(near, name);
+    std::optional<LinePosition> begin = find_in(near, name, kind);
     if (!begin && text != texts_[0].get()) {
         text = texts_[0].get();
-        begin = find_in(*text, name);
+        begin = find_in(*text, name, kind);
     }
-    if (!begin) begin = find_in_file(name, text);
-    return begin ? &keep(name, *text, *begin) : nullptr;
+    if (!begin) begin = find_in_file(name, kind, text);
+    return begin ? &keep(name, kind, *text, *begin) : nullptr;
 }
 
 ProgramUnit* ProgramUnits::find_definitions(const std::string& name) {
     // A look for it in the whole text would read that before it runs.
     ProgramText* text = texts_[0].get();
-    const auto known = text->programs.find(name);
-    if (known != text->programs.end()) return &keep(name, *text, known->second);
-    const std::optional<LinePosition> begin = find_in_file(name, text);
-    return begin ? &keep(name, *text, *begin) : nullptr;
+    if (const LinePosition* known = first_of(*text, name, {}, true))
+        return &keep(name, {}, *text, *known);
+    const std::optional<LinePosition> begin = find_in_file(name, {}, text);
+    return begin ? &keep(name, {}, *text, *begin) : nullptr;
 }
 
 /// text  is set to that of the file
 std::optional<LinePosition> ProgramUnits::find_in_file(const std::string& name,
+                                                       const std::string& kind,
                                                        ProgramText*& text) {
     if (files_ == nullptr) return std::nullopt;
-    auto file = files_->open(dialect_, name);
+    auto file = files_->open(dialect_, name, kind);
     if (!file) return std::nullopt;
     texts_.push_back(std::make_unique<ProgramText>(*file->text, std::move(file->name), kept_,
                                                    tables_.rules.max_line));
     text = texts_.back().get();
     text->own = std::move(file->text);
     // One that stands behind another in its file begins at its own head.
-    const std::optional<LinePosition> begin = find_in(*text, name);
+    const std::optional<LinePosition> begin = find_in(*text, name, kind);
     return begin && text->programs.size() != 1 ? *begin : LinePosition{};
 }
 
-ProgramUnit& ProgramUnits::keep(const std::string& name, ProgramText& text,
+ProgramUnit& ProgramUnits::keep(const std::string& name, const std::string& kind, ProgramText& text,
                                 const LinePosition& begin) {
     auto unit = std::make_unique<ProgramUnit>(tables_, text, begin, name);
     look_for_head(*unit);
-    return *units_.emplace(name, std::move(unit)).first->second;
+    return *units_.emplace(std::pair(name, kind), std::move(unit)).first->second;
+}
+
+/// Of the heads that were seen, the one that the control finds first; nullptr: none, or a better
+/// one may come still.
+///
+/// is_whole  nothing more is to be seen
+const LinePosition* ProgramUnits::first_of(const ProgramText& text, const std::string& name,
+                                           const std::string& kind, bool is_whole) const {
+    const auto known = text.programs.find(name);
+    if (known == text.programs.end()) return nullptr;
+    const auto& kinds = known->second;
+    const auto place_of = [&](const std::string& wanted) {
+        const auto found = kinds.find(wanted);
+        return found == kinds.end() ? nullptr : &found->second;
+    };
+    if (!kind.empty()) return place_of(kind);
+    if (const LinePosition* place = place_of({})) return place;
+    for (const nc::ProgramPattern& pattern : tables_.language.calls.files) {
+        if (const LinePosition* place = place_of(nc::kind_of(pattern))) return place;
+        if (!is_whole) return nullptr;
+    }
+    return &kinds.begin()->second;
 }
 
 /// Where the program begins in the text; heads on the way are remembered.
-std::optional<LinePosition> ProgramUnits::find_in(ProgramText& text,
-                                                  const std::string& name) const {
+std::optional<LinePosition> ProgramUnits::find_in(ProgramText& text, const std::string& name,
+                                                  const std::string& kind) const {
     const nc::CallLanguage& calls = tables_.language.calls;
-    const auto known = text.programs.find(name);
-    if (known != text.programs.end()) return known->second;
+    const bool ignores_case = tables_.rules.ignores_case;
+    const auto seen = [&]() -> std::optional<LinePosition> {
+        const LinePosition* const place = first_of(text, name, kind, text.is_seen_whole);
+        return place != nullptr ? std::optional(*place) : std::nullopt;
+    };
+    if (auto place = seen()) return place;
     if (text.is_seen_whole || calls.headers.empty()) return std::nullopt;
     if (text.is_kept && !text.kept_text.keep_all()) return std::nullopt;
     if (!text.source.seek(text.seen.offset)) return std::nullopt;
@@ -127,13 +156,14 @@ std::optional<LinePosition> ProgramUnits::find_in(ProgramText& text,
     while (text.source.next(line, is_too_long)) {
         const LinePosition here = text.seen;
         text.seen = {text.source.offset(), here.line + 1};
-        const auto found = nc::program_of_header(calls, line, tables_.rules.ignores_case);
+        const auto found = nc::program_of_header(calls, line, ignores_case);
         if (!found) continue;
-        text.programs.emplace(*found, here);
-        if (*found == name) return here;
+        text.programs[*found].emplace(nc::kind_of(*nc::header_of(calls, line, ignores_case)), here);
+        if (*found != name) continue;
+        if (auto place = seen()) return place;
     }
     text.is_seen_whole = true;
-    return std::nullopt;
+    return seen();
 }
 
 /// The first line that is more than a comment may be the head of a procedure.

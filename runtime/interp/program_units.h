@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "interp/program_files.h"
@@ -44,8 +45,8 @@ struct ProgramText {
     bool is_kept;  // it cannot be read again by itself
     nc::LineSource source;
     std::vector<std::uint32_t> windows;  // of the ids of its lines; the main text needs none
-    // Programs that were seen in it, up to a place.
-    std::map<std::string, LinePosition> programs;
+    // Heads of programs that were seen in it, up to a place: by name, then by kind.
+    std::map<std::string, std::map<std::string, LinePosition>> programs;
     LinePosition seen;
     bool is_seen_whole = false;
 };
@@ -83,7 +84,9 @@ class ProgramUnits {
     /// Looks where the main program begins; before anything is read.
     void settle_main();
     /// The program with this name, looked for in `near` first; nullptr: there is none.
-    ProgramUnit* find(const std::string& name, ProgramText& near);
+    ///
+    /// kind  of the program (nc::kind_of); empty: any, in the order in which the control looks
+    ProgramUnit* find(const std::string& name, ProgramText& near, const std::string& kind = {});
     /// The program with definitions for all the others: one that stands in front of the main
     /// program in its text, or a file. nullptr: there is none. `settle_main` comes first.
     ProgramUnit* find_definitions(const std::string& name);
@@ -96,9 +99,14 @@ class ProgramUnits {
     Line line_of(std::uint32_t id) const;
 
   private:
-    std::optional<LinePosition> find_in_file(const std::string& name, ProgramText*& text);
-    ProgramUnit& keep(const std::string& name, ProgramText& text, const LinePosition& begin);
-    std::optional<LinePosition> find_in(ProgramText& text, const std::string& name) const;
+    std::optional<LinePosition> find_in_file(const std::string& name, const std::string& kind,
+                                             ProgramText*& text);
+    ProgramUnit& keep(const std::string& name, const std::string& kind, ProgramText& text,
+                      const LinePosition& begin);
+    std::optional<LinePosition> find_in(ProgramText& text, const std::string& name,
+                                        const std::string& kind) const;
+    const LinePosition* first_of(const ProgramText& text, const std::string& name,
+                                 const std::string& kind, bool is_whole) const;
     LinePosition main_begin() const;
     void look_for_head(ProgramUnit& unit) const;
 
@@ -108,7 +116,8 @@ class ProgramUnits {
     ProgramFiles* files_;
     std::vector<std::unique_ptr<ProgramText>> texts_;
     std::unique_ptr<ProgramUnit> main_;
-    std::map<std::string, std::unique_ptr<ProgramUnit>> units_;
+    // By name and kind, as they are asked for.
+    std::map<std::pair<std::string, std::string>, std::unique_ptr<ProgramUnit>> units_;
     struct Window {
         ProgramText* text;
         std::uint64_t first;

@@ -358,8 +358,9 @@ bool CallCompiler::take_call_hole(ControlStatement& out) {
     if (peek() == '/') {
         std::size_t end = line_.find_first_of("( \t;", at_);
         end = std::min(end, line_.size());
-        call.name = program_of_path(language_.calls, line_.substr(at_, end - at_),
-                                    tables_.rules.ignores_case);
+        const std::string_view path = line_.substr(at_, end - at_);
+        call.name = program_of_path(language_.calls, path, tables_.rules.ignores_case);
+        call.kind = kind_of_path(language_.calls, path, tables_.rules.ignores_case);
         at_ = end;
     } else {
         call.name = program_name(at_);

@@ -1,6 +1,7 @@
 #include "nc/calls.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/text.h"
 #include "nc/letters.h"
@@ -85,15 +86,42 @@ std::optional<std::string> program_of_header(const CallLanguage& calls, std::str
     return std::nullopt;
 }
 
-std::string program_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case) {
-    if (const std::size_t slash = path.find_last_of('/'); slash != std::string_view::npos)
-        path.remove_prefix(slash + 1);
-    for (const ProgramPattern& pattern : calls.files) {
+namespace {
+
+std::string_view file_of(std::string_view path) {
+    const std::size_t slash = path.find_last_of('/');
+    return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+/// The form of files with marks of their own that the name of a file has; nullptr: none.
+const ProgramPattern* form_of_file(const CallLanguage& calls, std::string_view file,
+                                   bool ignores_case) {
+    const auto found = std::ranges::find_if(calls.files, [&](const ProgramPattern& pattern) {
         const bool is_bare = pattern.before.empty() && pattern.behind.empty();
-        if (is_bare) continue;
-        if (auto name = match_program(pattern, path, ignores_case, true)) return *name;
-    }
-    return ignores_case ? upper_ascii(path) : std::string(path);
+        return !is_bare && match_program(pattern, file, ignores_case, true).has_value();
+    });
+    return found == calls.files.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string program_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case) {
+    const std::string_view file = file_of(path);
+    if (const ProgramPattern* form = form_of_file(calls, file, ignores_case))
+        return *match_program(*form, file, ignores_case, true);
+    return ignores_case ? upper_ascii(file) : std::string(file);
+}
+
+std::string kind_of(const ProgramPattern& pattern) {
+    std::string letters;
+    std::ranges::copy_if(pattern.behind, std::back_inserter(letters),
+                         [](char c) { return is_letter(c) && c != '_'; });
+    return upper_ascii(letters);
+}
+
+std::string kind_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case) {
+    const ProgramPattern* const form = form_of_file(calls, file_of(path), ignores_case);
+    return form != nullptr ? kind_of(*form) : std::string();
 }
 
 std::string shown_program(const CallLanguage& calls, std::string_view name) {

@@ -80,6 +80,10 @@ std::optional<std::string> program_of_header(const CallLanguage& calls, std::str
                                              bool ignores_case);
 /// The program that a path or the name of a file means: `/_N_SPF_DIR/_N_POCK_SPF` is POCK.
 std::string program_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case);
+/// The kind that programs of a form have, the letters behind their names: SPF of `{name}.SPF`.
+std::string kind_of(const ProgramPattern& pattern);
+/// The kind that a path says with its program; empty: it leaves that open.
+std::string kind_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case);
 /// `O12` for the program 12: as a header writes it, for messages.
 std::string shown_program(const CallLanguage& calls, std::string_view name);
 

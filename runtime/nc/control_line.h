@@ -108,6 +108,7 @@ struct CallArgument : CallValue {
 struct Call {
     std::int32_t form = -1;  // index into CallLanguage::calls; -1: a statement without a code
     std::string name;        // if it is written in the line
+    std::string kind;        // … and says of which kind the program is
     Span span;               // of the code or the name
     CallValue program;       // by a number
     CallValue repeats;

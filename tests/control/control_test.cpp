@@ -460,8 +460,10 @@ TEST(ControlText, JumpsBackAsFarAsTextIsKept) {
 /// One program in a file; counts how often it is opened and read.
 class CountedFile final : public ProgramFiles {
   public:
-    std::optional<File> open(const nc::Dialect& dialect, const std::string& program) override {
+    std::optional<File> open(const nc::Dialect& dialect, const std::string& program,
+                             const std::string& kind) override {
         static_cast<void>(dialect);
+        static_cast<void>(kind);
         ++opened;
         if (program != "2") return std::nullopt;
         return File{"O2", std::make_unique<Text>(*this)};
