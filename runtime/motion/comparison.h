@@ -29,7 +29,8 @@ enum class Parting : std::uint8_t {
     Followers,  // an axis beside X, Y, Z is somewhere else
     Standing,   // they stand for different times, or for different reasons
     Pitch,      // their threads are not the same
-    Spindle,    // the spindle stands for one that cuts, or turns at another speed or the other way round
+    Spindle,    // the spindle stands for one that cuts, or turns at another speed or the other way
+                // round
     Pulses,     // they burn other points on the same way
     Marks,      // the modules beside the axes do something else
     End,        // one is over

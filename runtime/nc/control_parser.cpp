@@ -184,7 +184,10 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         at_ += word.text.size();
         tables_.note(&*form);
         out.fills = form->operation == Operation::Fill;
-        return take_values(out.list);
+        if (!take_values(out.list)) return false;
+        // The value, and how many elements get it.
+        const bool has_more = out.fills && out.list.size() > 2;
+        return !has_more || fail(diag::ArgumentsWrong, span_from(word.begin));
     }
 
     bool take_values(std::vector<Expression>& out) {

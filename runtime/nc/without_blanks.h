@@ -1,4 +1,5 @@
-// without_blanks.h — a line as a control sees it for which blanks count nowhere: `GO TO 1 0` is GOTO10.
+// without_blanks.h — a line as a control sees it for which blanks count nowhere: `GO TO 1 0` is
+// GOTO10.
 #pragma once
 
 #include <cstdint>

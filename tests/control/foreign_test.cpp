@@ -46,7 +46,8 @@ std::string fix_of(const nc::Dialect& dialect, const std::string& line) {
     Interpreter interpreter(dialect, machine, program, &program, nullptr, {}, messages);
     program.follow(interpreter);
     std::vector<path::Command> batch(8);
-    while (interpreter.pull(batch) != 0) {}
+    while (interpreter.pull(batch) != 0) {
+    }
     for (const Diagnostic& message : messages.all()) {
         if (message.severity != Severity::Alarm) continue;
         return message.fixes.empty() ? "none" : message.fixes[0].text;
@@ -59,8 +60,7 @@ class ForeignWords : public testing::TestWithParam<const char*> {};
 TEST_P(ForeignWords, HaveTheirFix) {
     Sources sources;
     DiagnosticList loading;
-    const auto dialect =
-        nc::load_dialect(GetParam(), {KADR_ROOT "/dialects"}, sources, loading);
+    const auto dialect = nc::load_dialect(GetParam(), {KADR_ROOT "/dialects"}, sources, loading);
     ASSERT_TRUE(dialect.has_value());
     std::set<std::string> missing;
     for (const auto& [word, text] : dialect->tables().foreign) missing.insert(text);
