@@ -412,7 +412,48 @@ TEST_F(Docs, ThePagesOnMotionAndFiveAxesShowWhatIsSaid) {
     EXPECT_EQ(texts_of_page("docs/five-axes.md"), 2);
 }
 
-/// The curves of the page's steps with rounded corners, and the drives of the facing pass.
+/// mm/min at every tick at feed, of a program of the page on motion that `laser` runs.
+std::vector<double> speeds_of(const std::string& name) {
+    for (const Fence& fence : fences("docs/motion.md")) {
+        if (fence.info != "iso " + name + ".mpf") continue;
+        EXPECT_TRUE(kadr::write_file_whole(name + ".mpf", fence.text));
+    }
+    const ProcessResult result =
+        run_process({KADR_BINARY, "run", name + ".mpf", "-d", "sinumerik", "-m", "laser",
+                     "--setpoints", name + ".csv", "--curves", "motion_" + name + ".svg"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    std::istringstream rows(kadr::read_file(name + ".csv").value_or(""));
+    std::string row;
+    std::getline(rows, row);
+    const auto column = std::ranges::count(row.substr(0, row.find("feed")), ',');
+    std::vector<double> speeds;
+    while (std::getline(rows, row)) {
+        std::size_t at = 0;
+        for (std::ptrdiff_t i = 0; i < column; ++i) at = row.find(',', at) + 1;
+        speeds.push_back(std::stod(row.substr(at)));
+    }
+    return speeds;
+}
+
+/// A chain without corners is passed at its feed, and blocks of some hundredths without a stop.
+TEST_F(Docs, ChainsAndShortBlocksRunOn) {
+    const std::vector<double> chain = speeds_of("chain");
+    const auto is_full = [](double speed) { return speed > 1499.99; };
+    const auto first = std::ranges::find_if(chain, is_full);
+    const auto last = std::find_if(chain.rbegin(), chain.rend(), is_full).base();
+    ASSERT_GT(last - first, 1700);
+    EXPECT_GT(*std::min_element(first, last), 1499.9);
+    EXPECT_LT(*std::max_element(first, last), 1500.01);
+
+    const std::vector<double> blocks = speeds_of("short");
+    ASSERT_GT(blocks.size(), 1000u);
+    // Between the ramps from rest and to rest.
+    EXPECT_GT(*std::min_element(blocks.begin() + 5, blocks.end() - 5), 10);
+    EXPECT_GT(*std::ranges::max_element(blocks), 400);
+}
+
+/// The curves of the page's steps with rounded corners, its chain and its short blocks, and the
+/// drives of the facing pass.
 TEST_F(Docs, PicturesOfMotionAreWhatIsDrawnToday) {
     std::string steps;
     for (const Fence& fence : fences("docs/motion.md")) {
@@ -429,7 +470,10 @@ TEST_F(Docs, PicturesOfMotionAreWhatIsDrawnToday) {
         run_process({KADR_BINARY, "run", KADR_ROOT "/examples/face.kadr", "-d", "sinumerik", "-m",
                      "lathe", "--drive", "motion_face.svg"});
     EXPECT_EQ(face.status, 0) << face.err;
-    for (const char* file : {"motion_corner.svg", "motion_face.svg"}) {
+    speeds_of("chain");
+    speeds_of("short");
+    for (const char* file :
+         {"motion_corner.svg", "motion_face.svg", "motion_chain.svg", "motion_short.svg"}) {
         const std::string name = file;
         EXPECT_TRUE(kadr::read_file(name) == kadr::read_file(KADR_ROOT "/docs/pictures/" + name))
             << name << ": run scripts/pictures and look at it";
