@@ -133,7 +133,7 @@ const LinePosition* ProgramUnits::first_of(const ProgramText& text, const std::s
     if (const LinePosition* place = place_of({})) return place;
     for (const nc::ProgramPattern& pattern : tables_.language.calls.files) {
         if (const LinePosition* place = place_of(nc::kind_of(pattern))) return place;
-        if (!is_whole) return nullptr;
+        if (!is_whole) return nullptr;  // one of the first kind may come still
     }
     return &kinds.begin()->second;
 }

@@ -116,8 +116,9 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
         if (found != nullptr && !is_own(tables, word)) return *found;
         at = end;
     }
-    // `X=5`: the sign behind the word that has no number.
-    const bool is_sign = fault.end < line.size() && !is_letter(line[fault.end]);
+    // `X=5`, where no value stands behind a sign: it is the mistake, and not the word.
+    const bool is_sign =
+        !tables.rules.has_assignment && fault.end < line.size() && !is_letter(line[fault.end]);
     if (const std::string* found = is_sign ? entry_at(tables, line, fault.end) : nullptr)
         return *found;
     // A word of the control's own that elsewhere has other words behind it: `G4 P100`, `M98 P100`.

@@ -16,14 +16,16 @@ struct LineWithoutBlanks {
     std::string text;
     std::vector<std::uint32_t> places;  // of its characters in the line, and of the line's end
 
-    /// What is known of the text as what is known of the line.
+    /// A place in the text as the place in the line, in bytes.
     void put_back(Span& span) const;
+    /// The same for all that was compiled of the text.
     void put_back(ControlLine& line) const;
 };
 
 /// Whether blanks count nowhere and stand, outside of comments, between two letters or two digits.
 bool has_split_words(const DialectTables& tables, std::string_view line);
 
+/// The line without its blanks, whatever they stand between.
 LineWithoutBlanks without_blanks(const DialectTables& tables, std::string_view line);
 
 }  // namespace kadr::nc

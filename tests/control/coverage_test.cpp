@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "interp/program.h"
+#include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
@@ -21,22 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = KADR_ROOT;
-
-class WholeText final : public nc::TextSource {
-  public:
-    explicit WholeText(std::string text) : text_(std::move(text)) {}
-    std::string_view next() override {
-        return std::string_view(text_).substr(std::exchange(at_, text_.size()));
-    }
-    bool seek(std::uint64_t offset) override {
-        at_ = static_cast<std::size_t>(offset);
-        return true;
-    }
-
-  private:
-    std::string text_;
-    std::size_t at_ = 0;
-};
 
 std::string content_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);

@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "interp/program.h"
 #include "nc/tables.h"
+#include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
@@ -23,24 +24,10 @@ namespace fs = std::filesystem;
 
 const fs::path kRows = fs::path(KADR_ROOT) / "tests/control/foreign";
 
-class OneText final : public nc::TextSource {
-  public:
-    explicit OneText(std::string text) : text_(std::move(text)) {}
-    std::string_view next() override { return std::exchange(rest_, {}); }
-    bool seek(std::uint64_t offset) override {
-        rest_ = std::string_view(text_).substr(static_cast<std::size_t>(offset));
-        return true;
-    }
-
-  private:
-    std::string text_;
-    std::string_view rest_ = text_;
-};
-
 /// The fix of the first alarm; "none": there is no fix, "no alarm": the line can be read.
 std::string fix_of(const nc::Dialect& dialect, const std::string& line) {
     DiagnosticList messages;
-    OneText source("F100\n" + line + "\nM30\n");
+    WholeText source("F100\n" + line + "\nM30\n");
     Program program(dialect, source, "test", {}, messages);
     const machine::Machine machine = mill();
     Interpreter interpreter(dialect, machine, program, &program, nullptr, {}, messages);

@@ -10,24 +10,11 @@
 #include "driver/cycles.h"
 #include "driver/session.h"
 #include "interp/program.h"
+#include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
 namespace {
-
-class Text final : public nc::TextSource {
-  public:
-    explicit Text(std::string_view text) : text_(text) {}
-    std::string_view next() override { return std::exchange(rest_, {}); }
-    bool seek(std::uint64_t offset) override {
-        rest_ = text_.substr(static_cast<std::size_t>(offset));
-        return true;
-    }
-
-  private:
-    std::string_view text_;
-    std::string_view rest_ = text_;
-};
 
 /// `x y z` are the axes of the plane and its normal, `i j k` their centre words, `p` the plane.
 std::string in_plane(std::string_view program, int turns) {
@@ -59,7 +46,7 @@ struct Planes : testing::Test {
         driver::LibraryCycles cycles(session, *dialect);
         machine::Machine machine = mill();
         machine.work_offsets.clear();
-        Text source(text);
+        WholeText source(text);
         DiagnosticList heard;
         Program program(*dialect, source, "test", {}, heard);
         Interpreter interpreter(*dialect, machine, program, &program, &cycles, {}, heard);

@@ -12,29 +12,11 @@
 #include "interp/interpreter.h"
 #include "interp/listing.h"
 #include "interp/program.h"
+#include "tests/common/whole_text.h"
 #include "tests/control/control_machines.h"
 
 namespace kadr::interp {
 namespace {
-
-/// A text that comes in one piece.
-class WholeText final : public nc::TextSource {
-  public:
-    explicit WholeText(std::string text) : text_(std::move(text)) {}
-    std::string_view next() override {
-        const std::string_view rest = std::string_view(text_).substr(at_);
-        at_ = text_.size();
-        return rest;
-    }
-    bool seek(std::uint64_t offset) override {
-        at_ = static_cast<std::size_t>(offset);
-        return true;
-    }
-
-  private:
-    std::string text_;
-    std::size_t at_ = 0;
-};
 
 /// SINUMERIK with another default of one group; nothing: as it is delivered.
 nc::Dialect control(const std::string& group, const std::string& functions) {

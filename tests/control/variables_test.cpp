@@ -14,6 +14,7 @@
 #include "base/diagnostics/control.h"
 #include "base/text.h"
 #include "interp/program.h"
+#include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
@@ -22,24 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kVariables = fs::path(KADR_ROOT) / "tests/control/variables";
-
-/// A text in one piece that can be read again.
-class WholeText final : public nc::TextSource {
-  public:
-    explicit WholeText(std::string text) : text_(std::move(text)) {}
-    std::string_view next() override {
-        const std::size_t from = std::exchange(at_, text_.size());
-        return std::string_view(text_).substr(from);
-    }
-    bool seek(std::uint64_t offset) override {
-        at_ = static_cast<std::size_t>(offset);
-        return true;
-    }
-
-  private:
-    std::string text_;
-    std::size_t at_ = 0;
-};
 
 /// The code of the alarm with which a program ends; empty: without one. An alarm that is what
 /// writing does counts as none.
