@@ -273,9 +273,39 @@ class Fitter {
                 nodes.push_back(b);
             }
             if (is_fine) return true;
+            const bool is_halved = nodes.size() > stretch.nodes.size();
             stretch.nodes = std::move(nodes);
+            if (!is_halved) break;
         }
-        // The curve's own slopes keep it; every knot stands twice.
+        return take_own_slopes(stretch);
+    }
+
+    /// The curve's own slopes, with which intervals that are narrow enough keep the tolerance;
+    /// every knot stands twice. False after a fault.
+    bool take_own_slopes(Stretch& stretch) {
+        std::vector<Node> ahead(stretch.nodes.rbegin(), stretch.nodes.rend());
+        std::vector<Node> nodes = {ahead.back()};
+        ahead.pop_back();
+        while (!ahead.empty()) {
+            const Node& a = nodes.back();
+            const Node b = ahead.back();
+            const bool keeps =
+                follows(cubic_of(a, a.at.derivative, b, b.at.derivative), a, b, options_.tolerance);
+            if (result_.fault) return false;
+            if (keeps) {
+                nodes.push_back(b);
+                ahead.pop_back();
+                continue;
+            }
+            if (b.units - a.units == 1) {
+                fail(FitFault::Jump, a.parameter);
+                return false;
+            }
+            const auto middle = between(a, b, 0.5, (a.units + b.units) / 2);
+            if (!middle) return false;
+            ahead.push_back(*middle);
+        }
+        stretch.nodes = std::move(nodes);
         stretch.is_curvature_continuous = false;
         stretch.slopes.clear();
         for (const Node& node : stretch.nodes) stretch.slopes.push_back(node.at.derivative);

@@ -288,6 +288,28 @@ TEST(SplineFit, KeepsTheTolerance) {
     }
 }
 
+// y = |t|^p: the curvature has no end at 0, so a spline with one curvature everywhere swings beside
+// it. Where adding points does not help, the curve's own slopes are taken, and measured as well.
+TEST(SplineFit, KeepsTheToleranceWhereTheCurvatureHasNoEnd) {
+    for (const double power : {1.05, 1.2, 1.5, 1.8}) {
+        for (const double place : {0.0, 0.301, 0.5}) {
+            for (const double tolerance : {0.01, 1e-3, 1e-5}) {
+                SCOPED_TRACE(testing::Message() << power << ' ' << place << ' ' << tolerance);
+                const ParametricCurve curve = [&](double t) {
+                    const double x = t - place;
+                    const double slope = x == 0 ? 0 : power * std::pow(std::fabs(x), power) / x;
+                    return at(20 * t, 20 * std::pow(std::fabs(x), power), 20, 20 * slope);
+                };
+                const FitOptions options{FitKind::Lines, tolerance, -1, 1};
+                const SplineFitResult fitted = fit_spline(curve, options);
+                ASSERT_FALSE(fitted.fault.has_value());
+                ASSERT_FALSE(fault_of(fitted.spline).has_value());
+                EXPECT_LE(deviation(curve, options, fitted.spline), tolerance * (1 + 1e-6));
+            }
+        }
+    }
+}
+
 TEST(SplineFit, IsCurvatureContinuousBetweenCorners) {
     for (const Row& row : rows()) {
         if (std::string_view(row.name) == "corner") continue;
