@@ -1,12 +1,11 @@
 #include "motion/compressor.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
 #include <Eigen/Geometry>
-
-#include "path/polyline_fit.h"
 
 namespace kadr::motion {
 
@@ -146,28 +145,28 @@ void Compressor::fit(bool is_whole) {
     if (!is_whole) std::erase_if(parts, [](const auto& part) { return part.from >= kHalf; });
     const std::size_t done = parts.back().to;
     if (is_worth_it(parts)) {
-        for (const path::PolylinePart& part : parts) {
-            const path::SplineShape shape = {3, {part.cubic[1], part.cubic[2]}};
-            put(part.from, part.to, part.is_line || is_flat(part.cubic) ? nullptr : &shape);
-        }
+        for (const path::PolylinePart& part : parts) put(part);
         slope_ = parts.back().slope;
         has_slope_ = !parts.back().is_line;
     } else {
-        for (std::size_t i = 0; i < done; ++i) put(i, i + 1, nullptr);
+        for (std::size_t i = 0; i < done; ++i) put_line(i);
         has_slope_ = false;
     }
     lines_.erase(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(done));
     points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
-/// Lines as one command, with the place in the text of the last one; a line without a shape.
-void Compressor::put(std::size_t from, std::size_t to, const path::SplineShape* shape) {
-    Command& command = ready_.emplace_back(lines_[to - 1]);
-    for (std::size_t i = from; i + 1 < to; ++i)
+/// Lines as one command, with the place in the text of the last one.
+void Compressor::put(const path::PolylinePart& part) {
+    if (part.is_line) return put_line(part.from);
+    Command& command = ready_.emplace_back(lines_[part.to - 1]);
+    for (std::size_t i = part.from; i + 1 < part.to; ++i)
         command.moved = static_cast<AxisMask>(command.moved | lines_[i].moved);
-    if (shape == nullptr) return;
+    if (command.blending.kind == path::BlendKind::Tolerance)
+        command.blending.size = std::max(0.0, command.blending.size - part.apart);
+    if (is_flat(part.cubic)) return;
     command.op = Op::Spline;
-    command.spline = *shape;
+    command.spline = {3, {part.cubic[1], part.cubic[2]}};
 }
 
 }  // namespace kadr::motion

@@ -1,7 +1,8 @@
 // compressor.h — short lines that follow each other become cubic spans within a tolerance.
 //
 // Commands in, commands out: what comes out is planned as any other spline. Works while the
-// commands come; a run of any length takes the memory of one window.
+// commands come; a run of any length takes the memory of one window. A tolerance of rounded corners
+// is less by what a curve has used of it: both leave the programmed path.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,7 @@
 
 #include "motion/standing.h"
 #include "path/command.h"
+#include "path/polyline_fit.h"
 
 namespace kadr::motion {
 
@@ -37,7 +39,8 @@ class Compressor {
     bool joins(const path::Command& command, const path::Vec3& to) const;
     path::Vec3 place_of(const path::Command& command) const;
     void fit(bool is_whole);
-    void put(std::size_t from, std::size_t to, const path::SplineShape* shape);
+    void put_line(std::size_t at) { ready_.push_back(lines_[at]); }
+    void put(const path::PolylinePart& part);
     void end_run();
 
     std::vector<path::Command> lines_;  // of the run; the i-th leads to points_[i + 1]

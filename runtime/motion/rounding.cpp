@@ -78,13 +78,19 @@ double distance_of(const path::Blending& before, const path::Blending& behind) {
     return has_own ? std::min(before.size, behind.size) : before.size;
 }
 
+double tolerance_of(const path::Blending& before, const path::Blending& behind) {
+    const bool has_own = behind.kind == BlendKind::Tolerance;
+    return has_own ? std::min(before.size, behind.size) : before.size;
+}
+
 std::optional<Rounding> rounding(const RoundedSide& before, const RoundedSide& behind) {
     const path::Blending& wish = before.blending;
     if (wish.kind == BlendKind::None || !(wish.size > 0)) return std::nullopt;
     const RoundedCorner corner(before.curve, behind.curve);
     const std::optional<double> most = corner.most_way();
     if (!most || !corner.is_corner(wish.with_tangents)) return std::nullopt;
-    const auto used = [&](double way) { return corner.deviation(way) / wish.size; };
+    const double tolerance = tolerance_of(wish, behind.blending);
+    const auto used = [&](double way) { return corner.deviation(way) / tolerance; };
     const double way = wish.kind == BlendKind::Distance
                            ? std::min(*most, distance_of(wish, behind.blending))
                            : longest_way(used, *most);

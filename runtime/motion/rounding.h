@@ -60,11 +60,15 @@ double longest_way(const std::function<double(double)>& used, double most);
 /// How far from a corner its curve begins by a blending that says a distance.
 double distance_of(const path::Blending& before, const path::Blending& behind);
 
+/// How far a curve may leave the path of either motion by a blending that says a tolerance.
+double tolerance_of(const path::Blending& before, const path::Blending& behind);
+
 /// The curve around the corner between two motions.
 ///
 /// Each gives half of its length at most, so that the corner at its other end has the other half,
 /// and both give the same. A distance is that of the motion before the corner and, where the one
-/// behind it has a distance of its own, as at rapid, also that one.
+/// behind it has a distance of its own, as at rapid, also that one; and so is a tolerance, for the
+/// curve leaves the path of both.
 ///
 /// returns   nothing if there is no corner, if it turns back, or if nothing is left of the way
 /// source    reference motion §2.4, rule 4; sinumerik §3.3 (G641, G642, G645)

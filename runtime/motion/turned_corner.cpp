@@ -183,11 +183,12 @@ std::optional<TurnedRounding> turned_rounding(const Chain& chain, const TurningW
     if (!corner.tip().is_corner(wish.with_tangents) && corner.turns_evenly(*most))
         return std::nullopt;
     const bool by_distance = wish.kind == path::BlendKind::Distance;
+    const double tolerance = tolerance_of(wish, wish_behind);
     const double way =
         by_distance ? std::min(*most, distance_of(wish, wish_behind))
                     : longest_way(
                           [&](double candidate) {
-                              const double used = corner.tip().deviation(candidate) / wish.size;
+                              const double used = corner.tip().deviation(candidate) / tolerance;
                               if (std::isinf(wish.orientation)) return used;
                               return std::max(used, corner.leaning(candidate) / wish.orientation);
                           },

@@ -1,79 +1,110 @@
 #include "path/polyline_fit.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "path/complete_spline.h"
+#include "path/polyline_deviation.h"
 
 namespace kadr::path {
 
 namespace {
 
-/// Part of the tolerance that is used: between the places that are looked at a cubic may be a
-/// little farther away.
+/// Part of the tolerance that is used; the rest is for corners that are rounded behind it.
 constexpr double kUsed = 0.95;
-/// Places on every line that are looked at.
-constexpr int kPlaces = 4;
-/// How far a place of the cubic may be ahead of that of the polyline with the same parameter or
-/// behind it, in tolerances: then the distance across tells how far both are apart.
-constexpr double kAhead = 4;
-/// Four times the halvings of the longest run that is fitted at once; what is not good then are
-/// lines.
-constexpr int kRounds = 40;
+/// So often a line may be fitted anew. Smooth lines need the halvings of the longest run, about
+/// ten; lines that are broken out of a run twice as many and a few more.
+constexpr std::size_t kMostWork = 64;
+
+/// Lines between two points, to be fitted by themselves.
+struct Run {
+    std::size_t first;
+    std::size_t last;
+    bool is_broken = false;  // a line beside which no cubic stays
+};
 
 class Fit {
   public:
     Fit(std::span<const Vec3> points, const PolylineFitOptions& options)
-        : points_(points),
-          options_(options),
-          lengths_(points.size(), 0),
-          is_line_(points.size(), false) {
+        : points_(points), options_(options), lengths_(points.size(), 0) {
         for (std::size_t i = 1; i < points.size(); ++i)
             lengths_[i] = lengths_[i - 1] + (points[i] - points[i - 1]).norm();
-        set_nodes();
     }
 
     std::vector<PolylinePart> run() {
-        for (int round = 0; round < kRounds; ++round) {
-            solve();
-            if (!refine(round + 1 == kRounds)) break;
+        waiting_ = {{0, points_.size() - 1}};
+        while (!waiting_.empty()) {
+            const Run run = waiting_.back();
+            waiting_.pop_back();
+            fit(run);
         }
-        solve();
-        return std::move(parts_);
+        return std::move(done_);
     }
 
   private:
-    /// Cubics through the nodes between lines that stay.
-    void solve() {
-        parts_.clear();
-        std::size_t first = 0;
-        while (first + 1 < points_.size()) {
-            if (is_line_[first]) {
-                add_line(first);
-                ++first;
-                continue;
+    /// Cubics for a run, or lines out of it and what is left between them.
+    void fit(const Run& run) {
+        const bool is_alone = run.last - run.first == 1 && !begins_with_slope(run);
+        if (run.is_broken || is_alone) return add_line(run.first);
+        set_nodes(run);
+        while (true) {
+            work_ += run.last - run.first;
+            solve(run);
+            std::vector<std::size_t> halves;
+            std::vector<std::size_t> broken;
+            for (PolylinePart& part : parts_) {
+                const auto apart = deviation_from_lines(
+                    part.cubic, points_.subspan(part.from, part.to - part.from + 1),
+                    kUsed * options_.tolerance);
+                if (apart) part.apart = *apart;
+                else if (part.to == part.from + 1) broken.push_back(part.from);
+                else halves.push_back(middle(part));
             }
-            nodes_.clear();
-            std::size_t last = first;
-            for (; last < points_.size(); ++last) {
-                if (is_node_[last]) nodes_.push_back({lengths_[last], points_[last]});
-                if (is_node_[last] && is_line_[last]) break;
+            if (halves.empty() && broken.empty()) {
+                done_.insert(done_.end(), parts_.begin(), parts_.end());
+                return;
             }
-            add_cubics(first, std::min(last, points_.size() - 1));
-            first = last;
+            if (work_ > kMostWork * points_.size()) return add_lines(run);
+            // A line beside which a cubic is still too long may yet be good when that is halved.
+            if (halves.empty()) return break_at(broken, run);
+            nodes_.insert(nodes_.end(), halves.begin(), halves.end());
+            std::sort(nodes_.begin(), nodes_.end());
         }
     }
 
-    void add_line(std::size_t at) {
-        PolylinePart part{at, at + 1, true, {}, slope_of_line(at)};
-        part.cubic = hermite(points_[at], part.slope * width(at, at + 1), points_[at + 1],
-                             part.slope * width(at, at + 1));
-        parts_.push_back(part);
+    /// Lines stay, what is between them begins anew: what was halved beside a corner may do without
+    /// once the corner is apart. The first comes next, for parts are in order.
+    void break_at(const std::vector<std::size_t>& lines, const Run& run) {
+        std::size_t last = run.last;
+        for (std::size_t i = lines.size(); i-- > 0;) {
+            if (lines[i] + 1 < last) waiting_.push_back({lines[i] + 1, last});
+            waiting_.push_back({lines[i], lines[i] + 1, true});
+            last = lines[i];
+        }
+        if (run.first < last) waiting_.push_back({run.first, last});
     }
-    Vec3 slope_of_line(std::size_t at) const {
-        return (points_[at + 1] - points_[at]) / width(at, at + 1);
+
+    void add_lines(const Run& run) {
+        for (std::size_t i = run.first; i < run.last; ++i) add_line(i);
+    }
+    void add_line(std::size_t at) {
+        const Vec3 way = points_[at + 1] - points_[at];
+        done_.push_back({at, at + 1, true, hermite(points_[at], way, points_[at + 1], way),
+                         way / width(at, at + 1)});
     }
     double width(std::size_t from, std::size_t to) const { return lengths_[to] - lengths_[from]; }
+
+    bool begins_with_slope(const Run& run) const {
+        return run.first == 0 && options_.first_slope.has_value();
+    }
+
+    /// No more than there have to be.
+    void set_nodes(const Run& run) {
+        nodes_ = {run.first};
+        for (const std::size_t end : options_.ends) {
+            if (end > run.first && end < run.last) nodes_.push_back(end);
+        }
+        nodes_.push_back(run.last);
+    }
 
     /// Slope of the parabola through three nodes at the first of them, or of the line through two.
     template <typename Node>
@@ -86,52 +117,25 @@ class Fit {
         return d0 + (d0 - d1) * (h0 / (h0 + h1));
     }
 
-    void add_cubics(std::size_t first, std::size_t last) {
+    /// Cubics through the nodes.
+    void solve(const Run& run) {
         const std::size_t count = nodes_.size();
-        const auto forward = [&](std::size_t i) { return nodes_[i]; };
-        const auto backward = [&](std::size_t i) { return nodes_[count - 1 - i]; };
-        const bool is_given = first == 0 && options_.first_slope.has_value();
-        const Vec3 slope = is_given ? *options_.first_slope : end_slope(forward, count);
-        const auto slopes = complete_slopes(nodes_, slope, end_slope(backward, count));
-        std::size_t from = first;
-        std::size_t node = 0;
-        for (std::size_t to = first + 1; to <= last; ++to) {
-            if (!is_node_[to]) continue;
-            PolylinePart part{from, to, false, {}, slopes[node + 1]};
-            part.cubic = hermite(points_[from], slopes[node] * width(from, to), points_[to],
-                                 slopes[node + 1] * width(from, to));
-            parts_.push_back(part);
-            from = to;
-            ++node;
+        std::vector<SplineNode> nodes;
+        for (const std::size_t node : nodes_) nodes.push_back({lengths_[node], points_[node]});
+        const auto forward = [&](std::size_t i) { return nodes[i]; };
+        const auto backward = [&](std::size_t i) { return nodes[count - 1 - i]; };
+        const Vec3 slope =
+            begins_with_slope(run) ? *options_.first_slope : end_slope(forward, count);
+        const auto slopes = complete_slopes(nodes, slope, end_slope(backward, count));
+        parts_.clear();
+        for (std::size_t i = 1; i < count; ++i) {
+            const std::size_t from = nodes_[i - 1];
+            const std::size_t to = nodes_[i];
+            const double h = width(from, to);
+            parts_.push_back({from, to, false,
+                              hermite(points_[from], slopes[i - 1] * h, points_[to], slopes[i] * h),
+                              slopes[i]});
         }
-    }
-
-    /// Halves what is not good; false if everything is.
-    bool refine(bool is_last) {
-        bool is_changed = false;
-        bool has_broken = false;
-        for (const PolylinePart& part : parts_) {
-            if (part.is_line || keeps(part)) continue;
-            is_changed = true;
-            if (is_last || part.to == part.from + 1) {
-                for (std::size_t i = part.from; i < part.to; ++i) is_line_[i] = true;
-                has_broken = true;
-            } else {
-                is_node_[middle(part)] = true;
-            }
-        }
-        // What was halved beside a corner may do without, once the corner is apart.
-        if (has_broken) set_nodes();
-        return is_changed;
-    }
-
-    /// No more than what has to be.
-    void set_nodes() {
-        is_node_.assign(points_.size(), false);
-        is_node_.front() = is_node_.back() = true;
-        for (const std::size_t end : options_.ends) is_node_[end] = true;
-        for (std::size_t i = 0; i + 1 < points_.size(); ++i)
-            if (is_line_[i]) is_node_[i] = is_node_[i + 1] = true;
     }
 
     /// The point between both ends that is nearest to the middle of the way.
@@ -143,31 +147,14 @@ class Fit {
         return static_cast<std::size_t>(found - lengths_.begin());
     }
 
-    bool keeps(const PolylinePart& part) const {
-        const double whole = width(part.from, part.to);
-        const double most = kUsed * options_.tolerance;
-        for (std::size_t i = part.from; i < part.to; ++i) {
-            for (int k = 0; k < kPlaces; ++k) {
-                const double share = static_cast<double>(k) / kPlaces;
-                const Vec3 place = points_[i] + (points_[i + 1] - points_[i]) * share;
-                const double at = lengths_[i] + width(i, i + 1) * share - lengths_[part.from];
-                const auto [position, derivative] = evaluate(part.cubic, at / whole);
-                const Vec3 way = place - position;
-                const double along = way.dot(derivative) / derivative.norm();
-                if (!(std::fabs(along) <= kAhead * options_.tolerance)) return false;
-                if (way.squaredNorm() - along * along > most * most) return false;
-            }
-        }
-        return true;
-    }
-
     std::span<const Vec3> points_;
     const PolylineFitOptions& options_;
-    std::vector<double> lengths_;  // of the polyline up to every point
-    std::vector<bool> is_node_;    // a part ends there
-    std::vector<bool> is_line_;    // what begins there stays a line
-    std::vector<SplineNode> nodes_;
-    std::vector<PolylinePart> parts_;
+    std::vector<double> lengths_;      // of the polyline up to every point
+    std::vector<Run> waiting_;         // the first one last
+    std::vector<std::size_t> nodes_;   // of the run that is fitted; parts end there
+    std::vector<PolylinePart> parts_;  // of it
+    std::vector<PolylinePart> done_;
+    std::size_t work_ = 0;  // lines that were fitted, each as often as it was
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ struct PolylinePart {
     bool is_line = false;
     Cubic cubic{};
     Vec3 slope = Vec3::Zero();  // at its end, by length of the polyline
+    double apart = 0;           // from the lines at most, mm; by deviation_from_lines
 };
 
 struct PolylineFitOptions {
@@ -31,8 +32,9 @@ struct PolylineFitOptions {
 /// have one direction and one curvature where they meet.
 ///
 /// The cubics run through some of the points, with continuous second derivative by the length of
-/// the polyline. A cubic that leaves the lines by more than the tolerance is halved until it keeps
-/// to it, or is one line.
+/// the polyline. A cubic that is farther from its lines than the tolerance, or they from it, is
+/// halved until it keeps to it, or is one line. What comes out has been judged as it comes out; the
+/// work for each line is bounded, and where it does not suffice lines stay lines.
 ///
 /// points   two or more, no two neighbours the same, mm
 std::vector<PolylinePart> fit_polyline(std::span<const Vec3> points,
