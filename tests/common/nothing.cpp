@@ -1,0 +1,1 @@
+// nothing.cpp — a target of headers needs a file.
