@@ -117,8 +117,9 @@ void Executor::execute_next() {
     if (shape_ && !check_shape_block(*block)) return;
     if (contour_ && !check_contour_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
-    const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));
-    if (has_stages() && !is_open) settle(*block);
+    // What is no block of the control, or is left out, is none without motion either.
+    const bool is_passed = open_line_ || (!ended_ && !acts(*block));
+    if (has_stages() && !is_passed) settle(*block);
     if (shape_ && !ended_) end_shape_block(*block);
     if (contour_ && !ended_) note_contour_block(*block);
     if (virtual_.axes.is_on() && !ended_) follow_rotary();

@@ -520,8 +520,11 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
         frame->has_given_words = false;
         return Done::Nothing;
     }
-    const bool has_nothing_else = !has_words && (!statements.empty() || words.number < 0);
-    if (has_nothing_else) return Done::Nothing;
+    // A number, a label or a comment alone is no block: nothing is executed, and nothing counts it.
+    if (!has_words) {
+        if (words.number >= 0 && statements.empty()) variables.set_block_number(words.number);
+        return Done::Nothing;
+    }
     return read_words(line, out);
 }
 

@@ -182,22 +182,10 @@ ProgramMap::Fault ProgramMap::find_label_between(std::string_view label, const L
 }
 
 bool ProgramMap::is_empty_between(const LinePosition& from, const LinePosition& to) {
-    const nc::CommentStyle& comment = tables_.comment;
-    const auto is_empty = [&](std::string_view line) {
-        while (true) {
-            const std::size_t text = line.find_first_not_of(" \t\r");
-            if (text == std::string_view::npos) return true;
-            line.remove_prefix(text);
-            if (!line.starts_with(comment.open)) return false;
-            const std::size_t end = comment.close.empty() ? line.npos : line.find(comment.close);
-            if (end == line.npos) return true;
-            line.remove_prefix(end + comment.close.size());
-        }
-    };
     bool all_empty = true;
     const Fault fault = scan(from, [&](std::string_view line, const Place& place) {
         if (place.line.offset >= to.offset) return false;
-        all_empty = is_empty(line);
+        all_empty = nc::front_of(tables_, line).is_empty;
         return all_empty;
     });
     return fault == Fault::None && all_empty;

@@ -68,7 +68,7 @@ class ProgramMap {
     Fault find_label_between(std::string_view label, const LinePosition& from,
                              const LinePosition& to, Place& out);
 
-    /// Whether nothing but comments stands between two places.
+    /// Whether nothing but comments and numbers of blocks stands between two places.
     bool is_empty_between(const LinePosition& from, const LinePosition& to);
 
   private:

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "nc/control_words.h"
-
 namespace kadr::interp {
 
 namespace {
@@ -166,7 +164,7 @@ std::optional<LinePosition> ProgramUnits::find_in(ProgramText& text, const std::
     return seen();
 }
 
-/// The first line that is more than a comment may be the head of a procedure.
+/// The first line that is more than a number or a comment may be the head of a procedure.
 void ProgramUnits::look_for_head(ProgramUnit& unit) const {
     const auto& statements = tables_.language.statements;
     const bool has_procedures = std::ranges::any_of(statements, [](const nc::StatementForm& form) {
@@ -177,15 +175,14 @@ void ProgramUnits::look_for_head(ProgramUnit& unit) const {
     bool is_too_long = false;
     bool is_first = true;
     while (unit.text->source.next(line, is_too_long)) {
-        const nc::ControlWords words(tables_, line);
-        const std::size_t at = words.skip_blanks(0);
         const bool is_header =
             nc::program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)
                 .has_value();
         if (is_header && !is_first) return;
         is_first = false;
-        if (is_header || at >= line.size() || words.is_comment(at)) continue;
-        if (nc::front_of(tables_, line).statement != nc::Statement::Procedure) return;
+        const nc::LineFront front = nc::front_of(tables_, line);
+        if (is_header || front.is_empty) continue;
+        if (front.statement != nc::Statement::Procedure) return;
         nc::ControlLine head;
         unit.has_wrong_head = compile_line(tables_, nc::SymbolTable(), line, head).has_value();
         if (!unit.has_wrong_head && !head.statements.empty()) unit.head = std::move(head);

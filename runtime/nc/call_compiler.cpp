@@ -431,13 +431,18 @@ bool CallCompiler::take_procedure(ControlStatement& out) {
     const std::size_t begin = at_;
     out.name = program_name(at_);
     if (out.name.empty()) return fail_here(diag::StatementSyntax);
-    const bool is_named = out.kind == Statement::Procedure;
     out.span = span_from(begin);
     skip();
     if (peek() == language_.open) {
         if (!take_open(language_.open)) return false;
         skip();
+    const bool is_named = out.kind == Statement::Procedure;
         while (peek() != language_.close) {
+    // Nobody is called by what stands in the head: there the name may be of any form.
+    if (const Word word = words_.word_at(at_); is_named && out.name.empty() && !word.text.empty()) {
+        out.name = words_.normal(word.text);
+        at_ += word.text.size();
+    }
             if (!out.parameters.empty() && !take_sign(',')) return false;
             out.parameters.emplace_back();
             if (!take_parameter(out.parameters.back(), is_named)) return false;

@@ -25,7 +25,8 @@ class Front {
         }
         at = take_number(at);
         at = take_label(at);
-        find_statement(at);
+        front_.is_empty = says_nothing_from(at);
+        if (!front_.is_empty) find_statement(at);
         return front_;
     }
 
@@ -101,6 +102,14 @@ class Front {
             at += words_.length_of(word, token.text);
         }
         return false;
+    }
+
+    /// Whether comments and the sign of the block's end are all that follows.
+    bool says_nothing_from(std::size_t at) const {
+        at = words_.skip_comments(at);
+        if (at < line_.size() && line_[at] == tables_.rules.end_sign)
+            at = words_.skip_comments(at + 1);
+        return at >= line_.size() || words_.is_comment(at);
     }
 
     /// Of several statements with one keyword: a form is what stands there if its further keywords

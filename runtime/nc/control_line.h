@@ -279,7 +279,8 @@ struct LineFront {
     std::string_view label;  // as it stands in the line
     Statement statement = Statement::None;
     std::uint32_t closes = 0;
-    int loop = 0;  // number of the loop, 0 none
+    int loop = 0;           // number of the loop, 0 none
+    bool is_empty = false;  // nothing but a number, a label and comments
 };
 LineFront front_of(const DialectTables& tables, std::string_view line);
 

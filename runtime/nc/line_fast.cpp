@@ -145,6 +145,9 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
             if (block.number > tables_.block_numbers.most ||
                 block.number < tables_.block_numbers.least)
                 return false;
+            // A number alone is no block: it goes the long way, which says what it is.
+            while (p != end && is_blank(*p)) ++p;
+            if (p == end) return false;
         } else {
             return false;
         }

@@ -438,10 +438,8 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
     }
     say_passed(*lexed_, line);
     if (lexed_->words.empty()) {
-        if (lexed_->has_comment && block.number < 0 && block.skip < 0 &&
-            block.function_count == 0) {
-            block.kind = Block::Kind::Comment;
-        }
+        // A number, a comment or both say nothing that a control could execute.
+        if (block.function_count == 0 && lexed_->passed.empty()) block.kind = Block::Kind::Comment;
         return true;
     }
     if (!check_code_points(line)) return false;

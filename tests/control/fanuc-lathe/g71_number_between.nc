@@ -1,0 +1,17 @@
+%
+O0001
+(rule: case 1: behind the cycle and a number alone stands its shape: it is not executed again)
+(expect: path X30Z2 X26 z-10f0.2 x27z-9.5 Z2 X22 z-10 x23z-9.5 Z2 X20 z-10 x30 Z2 X50)
+G99 G97 S500 M03
+G00 X30. Z2.
+G71 U2. R0.5
+G71 P10 Q20 F0.2
+N7 (THE SHAPE)
+N8
+N9;
+N10 G00 X20.
+G01 Z-10.
+N20 X30.
+G00 X50.
+M30
+%
