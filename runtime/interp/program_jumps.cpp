@@ -1,4 +1,5 @@
 // Where a control program goes on: jumps, sections that are repeated, structures.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -190,9 +191,23 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
     return Done::Nothing;
 }
 
+/// `ENDIF` that ends no condition, as behind `IF … GOTOF …`, or behind a jump into one: there is
+/// nothing to do. Said once for each.
+Program::State::Done Program::State::pass_end(const CompiledLine& line,
+                                              const ControlStatement& statement) {
+    if (!said_ends.emplace(frame->unit, line.place.line.offset).second) return Done::Nothing;
+    DiagnosticBuilder message = sink.report(
+        diag::EndOfNothing, lines.place(line.text, line.place.line.line, statement.span));
+    message.arg(line.text.substr(statement.span.begin, statement.span.end - statement.span.begin));
+    lines.write_notes(message);
+    return Done::Nothing;
+}
+
 /// The end of a structure, or of one pass.
 Program::State::Done Program::State::leave(CompiledLine& line, const ControlStatement& statement) {
     const auto is_own = [&](const OpenStructure& open) { return open.end.line == line.place.line; };
+    const bool is_of_none = std::ranges::none_of(frame->structures, is_own);
+    if (is_of_none && statement.kind == Statement::EndIf) return pass_end(line, statement);
     while (!frame->structures.empty() && !is_own(frame->structures.back()))
         frame->structures.pop_back();
     if (frame->structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);

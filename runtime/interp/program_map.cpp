@@ -153,6 +153,9 @@ ProgramMap::Fault ProgramMap::find_end(const Place& head, const nc::LineFront& f
             return !is_wrong;
         }
         if (!is_end(here.statement)) return true;
+        // An end of a condition inside of a loop that none has opened there: it is passed over.
+        if (here.statement == Statement::EndIf && open.back().statement != Statement::If)
+            return true;
         is_wrong = !closes(here, open.back().statement) || here.loop != open.back().loop;
         if (!is_wrong) open.pop_back();
         if (open.empty()) structure.end = place;

@@ -223,6 +223,7 @@ struct Program::State {
     bool has_ended = false;
     bool is_printer_open = false;
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
+    std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_ends;         // likewise
     std::set<std::pair<const ProgramUnit*, LineTarget>> said_twice;
     bool said_separate = false;      // that axes move each by itself
     bool has_visible_fault = false;  // that blocks of this batch stand behind
@@ -297,6 +298,7 @@ struct Program::State {
     Done choose_case(CompiledLine& line, const nc::ControlStatement& statement);
     Done enter(CompiledLine& line, const nc::ControlStatement& statement);
     Done leave(CompiledLine& line, const nc::ControlStatement& statement);
+    Done pass_end(const CompiledLine& line, const nc::ControlStatement& statement);
     Done otherwise(CompiledLine& line, const nc::ControlStatement& statement);
     Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done call_section(CompiledLine& line, const nc::ControlStatement& statement);
