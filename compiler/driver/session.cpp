@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "driver/pipeline_stages.h"
+#include "nc/dialect_on_machine.h"
 
 namespace kadr::driver {
 
@@ -57,8 +58,11 @@ Session::Session(Options options, Share share, Sources& sources, Messages& messa
 const nc::Dialect* Session::dialect(const std::string& name_or_file, const SourceRange& place) {
     const bool is_option = name_or_file == options_.dialect;
     OriginSink sink(messages_, place, is_option ? "-d" : "");
+    // Without an option the machine is a lathe where the control is one by itself.
+    const bool is_lathe = !options_.machine.empty() && machine() != nullptr && machine()->is_lathe;
+    const auto kind = is_lathe ? nc::MachineKind::Lathe : nc::MachineKind::Mill;
     return load_once(dialects_, name_or_file, [&] {
-        return nc::load_dialect(name_or_file, share_.dialects, sources_, sink);
+        return nc::load_dialect_for(kind, name_or_file, share_.dialects, sources_, sink);
     });
 }
 

@@ -34,10 +34,26 @@ double length_by_arc(const path::Arc& arc) {
     return std::hypot(radius * arc.sweep, height) / (radius * arc.sweep);
 }
 
+/// The axis of a plane that a machine does not have; nothing: it has both.
+std::optional<Axis> missing_axis(AxisMask present, path::Plane plane) {
+    const path::PlaneAxes axes = path::axes_of(plane);
+    if ((present & bit(axes.first)) == 0) return axes.first;
+    if ((present & bit(axes.second)) == 0) return axes.second;
+    return std::nullopt;
+}
+
 }  // namespace
 
 void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     if (!check_feed(block, "arc")) return;
+    const auto missing = missing_axis(axes_.present, modal_.plane);
+    if (missing && !virtual_.axes.is_on()) {
+        DiagnosticBuilder message = report(diag::AxisMissing, block, modal_.motion);
+        message.arg(kAxisNames[index(*missing)]);
+        if (is_lathe_ && modal_.plane != path::Plane::Zx)
+            message.fix("the plane of a lathe is that of Z and X, `G18`");
+        return;
+    }
     if (frames_.is_stretched(modal_.plane)) return stretched_arc(block, target, exact_stop);
     const bool has_opening = block.has(Slot::Opening);
     const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;

@@ -231,8 +231,8 @@ std::optional<std::string> report_missing(const std::string& name, const SourceR
 /// that one run tells all of them.
 class ChainLoader {
   public:
-    ChainLoader(const SearchPath& folders, Sources& sources, DiagnosticSink& sink)
-        : folders_(folders), sources_(sources), sink_(sink) {}
+    ChainLoader(MachineKind kind, const SearchPath& folders, Sources& sources, DiagnosticSink& sink)
+        : kind_(kind), folders_(folders), sources_(sources), sink_(sink) {}
 
     bool load(const std::string& name, const SourceRange& place, DialectTables& tables) {
         // Messages name a file as the one that extends it does.
@@ -278,7 +278,7 @@ class ChainLoader {
         tables.name = root->find("name")->value;
         tables.title = root->find("title")->value;
         tables.suffix = root->find("suffix")->value;
-        if (!apply_dialect(*root, tables, sink_)) has_mistakes_ = true;
+        if (!apply_dialect(*root, tables, kind_, sink_)) has_mistakes_ = true;
         return true;
     }
 
@@ -288,6 +288,7 @@ class ChainLoader {
         return (fs::path(path).parent_path() / base.value).string();
     }
 
+    const MachineKind kind_;
     const SearchPath& folders_;
     Sources& sources_;
     DiagnosticSink& sink_;
@@ -295,10 +296,9 @@ class ChainLoader {
     bool has_mistakes_ = false;
 };
 
-}  // namespace
-
-InspectedDialect inspect_dialect(const std::string& name_or_file, const SearchPath& folders,
-                                 Sources& sources, DiagnosticSink& sink) {
+/// kind  of the machines whose defaults act
+InspectedDialect inspect(MachineKind kind, const std::string& name_or_file,
+                         const SearchPath& folders, Sources& sources, DiagnosticSink& sink) {
     auto tables = std::make_unique<DialectTables>();
     tables->letters.fill(kNoAddress);
     SearchPath with_own = folders;
@@ -307,15 +307,28 @@ InspectedDialect inspect_dialect(const std::string& name_or_file, const SearchPa
         const fs::path folder = fs::path(name_or_file).parent_path();
         with_own.insert(with_own.begin(), folder.empty() ? "." : folder.string());
     }
-    ChainLoader chain(with_own, sources, sink);
+    ChainLoader chain(kind, with_own, sources, sink);
     if (!chain.load(name_or_file, {}, *tables)) return {};
     const bool is_whole = finish_tables(*tables, sink);
     return {Dialect(std::move(tables)), chain.has_mistakes() || !is_whole};
 }
 
+}  // namespace
+
+InspectedDialect inspect_dialect(const std::string& name_or_file, const SearchPath& folders,
+                                 Sources& sources, DiagnosticSink& sink) {
+    return inspect(MachineKind::Mill, name_or_file, folders, sources, sink);
+}
+
 std::optional<Dialect> load_dialect(const std::string& name_or_file, const SearchPath& folders,
                                     Sources& sources, DiagnosticSink& sink) {
-    InspectedDialect inspected = inspect_dialect(name_or_file, folders, sources, sink);
+    return load_dialect_for(MachineKind::Mill, name_or_file, folders, sources, sink);
+}
+
+std::optional<Dialect> load_dialect_for(MachineKind kind, const std::string& name_or_file,
+                                        const SearchPath& folders, Sources& sources,
+                                        DiagnosticSink& sink) {
+    InspectedDialect inspected = inspect(kind, name_or_file, folders, sources, sink);
     if (inspected.has_mistakes) return std::nullopt;
     return std::move(inspected.dialect);
 }

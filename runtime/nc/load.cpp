@@ -19,8 +19,9 @@ void load_ground(const XmlElement& e, DialectTables& tables, Attributes& attribu
 
 }  // namespace
 
-bool apply_dialect(const XmlElement& root, DialectTables& tables, DiagnosticSink& sink) {
-    Attributes attributes(sink);
+bool apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind kind,
+                   DiagnosticSink& sink) {
+    Attributes attributes(sink, kind);
     FormLoader forms(tables, attributes);
     tables.root = root.range;
     tables.program.is_inherited = true;

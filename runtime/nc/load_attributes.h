@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/xml.h"
+#include "nc/dialect_on_machine.h"
 #include "nc/tables.h"
 #include "nc/vocabulary.h"
 
@@ -25,11 +26,13 @@ const XmlAttribute& needed(const XmlElement& element, std::string_view name);
 /// what is wrong has then been reported, and `has_failed` says so.
 class Attributes {
   public:
-    explicit Attributes(DiagnosticSink& sink) : sink_(sink) {}
+    explicit Attributes(DiagnosticSink& sink, MachineKind kind = MachineKind::Mill)
+        : sink_(sink), kind_(kind) {}
 
     bool has_failed() const { return failed_; }
     void fail() { failed_ = true; }
     DiagnosticSink& sink() { return sink_; }
+    MachineKind kind() const { return kind_; }
 
     /// A number that is not negative.
     template <typename T>
@@ -64,6 +67,7 @@ class Attributes {
 
   private:
     DiagnosticSink& sink_;
+    const MachineKind kind_;  // for which the file is loaded
     bool failed_ = false;
 };
 

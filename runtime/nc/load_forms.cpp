@@ -76,17 +76,22 @@ void FormLoader::begin_function(Function function) {
 
 void FormLoader::load_group(const XmlElement& element) {
     const int group = group_named(needed(element, "name").value);
-    attributes_.read_functions(element, "default",
-                               tables_.groups[static_cast<std::size_t>(group)].power_on);
-    check_default(element);
+    std::vector<Function>& power_on = tables_.groups[static_cast<std::size_t>(group)].power_on;
+    attributes_.read_functions(element, "default", power_on);
+    check_default(element, "default");
+    std::vector<Function> of_lathe;
+    attributes_.read_functions(element, "lathe", of_lathe);
+    check_default(element, "lathe");
+    if (attributes_.kind() == MachineKind::Lathe && !of_lathe.empty())
+        power_on = std::move(of_lathe);
     attributes_.read_flag(element, "together",
                           tables_.groups[static_cast<std::size_t>(group)].stands_together);
     for (const XmlElement& code : element.children) load_code(code, group);
 }
 
 /// What a group begins with is a name alone: a command that needs a parameter would do nothing.
-void FormLoader::check_default(const XmlElement& element) {
-    const XmlAttribute* attribute = element.find("default");
+void FormLoader::check_default(const XmlElement& element, std::string_view name) {
+    const XmlAttribute* attribute = element.find(name);
     if (attribute == nullptr) return;
     for (const XmlWord& word : words_of(*attribute)) {
         const std::optional<Function> function = find_function(word.text);

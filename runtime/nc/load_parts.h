@@ -45,7 +45,7 @@ class FormLoader {
         : tables_(tables), attributes_(attributes) {}
 
     void load_group(const XmlElement& element);
-    void check_default(const XmlElement& element);
+    void check_default(const XmlElement& element, std::string_view name);
     void load_command(const XmlElement& element);
     void load_cycle(const XmlElement& element);
     void load_deferred(const XmlElement& element);

@@ -62,7 +62,7 @@ const std::vector<XmlRule>& dialect_rules() {
           "minus",
           "plus"},
          {}},
-        {"group", {{"name", Filled}, "default", "together"}, {"code"}},
+        {"group", {{"name", Filled}, "default", "lathe", "together"}, {"code"}},
         {"code",
          {{"text", Filled},
           {"command", Filled},

@@ -50,6 +50,10 @@
 #include "driver/session.h"
 #include "interp/line_watch.h"
 #include "interp/program.h"
+#include "nc/dialect_on_machine.h"
+#include "nc/mode_words.h"
+#include "nc/scope_words.h"
+#include "nc/tables.h"
 #include "tests/control/control_machines.h"
 
 namespace kadr::interp {
@@ -277,9 +281,11 @@ std::string path_of(const std::vector<path::Command>& motions, bool is_lathe) {
     return out;
 }
 
-const nc::Dialect& dialect_named(const std::string& name) {
-    static std::map<std::string, nc::Dialect> loaded;
-    if (const auto known = loaded.find(name); known != loaded.end()) return known->second;
+const nc::Dialect& dialect_named(const std::string& name,
+                                 nc::MachineKind kind = nc::MachineKind::Mill) {
+    static std::map<std::pair<std::string, nc::MachineKind>, nc::Dialect> loaded;
+    const auto key = std::pair(name, kind);
+    if (const auto known = loaded.find(key); known != loaded.end()) return known->second;
     Sources sources;
     DiagnosticList messages;
     auto dialect = nc::load_dialect(name,
@@ -318,8 +324,8 @@ CycleExpander* cycles_of(const nc::Dialect& dialect) {
     static Sources sources;
     static driver::Messages messages(sources, {}, [](std::string_view) {});
     static driver::Session session({}, driver::share_below(KADR_ROOT), sources, messages);
-    static std::map<std::string, std::unique_ptr<driver::LibraryCycles>> all;
-    std::unique_ptr<driver::LibraryCycles>& cycles = all[std::string(dialect.name())];
+    static std::map<const nc::Dialect*, std::unique_ptr<driver::LibraryCycles>> all;
+    std::unique_ptr<driver::LibraryCycles>& cycles = all[&dialect];
     if (!cycles) cycles = std::make_unique<driver::LibraryCycles>(session, dialect);
     return cycles.get();
 }
@@ -741,7 +747,9 @@ TEST_P(Control, DoesWhatTheManualSays) {
     const std::string text = content_of(file);
     const Expected expected = parse(text);
     EXPECT_TRUE(expected.has_rule) << "the file names no rule";
-    const nc::Dialect& dialect = dialect_named(GetParam().dialect);
+    const bool is_on_lathe = machine_named(expected.machine, false).is_lathe;
+    const nc::Dialect& dialect = dialect_named(
+        GetParam().dialect, is_on_lathe ? nc::MachineKind::Lathe : nc::MachineKind::Mill);
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe, with a trace");
         check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek),

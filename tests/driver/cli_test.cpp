@@ -247,6 +247,54 @@ TEST_F(CommandLine, AStandingSpindleIsWarnedOfAnewEachTimeThatItWasStopped) {
     }
 }
 
+/// Case 19: behind the end of a program a mistake is one only if something leads there.
+TEST_F(CommandLine, WhatStandsBehindTheEndIsWrongOnlyIfItIsReached) {
+    struct Row {
+        const char* name;
+        const char* text;
+        const char* dialect;
+        int line;
+    };
+    for (const Row& row :
+         {Row{"behind.mpf", "R1=2\nIF R1==1 GOTOF LAB2\nM30\nLAB2: FOOBAR(1)\nG1 X==\nM30\n",
+              "sinumerik", 4},
+          Row{"behind.nc", "O1\n#1=2\nIF[#1EQ1]GOTO9\nM30\nN9 G01 X\nM30\n", "fanuc", 5}}) {
+        SCOPED_TRACE(row.name);
+        save(row.name, row.text);
+        const std::string place = file(row.name) + ':' + std::to_string(row.line) + ':';
+        const ProcessResult checked = kadr({"check", file(row.name), "-d", row.dialect});
+        EXPECT_EQ(checked.status, 0) << checked.err;
+        EXPECT_EQ(checked.err.find("alarm["), std::string::npos) << checked.err;
+        EXPECT_NE(checked.err.find(place), std::string::npos) << checked.err;
+        EXPECT_NE(checked.err.find("warning[K5921]: if it is reached: "), std::string::npos);
+        const ProcessResult run = kadr({"run", file(row.name), "-d", row.dialect});
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_EQ(run.err.find(place), std::string::npos) << run.err;
+    }
+    // In front of the end it is a mistake, and so is what stands behind that.
+    save("before.mpf", "G1 X==\nFOOBAR(1)\nM30\nFOOBAR(2)\n");
+    const ProcessResult checked = kadr({"check", file("before.mpf"), "-d", "sinumerik"});
+    EXPECT_EQ(checked.status, 1);
+    EXPECT_EQ(checked.err.find("K5921"), std::string::npos) << checked.err;
+}
+
+/// Case 6: a program for a lathe that says no plane.
+TEST_F(CommandLine, ThePlaneOfALatheActsFromTheStart) {
+    save("turn.mpf", "G54 G95 T1 D1\nS500 M4\nG0 X40 Z0\nG3 X50 Z-5 CR=5 F0.2\nM30\n");
+    save("mill.mpf", "G17 G95 T1 D1\nS500 M4\nG0 X40 Z0\nG3 X50 Z-5 CR=5 F0.2\nM30\n");
+    for (const char* dialect : {"sinumerik", "axioma"}) {
+        for (const char* command : {"check", "run"}) {
+            SCOPED_TRACE(std::string(command) + ' ' + dialect);
+            EXPECT_EQ(kadr({command, file("turn.mpf"), "-d", dialect, "-m", "lathe"}).status, 0);
+            const ProcessResult wrong =
+                kadr({command, file("mill.mpf"), "-d", dialect, "-m", "lathe"});
+            EXPECT_NE(wrong.status, 0);
+            EXPECT_NE(wrong.err.find("the machine has no axis Y"), std::string::npos) << wrong.err;
+            EXPECT_NE(wrong.err.find("`G18`"), std::string::npos) << wrong.err;
+        }
+    }
+}
+
 TEST_F(CommandLine, CountedNumbersLieAboveThoseOfTheSource) {
     save("own.kadr",
          "dialect sinumerik;\nprogram p() { G0 X1; N10 G0 X2; X3; N25 X4; N7 X5; M30; }\n");
