@@ -623,18 +623,33 @@ Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Blo
     return Done::Block;
 }
 
-/// Words whose axis is a value get the address of that axis.
+/// Words whose axis or spindle is a value get the address of that: `AX[AXA]=10` that of X,
+/// `ACC[AXA]=50` that of `ACC[X]`, `S[R1]=500` that of `S2`, or S where it is the first spindle.
 Program::State::Done Program::State::set_axes(CompiledLine& line) {
     for (const nc::ComputedAxis& computed : line.line.axes) {
         Value value;
         const Done done = evaluate(line, computed.axis, value);
         if (done == Done::Wait || lines.failed()) return done;
-        const std::string_view name = kAxisNames[index(*value.axis())];
-        const nc::AddressId address = tables.find_address(name);
-        if (address == nc::kNoAddress) {
-            return fail(line, diag::IsoUnknownWord, computed.axis.span, {std::string(name)});
+        nc::GivenWord& word = line.line.words.words[computed.word];
+        const std::size_t begin = line.line.words.spans[computed.word].begin;
+        const nc::ControlWords words(tables, line.text);
+        const std::string said = words.normal(words.word_at(begin).text);
+        const bool is_axis_word = computed.is_alone || said == language.axis_word;
+        word.names_first = false;
+        if (!value.axis()) {
+            const auto number = std::llround(value.number);
+            word.names_first = number == 1;
+            word.address = tables.find_address(number == 1 ? said : said + std::to_string(number));
+            if (word.address == nc::kNoAddress)
+                word.address = tables.find_address(said + '[' + std::to_string(number) + ']');
+            if (word.address != nc::kNoAddress) continue;
+            return fail(line, diag::SpindleMissing, computed.axis.span, {std::to_string(number)});
         }
-        line.line.words.words[computed.word].address = address;
+        const std::string axis(kAxisNames[index(*value.axis())]);
+        const std::string name = is_axis_word ? axis : said + '[' + axis + ']';
+        word.address = tables.find_address(name);
+        if (word.address == nc::kNoAddress)
+            return fail(line, diag::IsoUnknownWord, computed.axis.span, {name});
     }
     return Done::Nothing;
 }

@@ -238,7 +238,15 @@ std::string CallCompiler::program_name(std::size_t& at) const {
     while (end < line_.size() && (is_letter(line_[end]) || (end > at && is_digit(line_[end]))))
         ++end;
     std::string name = words_.normal(line_.substr(at, end - at));
-    if (name.empty() || form_of_name(name) == nullptr) return {};
+    if (!name.empty() && form_of_name(name) == nullptr) {
+        // `L10P2`: the passes stand directly behind the number of the program.
+        const std::size_t behind = std::min(name.find_first_not_of("0123456789", 1), name.size());
+        const CallForm* const form = form_of_name(name.substr(0, behind));
+        if (form == nullptr || behind == name.size() || name[behind] != form->repeats) return {};
+        end = at + behind;
+        name.resize(behind);
+    }
+    if (name.empty()) return {};
     at = end;
     return name;
 }
@@ -429,20 +437,20 @@ bool CallCompiler::take_listed(CallArgument& out) {
 bool CallCompiler::take_procedure(ControlStatement& out) {
     skip();
     const std::size_t begin = at_;
+    const bool is_named = out.kind == Statement::Procedure;
     out.name = program_name(at_);
+    // Nobody is called by what stands in the head: there the name may be of any form.
+    if (const Word word = words_.word_at(at_); is_named && out.name.empty() && !word.text.empty()) {
+        out.name = words_.normal(word.text);
+        at_ += word.text.size();
+    }
     if (out.name.empty()) return fail_here(diag::StatementSyntax);
     out.span = span_from(begin);
     skip();
     if (peek() == language_.open) {
         if (!take_open(language_.open)) return false;
         skip();
-    const bool is_named = out.kind == Statement::Procedure;
         while (peek() != language_.close) {
-    // Nobody is called by what stands in the head: there the name may be of any form.
-    if (const Word word = words_.word_at(at_); is_named && out.name.empty() && !word.text.empty()) {
-        out.name = words_.normal(word.text);
-        at_ += word.text.size();
-    }
             if (!out.parameters.empty() && !take_sign(',')) return false;
             out.parameters.emplace_back();
             if (!take_parameter(out.parameters.back(), is_named)) return false;

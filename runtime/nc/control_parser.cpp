@@ -6,6 +6,8 @@
 #include "nc/call_compiler.h"
 #include "nc/control_line.h"
 #include "nc/loop_front.h"
+#include "nc/refused_words.h"
+#include "nc/scope_words.h"
 #include "nc/without_blanks.h"
 
 namespace kadr::nc {
@@ -73,16 +75,25 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const Word name = words_.word_at(at_);
         const std::size_t next = words_.skip_blanks(at_ + name.text.size());
         const bool is_alone = is_lone_axis_word(name.text);
-        if (!(is_alone || words_.is_same(name.text, language_.axis_word)) || next >= line_.size() ||
-            line_[next] != language_.index_open)
-            return {};
+        const bool is_axis = is_alone || words_.is_same(name.text, language_.axis_word);
+        const bool is_of_spindle = !is_axis && is_spindle_word(name.text);
+        const bool is_known =
+            is_axis || is_of_spindle || takes_axis(tables_, words_.normal(name.text));
+        if (!is_known) return {};
+        // The names of axes and the numbers of spindles are words as they stand.
+        const bool is_computed = begins_computed_index(words_.skip_blanks(next + 1), is_of_spindle);
+        if (!is_axis && !is_computed) return {};
         at_ = next;
         ComputedAxis axis;
         axis.word = word;
         axis.is_alone = is_alone;
-        was_taken = take_open(language_.index_open) &&
-                    take_as_expression(axis.axis, [this](bool&) { return take_axis_index(); }) &&
-                    take_close(language_.index_close);
+        const auto take_index = [&] {
+            return is_of_spindle
+                       ? take_expression(axis.axis)
+                       : take_as_expression(axis.axis, [this](bool&) { return take_axis_index(); });
+        };
+        was_taken =
+            take_open(language_.index_open) && take_index() && take_close(language_.index_close);
         if (was_taken) out_.axes.push_back(axis);
         return finish(at, was_taken);
     }
@@ -121,6 +132,21 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 
   private:
     bool is_lone_axis_word(std::string_view name) const {
+    /// Whether a variable or a function says the axis or the spindle of a word.
+    bool begins_computed_index(std::size_t at, bool is_of_spindle) const {
+        if (at >= line_.size()) return false;
+        if (begins_reference(at) || (is_of_spindle && line_[at] == language_.open)) return true;
+        const Word word = words_.word_at(at);
+        const bool is_function = std::ranges::any_of(
+            language_.functions,
+            [&](const FunctionForm& form) { return words_.says(word, form.name); });
+        return is_function && !is_spindle_name(words_.normal(line_.substr(at)));
+    }
+    bool is_spindle_word(std::string_view name) const {
+        return std::ranges::any_of(tables_.rules.spindle_words, [&](const std::string& word) {
+            return words_.is_same(name, word);
+        });
+    }
         return std::ranges::any_of(language_.lone_axis_words, [&](const std::string& word) {
             return words_.is_same(name, word);
         });

@@ -8,6 +8,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "nc/letters.h"
+#include "nc/mode_words.h"
 #include "nc/refused_words.h"
 
 namespace kadr::nc {
@@ -15,27 +16,6 @@ namespace kadr::nc {
 namespace {
 
 char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
-
-struct ModeName {
-    std::string_view name;
-    GivenWord::Mode mode;
-};
-constexpr std::array<ModeName, 15> kModes = {{{"AC", GivenWord::Mode::Absolute},
-                                              {"IC", GivenWord::Mode::Incremental},
-                                              {"DAC", GivenWord::Mode::DiameterAbsolute},
-                                              {"DIC", GivenWord::Mode::DiameterIncremental},
-                                              {"RAC", GivenWord::Mode::RadiusAbsolute},
-                                              {"RIC", GivenWord::Mode::RadiusIncremental},
-                                              {"DC", GivenWord::Mode::Shortest},
-                                              {"ACP", GivenWord::Mode::Positive},
-                                              {"ACN", GivenWord::Mode::Negative},
-                                              {"CAC", GivenWord::Mode::Indexed},
-                                              {"CIC", GivenWord::Mode::Indexed},
-                                              {"CDC", GivenWord::Mode::Indexed},
-                                              {"CACP", GivenWord::Mode::Indexed},
-                                              {"CACN", GivenWord::Mode::Indexed},
-                                              // Without an acknowledgement of the machine.
-                                              {"QU", GivenWord::Mode::Modal}}};
 
 class Lexer {
   public:
@@ -119,6 +99,13 @@ class Lexer {
             tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)) + '=');
         if (known.empty() && !rules_.has_assignment) return fail_here(diag::IsoSyntax);
         fail(diag::IsoNotSupported, begin, at_, {known.empty() ? otherwise : known});
+    }
+    /// `E=0`, `Q1=5`: the control has axes of any letter, and this machine none such.
+    void fail_at_missing_axis(std::size_t begin) {
+        const std::string name = upper_ascii(line_.substr(begin, at_ - begin));
+        if (!tables_.unsupported_words(name + '=').empty() || !rules_.has_assignment)
+            return fail_assigned(begin, "the control's own parametric language");
+        fail(diag::AxisMissing, begin, at_, {name});
     }
     /// What stands behind a word that Kadr does not know may have a form that it does not know.
     bool fail_at_unsupported() {
@@ -326,7 +313,7 @@ class Lexer {
         const std::size_t begin = at_;
         const char letter = peek();
         ++at_;
-        if (take_spindle(begin)) return;
+        if (take_spindle(begin) || take_computed_index(begin)) return;
         if (is_digit(peek()) && take_extended(begin)) return;
         if (take_code_of_group(begin)) return;
         const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
@@ -335,9 +322,7 @@ class Lexer {
             skip_inner_blanks();
             while (at_ < line_.size() && (is_digit(peek()) || peek() == '.' || peek() == '-'))
                 ++at_;
-            if (peek() == '=') {
-                return fail_assigned(begin, "the control's own parametric language");
-            }
+            if (peek() == '=') return fail_at_missing_axis(begin);
             return fail_unknown(begin, at_);
         }
         if (tables_.addresses[address].is_block_number) return take_block_number(begin);
@@ -399,6 +384,33 @@ class Lexer {
         const std::size_t word = out_.words.size();
         take_assigned(tables_.find_address(name), begin);
         if (word < out_.words.size()) out_.words[word].names_first = true;
+        return true;
+    }
+
+    /// `S[R1]=500`, `SPOS[R1]=90`, `ACC[AXV]=50`: words of a spindle or of an axis that is known
+    /// when the line runs; `at_` is behind the letters that begin at `begin`.
+    bool take_computed_index(std::size_t begin) {
+        if (compiler_ == nullptr || peek() != '[') return false;
+        const std::string name = upper_ascii(line_.substr(begin, at_ - begin));
+        AddressId address = tables_.find_address(name);
+        const bool is_of_spindle =
+            std::ranges::find(rules_.spindle_words, name) != rules_.spindle_words.end();
+        if (!is_of_spindle) {
+            if (!takes_axis(tables_, name)) return false;
+            address = tables_.find_address(name + '[' + std::string(kAxisNames[0]) + ']');
+        }
+        if (address == kNoAddress) return false;
+        std::size_t at = begin;
+        bool was_taken = false;
+        fault_ = compiler_->take_axis(at, static_cast<std::uint16_t>(out_.words.size()), was_taken);
+        if (!was_taken || fault_) return fault_.has_value();
+        at_ = at;
+        skip_blanks();
+        if (peek() == '=') {
+            take_assigned(address, begin);
+        } else {
+            fail(diag::IsoNoValue, begin, at_, {std::string(line_.substr(begin, at_ - begin))});
+        }
         return true;
     }
 
@@ -698,12 +710,16 @@ class Lexer {
                 return;
             }
             at_ = end;
-            if (take_indexed(begin) || fail_at_axis(begin) || take_passed(begin)) return;
+            if (take_indexed(begin) || take_computed_index(begin) || fail_at_axis(begin) ||
+                take_passed(begin))
+                return;
             return fail_without_number(begin) ? void() : fail_unknown(begin, end);
         }
         const std::size_t next = at_;
         at_ = end;
-        if (take_spindle(begin) || (peek() == '[' && take_indexed(begin))) return;
+        if (take_spindle(begin) || (peek() == '[' && take_indexed(begin)) ||
+            take_computed_index(begin))
+            return;
         at_ = next;
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Call && peek() == '(') return take_call(address, begin);
@@ -815,7 +831,7 @@ class Lexer {
         skip_blanks();
         if (peek() == '"' && !is_computed_text()) return take_quoted(address, begin);
         if (peek() == '"') return take_computed(address, begin);
-        if (const ModeName* mode = rules_.has_modes ? mode_here() : nullptr) {
+        if (const ModeWord* mode = rules_.has_modes ? mode_here() : nullptr) {
             at_ += mode->name.size() + 1;
             skip_blanks();
             if (is_computed(at_)) {
@@ -848,8 +864,8 @@ class Lexer {
     }
 
     /// `AC(`, `DIC(`, … stands here.
-    const ModeName* mode_here() const {
-        for (const ModeName& mode : kModes) {
+    const ModeWord* mode_here() const {
+        for (const ModeWord& mode : kModeWords) {
             std::size_t i = 0;
             while (i < mode.name.size() && peek(i) == mode.name[i]) ++i;
             if (i == mode.name.size() && peek(i) == '(') return &mode;
@@ -858,12 +874,12 @@ class Lexer {
     }
 
     /// `AC(` or `IC(` in front of the end of an axis in a polynomial, `PO[X]=(AC(10),2)`.
-    const ModeName* end_mode_here(AddressId address) const {
+    const ModeWord* end_mode_here(AddressId address) const {
         const bool is_end =
             std::ranges::any_of(tables_.addresses[address].forms, [&](const FormId id) {
                 return tables_.forms[id].function == Function::PolynomialAxis;
             });
-        const ModeName* const mode = is_end && rules_.has_modes ? mode_here() : nullptr;
+        const ModeWord* const mode = is_end && rules_.has_modes ? mode_here() : nullptr;
         const bool is_way = mode != nullptr && (mode->mode == GivenWord::Mode::Absolute ||
                                                 mode->mode == GivenWord::Mode::Incremental);
         return is_way ? mode : nullptr;
@@ -914,7 +930,7 @@ class Lexer {
                 return fail(diag::IsoTooManyWords, begin, at_, {});
             }
             GivenArgument argument;
-            const ModeName* const own_mode =
+            const ModeWord* const own_mode =
                 out_.arguments.size() == first ? end_mode_here(address) : nullptr;
             if (own_mode != nullptr) {
                 mode = own_mode->mode;
