@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics/control.h"
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
@@ -90,6 +91,20 @@ class Execution::HeldMessages final : public DiagnosticSink {
     void release() {
         for (Diagnostic& diagnostic : held_) next_.take(std::move(diagnostic));
         held_.clear();
+    }
+    /// What stands behind the end of the program is wrong only if something leads there.
+    void soften() {
+        for (Diagnostic& diagnostic : held_) {
+            if (diagnostic.severity != Severity::Alarm) continue;
+            std::string said = diagnostic.message();
+            if (!diagnostic.alarm_number.empty())
+                said = "alarm " + diagnostic.alarm_number + ", " + said;
+            diagnostic.row = &diag::IfReached;
+            diagnostic.severity = Severity::Warning;
+            diagnostic.arguments = {std::move(said)};
+            diagnostic.alarm_number.clear();
+            diagnostic.alarm_text.clear();
+        }
     }
     /// Behind the last block: the warnings of the lines up to it. What stands behind it waits for a
     /// check that reads on.
@@ -344,7 +359,13 @@ std::size_t Execution::pull(std::span<path::Command> out) {
 void Execution::read_rest() {
     reader_->check_only();
     std::vector<nc::Block> batch(kBatch);
-    while (tagged_->pull(batch) > 0) continue;
+    bool is_more = true;
+    while (is_more) {
+        if (!has_stopped_ && !interpreter_->alarmed()) held_->soften();
+        is_more = tagged_->pull(batch) > 0;
+    }
+    if (!has_stopped_ && !interpreter_->alarmed()) held_->soften();
+    held_->release();
 }
 
 bool Execution::failed() const {

@@ -746,12 +746,28 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
     return {&diag::VariableReadOnly, {"this constant"}};
 }
 
+/// Programs keep the limits of what is defined for all of them.
+ControlVariables::Fault ControlVariables::check_limits(const nc::Symbol& symbol,
+                                                       const Value& value) const {
+    if (!symbol.is_shared || limits_.empty() || !value.is_number()) return {};
+    const auto known = limits_.find(symbol.name);
+    if (known == limits_.end()) return {};
+    const bool is_below = value.number < known->second.least;
+    if (!is_below && value.number <= known->second.most) return {};
+    std::array<std::string, 2> shown;
+    append_shortest(shown[0], value.number);
+    append_shortest(shown[1], is_below ? known->second.least : known->second.most);
+    return {is_below ? &diag::VariableBelow : &diag::VariableAbove,
+            {symbol.name, shown[0], shown[1]}};
+}
+
 ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol,
                                                         std::uint32_t slot, const Value& value,
                                                         const Content& content) {
     const std::string_view text = content.text;
     Value converted = value;
     if (Fault fault = convert(symbol.type, converted, text); fault.row != nullptr) return fault;
+    if (Fault fault = check_limits(symbol, converted); fault.row != nullptr) return fault;
     Store& store = *level_->stores[level_->symbols.index_of(symbol)];
     if (symbol.type == nc::ValueType::Frame) {
         change(store, slot, &symbol, [&] { store.set_frame(slot, *content.frame); });

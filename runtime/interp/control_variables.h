@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +27,12 @@ class ControlVariables final : public Variables {
     struct Fault {
         const DiagnosticRow* row = nullptr;
         std::vector<std::string> arguments;
+    };
+
+    /// What a variable may hold by its definition.
+    struct Limits {
+        double least = -std::numeric_limits<double>::infinity();
+        double most = std::numeric_limits<double>::infinity();
     };
 
     ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader);
@@ -77,6 +85,8 @@ class ControlVariables final : public Variables {
     /// What follows reads and writes the variables of this level.
     void enter(Level& level) { level_ = &level; }
     const nc::Symbol& declare(nc::Symbol symbol);
+    /// What a variable that all programs have may hold.
+    void limit(const std::string& name, const Limits& limits) { limits_[name] = limits; }
     /// The place of a variable, for a parameter that stands for it.
     struct VariablePlace {
         Store* store = nullptr;  // null: it holds nothing that a program could write
@@ -130,6 +140,7 @@ class ControlVariables final : public Variables {
         std::int64_t second = 0;
     };
     static Indices indices_of(const nc::VariableRange& range, std::int64_t number);
+    Fault check_limits(const nc::Symbol& symbol, const Value& value) const;
     Fault store_family(std::uint32_t form, std::int64_t number, const Value& value);
     Fault store_system(nc::Quantity quantity, const Indices& indices, const Value& value);
     Fault store_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame);
@@ -163,6 +174,7 @@ class ControlVariables final : public Variables {
     Store globals_;
     Level main_;
     Level definitions_;
+    std::map<std::string, Limits, std::less<>> limits_;  // of some of its variables
     Level* level_ = &main_;
     std::int64_t block_number_ = 0;
     std::function<double()> modal_call_;

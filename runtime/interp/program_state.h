@@ -293,12 +293,13 @@ struct Program::State {
     Done declare_one(CompiledLine& line, const nc::Declaration& declaration, nc::ValueType type,
                      std::uint32_t text_size);
     Done text_size(CompiledLine& line, const nc::Expression& expression, std::uint32_t& out);
+    Done limit(CompiledLine& line, const nc::ControlStatement& statement);
     Done jump(CompiledLine& line, const nc::ControlStatement& statement);
     Done choose(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
     Done choose_case(CompiledLine& line, const nc::ControlStatement& statement);
     Done enter(CompiledLine& line, const nc::ControlStatement& statement);
-    Done leave(CompiledLine& line, const nc::ControlStatement& statement);
     Done pass_end(const CompiledLine& line, const nc::ControlStatement& statement);
+    Done leave(CompiledLine& line, const nc::ControlStatement& statement);
     Done otherwise(CompiledLine& line, const nc::ControlStatement& statement);
     Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done call_section(CompiledLine& line, const nc::ControlStatement& statement);

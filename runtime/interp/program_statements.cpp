@@ -258,11 +258,29 @@ Program::State::Done Program::State::declare(CompiledLine& line,
     const bool had_failed = lines.failed();
     std::uint32_t characters = 0;
     Done done = text_size(line, statement.type_size, characters);
+    if (done != Done::Wait && frame->is_definition) done = limit(line, statement);
     for (const nc::Declaration& declaration : statement.declarations) {
         if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
         done = declare_one(line, declaration, statement.type, characters);
     }
     return done;
+}
+
+/// The least and the greatest value that variables may hold, `LLI 0 ULI 100`.
+Program::State::Done Program::State::limit(CompiledLine& line, const ControlStatement& statement) {
+    ControlVariables::Limits limits;
+    Value bound;
+    for (const bool is_least : {true, false}) {
+        const nc::Expression& said = is_least ? statement.value : statement.second;
+        if (!said.is_given()) continue;
+        const Done done = evaluate(line, said, bound);
+        if (done == Done::Wait || lines.failed()) return done;
+        (is_least ? limits.least : limits.most) = bound.number;
+    }
+    if (!statement.value.is_given() && !statement.second.is_given()) return Done::Nothing;
+    for (const nc::Declaration& declaration : statement.declarations)
+        variables.limit(declaration.name, limits);
+    return Done::Nothing;
 }
 
 /// Characters of a text variable.

@@ -74,6 +74,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         begin(at);
         const Word name = words_.word_at(at_);
         const std::size_t next = words_.skip_blanks(at_ + name.text.size());
+        if (next >= line_.size() || line_[next] != language_.index_open) return {};
         const bool is_alone = is_lone_axis_word(name.text);
         const bool is_axis = is_alone || words_.is_same(name.text, language_.axis_word);
         const bool is_of_spindle = !is_axis && is_spindle_word(name.text);
@@ -131,7 +132,6 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
   private:
-    bool is_lone_axis_word(std::string_view name) const {
     /// Whether a variable or a function says the axis or the spindle of a word.
     bool begins_computed_index(std::size_t at, bool is_of_spindle) const {
         if (at >= line_.size()) return false;
@@ -147,6 +147,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             return words_.is_same(name, word);
         });
     }
+    bool is_lone_axis_word(std::string_view name) const {
         return std::ranges::any_of(language_.lone_axis_words, [&](const std::string& word) {
             return words_.is_same(name, word);
         });
@@ -425,7 +426,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             case Hole::From: return take_target(out.from);
             case Hole::To: return take_target(out.to);
             case Hole::Loop: return take_loop_number(out);
-            case Hole::Type: return take_scope(out) && take_type(out);
+            case Hole::Type: return take_scope(out) && take_type(out) && take_scope(out);
             case Hole::Declarations: return take_declarations(out);
             case Hole::Cases: return take_cases(next, out);
             case Hole::Jump: return take_inner(out, false);
@@ -578,18 +579,35 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 
     // ------------------------------------------------------------ declarations
 
-    /// `NCK`, `CHAN` in front of the type.
+    /// `NCK`, `CHAN SYNR`, `APR 7` in front of the type say for whom it is declared and who may
+    /// read it, `PHU 3 LLI -5 ULI 10` behind it the unit, and what the variable may hold.
     bool take_scope(ControlStatement& out) {
-        const Word word = words_.word_at(at_);
-        const bool is_scope = std::ranges::any_of(
-            language_.calls.scope_words,
-            [&](const std::string& scope) { return words_.is_same(word.text, scope); });
-        if (!is_scope) return true;
-        out.scope = {static_cast<std::uint32_t>(at_),
-                     static_cast<std::uint32_t>(at_ + word.text.size())};
-        at_ += word.text.size();
-        skip();
+        while (const std::string* const form = scope_word_here()) {
+            const std::size_t begin = at_;
+            if (!take_scope_word(*form, out)) return false;
+            if (out.scope.end == 0) out.scope = span_from(begin);
+        }
         return true;
+    }
+
+    /// How the dialect writes the word of a declaration that stands here: `NCK`, `APR=` with a
+    /// number behind it, `LLI..` with the least value, `..ULI` with the greatest. Null: none does.
+    const std::string* scope_word_here() {
+        skip();
+        const Word word = words_.word_at(at_);
+        const auto& forms = language_.calls.scope_words;
+        const auto found = std::ranges::find_if(forms, [&](const std::string& form) {
+            return words_.is_same(word.text, scope_word(form));
+        });
+        return found == forms.end() ? nullptr : &*found;
+    }
+
+    bool take_scope_word(const std::string& form, ControlStatement& out) {
+        at_ += scope_word(form).size();
+        Expression passed;
+        if (form.starts_with("..")) return take_stored(out.second);
+        if (form.ends_with("..")) return take_stored(out.value);
+        return !form.ends_with('=') || take_stored(passed);
     }
 
     bool take_type(ControlStatement& out) {

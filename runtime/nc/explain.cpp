@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "nc/explain_parts.h"
+#include "nc/mode_words.h"
 #include "nc/quoted.h"
 #include "nc/tables.h"
 
@@ -23,6 +24,7 @@ class Explainer {
         const std::string text = tables_.rules.ignores_case ? upper_ascii(word) : std::string(word);
         explain_text(text);
         explain_language(tables_.language, text, lines_);
+        explain_mode(text);
         const std::string unsupported = tables_.unsupported_words(text);
         if (lines_.empty() && !unsupported.empty())
             lines_.push_back(unsupported + " is a word of the control; Kadr does not read it");
@@ -137,6 +139,17 @@ class Explainer {
         if (code == nullptr) return;
         for (const FormId form : code->forms) {
             explain_meaning(tables_.forms[form]);
+        }
+    }
+
+    /// `AC`, `IC`: around the value of a word.
+    void explain_mode(std::string_view text) {
+        if (!tables_.rules.has_modes || !tables_.rules.has_assignment) return;
+        for (const ModeWord& mode : kModeWords) {
+            if (mode.name != text) continue;
+            std::string line = quoted(text) + " around the value of a word, ";
+            line += quoted("X=" + std::string(text) + "(10)");
+            lines_.push_back(line.append(": ").append(mode.meaning));
         }
     }
 

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "nc/explain_parts.h"
 #include "nc/quoted.h"
+#include "nc/scope_words.h"
 
 namespace kadr::nc {
 
@@ -99,6 +100,70 @@ void explain_calls(const CallLanguage& calls, std::string_view word,
     }
 }
 
+/// Whether a word stands at the front of a statement, or further on in it (`TO`, `DEFAULT`).
+bool has_word(const StatementForm& form, std::string_view word) {
+    return std::ranges::any_of(form.tokens, [word](const StatementToken& token) {
+        return token.kind == StatementToken::Kind::Word && token.text == word;
+    });
+}
+
+bool is_among(const std::vector<std::string>& words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+std::string_view name_of(ValueType type) {
+    switch (type) {
+        case ValueType::Real: return "numbers";
+        case ValueType::Int: return "whole numbers";
+        case ValueType::Bool: return "TRUE and FALSE";
+        case ValueType::Char: return "characters";
+        case ValueType::Text: return "texts";
+        case ValueType::Axis: return "axes";
+        case ValueType::Frame: return "frames";
+    }
+    return "";
+}
+
+/// What a word beside the type of a declaration says.
+std::string_view meaning_of_scope(std::string_view form) {
+    if (form.starts_with(".."))
+        return "behind the type of a variable says the greatest value that it holds";
+    if (form.ends_with(".."))
+        return "behind the type of a variable says the least value that it holds";
+    if (form.ends_with('='))
+        return "with a number, beside the type of a variable, has no effect here";
+    return "before the type of a variable says for whom it is declared";
+}
+
+/// Words beside statements: types, what a head of a program says, components, words with an axis.
+void explain_names(const Language& language, std::string_view word,
+                   std::vector<std::string>& lines) {
+    const auto add = [&](bool is_said, std::string_view meaning) {
+        if (is_said) lines.push_back(quoted(word).append(" ").append(meaning));
+    };
+    for (const TypeName& type : language.types)
+        add(type.name == word,
+            std::string("is a type of variables, of ").append(name_of(type.type)));
+    const CallLanguage& calls = language.calls;
+    add(word == calls.save_word,
+        "in the head of a program: what its caller had set acts again behind it");
+    add(word == calls.reference_word,
+        "before a parameter: it is the caller's variable, and not its value");
+    add(is_among(calls.options, word),
+        "in the head of a program says what the operator sees; it has no effect here");
+    for (const std::string& form : calls.scope_words)
+        add(scope_word(form) == word, meaning_of_scope(form));
+    for (const FramePartName& part : language.frame_parts)
+        add(part.word == word,
+            std::string("behind the axis of a frame is its component ")
+                .append(all_frame_parts()[static_cast<std::size_t>(part.part)].meaning));
+    add(word == language.axis_word,
+        "is the word of an axis that is worked out, `[axis]` behind it");
+    add(is_among(language.lone_axis_words, word),
+        "is the word of an axis that moves by itself, `[axis]` behind it");
+    add(word == language.end_label, "is the label that ends a section that is repeated");
+}
+
 }  // namespace
 
 void explain_language(const Language& language, std::string_view word,
@@ -120,12 +185,13 @@ void explain_language(const Language& language, std::string_view word,
         lines.push_back(std::move(line));
     }
     for (const StatementForm& form : language.statements) {
-        if (form.tokens[0].text != word) continue;
+        if (!has_word(form, word)) continue;
         std::string line = quoted(form.form).append(" is ").append(info(form.statement).name);
         line.append(": ").append(info(form.statement).meaning);
         if (!form.doc.empty()) line += "; " + form.doc;
         lines.push_back(std::move(line));
     }
+    explain_names(language, word, lines);
     explain_variables(language, word, lines);
     explain_calls(language.calls, word, lines);
 }

@@ -1,8 +1,10 @@
 // What is wrong with a line of ISO-7bit text, in the control's words where it has some.
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <utility>
 
+#include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/text.h"
@@ -55,6 +57,26 @@ bool has_word(const DialectTables& tables, const LexedLine& lexed, const FormWor
         const Address& other = tables.addresses[word.address];
         return place.slot >= 0 && other.is_incremental && other.slot == place.slot;
     });
+}
+
+/// The word of a block for an axis of the program, where the code at `head` goes by those of the
+/// machine: Z of `G75 Z0`, for which `Z1=0` stands.
+std::optional<std::size_t> axis_of_program(const DialectTables& tables, const LexedLine& lexed,
+                                           std::size_t head) {
+    const Code* const code = tables.find_code(lexed.words[head].address, lexed.words[head].number);
+    if (code == nullptr) return std::nullopt;
+    for (std::size_t i = 0; i < lexed.words.size(); ++i) {
+        const AddressId of_machine =
+            tables.find_address(tables.addresses[lexed.words[i].address].name + '1');
+        if (i == head || of_machine == kNoAddress) continue;
+        const bool is_wanted = std::ranges::any_of(code->forms, [&](const FormId id) {
+            return std::ranges::any_of(tables.forms[id].words, [&](const FormWord& word) {
+                return word.address == of_machine;
+            });
+        });
+        if (is_wanted) return i;
+    }
+    return std::nullopt;
 }
 
 /// What the block lacks of a form: `P_ Q_`; the whole form where no word of it can be told apart.
@@ -138,6 +160,8 @@ void LineReader::report(std::string_view line, const LineFault& fault) {
     const std::size_t at = fault.span.begin;
     const bool is_small = !tables_.rules.ignores_case && at < line.size() && is_lower(line[at]);
     if (!instead.empty()) builder.fix(std::string(instead));
+    else if (fault.row == &diag::MachineAxisWanted)
+        builder.fix("name the axis of the machine: `" + fault.arguments[1].substr(0, 1) + "1=0`");
     else if (is_small && fault.row == &diag::IsoSyntax) builder.fix("write capital letters");
     write_notes(builder);
 }
@@ -227,7 +251,14 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             out.row = &diag::IsoWordsConflict, out.arguments = {word, other};
             break;
         case Kind::Unused: out.row = &diag::IsoWordUnused, out.arguments = {word}; break;
-        case Kind::Alone: out.row = &diag::IsoAlone, out.arguments = {word}; break;
+        case Kind::Alone:
+            out.row = &diag::IsoAlone, out.arguments = {word};
+            if (const auto wrong = axis_of_program(tables_, *lexed_, fault.word)) {
+                out.row = &diag::MachineAxisWanted;
+                out.span = lexed_->spans[*wrong];
+                out.arguments = {word, word_text(line, *wrong)};
+            }
+            break;
         case Kind::Company: out.row = &diag::IsoCompany, out.arguments = {word, other}; break;
         case Kind::NotSupported:
             out.row = &diag::IsoNotSupported;

@@ -288,12 +288,12 @@ const nc::Dialect& dialect_named(const std::string& name,
     if (const auto known = loaded.find(key); known != loaded.end()) return known->second;
     Sources sources;
     DiagnosticList messages;
-    auto dialect = nc::load_dialect(name,
-                                    {KADR_ROOT "/tests/control/dialects", KADR_ROOT "/dialects",
-                                     KADR_ROOT "/examples/dialects"},
-                                    sources, messages);
+    auto dialect = nc::load_dialect_for(kind, name,
+                                        {KADR_ROOT "/tests/control/dialects", KADR_ROOT "/dialects",
+                                         KADR_ROOT "/examples/dialects"},
+                                        sources, messages);
     EXPECT_TRUE(dialect.has_value());
-    return loaded.emplace(name, std::move(*dialect)).first->second;
+    return loaded.emplace(key, std::move(*dialect)).first->second;
 }
 
 struct Outcome {
@@ -547,6 +547,60 @@ TEST(ControlText, WordsOfTheLanguageAreExplained) {
               "if one is given");
     EXPECT_EQ(first("sinumerik", "$P_F"),
               "`$P_F` is feed: programmed feed in the unit of its mode; 0 none; programmed feed");
+}
+
+/// Every word that a dialect has for something: all that it reads is told.
+std::vector<std::string> words_of(const nc::Dialect& dialect) {
+    const nc::DialectTables& tables = dialect.tables();
+    const nc::Language& language = tables.language;
+    std::vector<std::string> words;
+    for (const nc::Address& address : tables.addresses) words.push_back(address.name);
+    for (const auto& [word, passed] : tables.passed) words.push_back(word);
+    for (const auto& [word, meaning] : tables.unsupported) words.push_back(word);
+    for (const nc::OperatorForm& form : language.operators) words.push_back(form.text);
+    for (const nc::FunctionForm& form : language.functions) words.push_back(form.name);
+    for (const nc::TypeName& type : language.types) words.push_back(type.name);
+    for (const nc::FramePartName& part : language.frame_parts) words.push_back(part.word);
+    for (const nc::StatementForm& form : language.statements) {
+        for (const nc::StatementToken& token : form.tokens)
+            if (token.kind == nc::StatementToken::Kind::Word) words.push_back(token.text);
+    }
+    const nc::CallLanguage& calls = language.calls;
+    words.insert(words.end(), calls.options.begin(), calls.options.end());
+    for (const std::string& scope : calls.scope_words) words.emplace_back(nc::scope_word(scope));
+    for (const std::string& word : language.lone_axis_words) words.push_back(word);
+    for (const std::string& word :
+         {calls.save_word, calls.reference_word, language.axis_word, language.end_label})
+        if (!word.empty()) words.push_back(word);
+    if (tables.rules.has_modes && tables.rules.has_assignment) {
+        for (const nc::ModeWord& mode : nc::kModeWords) words.emplace_back(mode.name);
+    }
+    return words;
+}
+
+/// Case 20: types, keywords inside of statements, words around values as well.
+TEST(ControlText, EverythingThatIsReadIsExplained) {
+    for (const char* name : {"sinumerik", "axioma", "fanuc", "fanuc-lathe", "fanuc-lathe-b",
+                             "fanuc-lathe-c", "iso", "haas", "heidenhain-iso"}) {
+        const nc::Dialect& dialect = dialect_named(name);
+        for (const std::string& word : words_of(dialect))
+            EXPECT_TRUE(word.empty() || !nc::explain(dialect, word).empty()) << name << ' ' << word;
+    }
+    const auto first = [](const char* word) {
+        const std::vector<std::string> lines = nc::explain(dialect_named("sinumerik"), word);
+        return lines.empty() ? std::string() : lines[0];
+    };
+    EXPECT_EQ(first("IC"),
+              "`IC` around the value of a word, `X=IC(10)`: a distance from where the axis is, "
+              "whatever acts");
+    EXPECT_EQ(first("REAL"), "`REAL` is a type of variables, of numbers");
+    EXPECT_EQ(first("SAVE"),
+              "`SAVE` in the head of a program: what its caller had set acts again behind it");
+    EXPECT_EQ(first("ULI"),
+              "`ULI` behind the type of a variable says the greatest value that it holds");
+    EXPECT_EQ(first("TO"),
+              "`FOR {variable}={first} TO {last}` is for: blocks up to the end, for each whole "
+              "number from the first to the last; the step is 1");
 }
 
 // ---------------------------------------------------------------- roughing along any shape
