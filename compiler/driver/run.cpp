@@ -15,6 +15,7 @@
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
+#include "base/readable.h"
 #include "base/units.h"
 #include "driver/command_list.h"
 #include "driver/command_tap.h"
@@ -35,6 +36,7 @@
 #include "driver/summary.h"
 #include "driver/variables.h"
 #include "driver/work_times.h"
+#include "motion/path_check.h"
 #include "motion/pipeline.h"
 #include "motion/transformed.h"
 #include "process/drive_run.h"
@@ -122,9 +124,22 @@ class SegmentTap final : public Stream<motion::Segment> {
     std::function<void()> tell_;
 };
 
+/// For the message.
+std::string_view what_is_off(motion::PathFault fault) {
+    switch (fault) {
+        case motion::PathFault::Tip: return "the tip";
+        case motion::PathFault::LeftOut: return "the end of a motion, which is passed by,";
+        case motion::PathFault::Tool: return "the direction of the tool";
+        case motion::PathFault::Followers: return "an axis beside X, Y and Z";
+        case motion::PathFault::End: return "the end of the path";
+    }
+    return "";
+}
+
 class Run {
   public:
-    Run(Session& session, const RunJob& job) : session_(session), job_(job) {}
+    Run(Session& session, const RunJob& job, const std::function<void(motion::Segment&)>& spoil)
+        : session_(session), job_(job), spoil_(spoil) {}
     Status perform();
 
   private:
@@ -135,6 +150,8 @@ class Run {
     void draw(const motion::Segment& segment);
     void sample(Stream<motion::Segment>& segments, double tick);
     void write_setpoints(std::span<const motion::Setpoint> some);
+    bool samples() const { return outputs_.setpoints || outputs_.curves || page_; }
+    void finish_check(const motion::PlannerOptions& options);
     bool open_machine_output();
     bool has_threads() const;
     RunFigures figures(const motion::Totals& totals) const;
@@ -157,6 +174,7 @@ class Run {
 
     Session& session_;
     const RunJob& job_;
+    const std::function<void(motion::Segment&)>& spoil_;  // empty: nobody makes the motion wrong
     Outputs outputs_;
     std::unique_ptr<Debugger> debugger_;  // null: nobody looks on
     std::unique_ptr<Execution> execution_;
@@ -174,6 +192,7 @@ class Run {
     std::unique_ptr<MotionTrace> motion_;       // null: nobody asked
     std::unique_ptr<PageRecorder> page_;        // likewise
     std::unique_ptr<SetpointTable> table_;      // likewise
+    std::unique_ptr<motion::PathCheck> check_;  // null: no setpoints are made
     std::atomic<std::uint64_t> setpoints_ = 0;  // progress is told by another thread
     std::uint64_t commands_ = 0;
 };
@@ -249,15 +268,21 @@ void Run::execute() {
         const auto found = numbers_.find(line);
         return found == numbers_.end() ? -1 : found->second;
     };
+    process::PlannedMotion::Onlookers onlookers;
+    onlookers.list = [this](const process::StartedList& list) {
+        if (scanner_) scanner_->write(list);
+    };
+    if (samples()) {
+        check_ = std::make_unique<motion::PathCheck>(machine, options.tick);
+        onlookers.command = [this](const path::Command& command) { check_->read(command); };
+    }
     if (limits_) options.tell_loss = [this](const motion::SpeedLoss& loss) { limits_->lose(loss); };
     execution_->place_messages(options);
-    process::PlannedMotion motion(tap, machine, options, execution_->sink(),
-                                  [this](const process::StartedList& list) {
-                                      if (scanner_) scanner_->write(list);
-                                  });
+    process::PlannedMotion motion(tap, machine, options, execution_->sink(), std::move(onlookers));
     SegmentTap segments(
         motion,
         [this](motion::Segment& segment) {
+            if (spoil_) spoil_(segment);
             if (outputs_.plot) draw(segment);
             if (drives_) drives_->add(segment);
             if (times_) times_->add(segment);
@@ -270,8 +295,9 @@ void Run::execute() {
         [&] {
             session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
         });
-    if (outputs_.setpoints || outputs_.curves || page_) {
+    if (samples()) {
         sample(segments, options.tick);
+        finish_check(options);
     } else {
         std::vector<motion::Segment> batch(kBatch);
         while (segments.pull(batch) > 0) continue;
@@ -300,13 +326,37 @@ void Run::sample(Stream<motion::Segment>& segments, double tick) {
         motion_ = std::make_unique<MotionTrace>(machine, tick > 0 ? tick : machine.tick,
                                                 job_.curves_window);
     }
-    run_stages(segments, machine, tick, has_threads(),
-               {.write = [this](std::span<const motion::Setpoint> some) { write_setpoints(some); },
-                .has_enough = [this] { return execution_->is_time_over(); }});
+    run_stages(
+        segments, machine, tick, has_threads(),
+        {.write = [this](std::span<const motion::Setpoint> some) { write_setpoints(some); },
+         .has_enough =
+             [this] { return execution_->is_time_over() || check_->deviation().has_value(); }});
     execution_->end_in_time();
 }
 
+/// The end of the path is to be reached unless something was reported that keeps the motion from
+/// it.
+void Run::finish_check(const motion::PlannerOptions& options) {
+    const Messages& messages = session_.messages();
+    if (messages.errors() == 0 && messages.alarms() == 0) check_->finish();
+    const std::optional<motion::PathDeviation>& deviation = check_->deviation();
+    if (!deviation) return;
+    const auto amount = [&](double value) {
+        const bool is_angle = deviation->fault == motion::PathFault::Tool;
+        return readable(round_to(is_angle ? deg_from_rad(value) : value, 9)) +
+               (is_angle                                           ? " deg"
+                : deviation->fault == motion::PathFault::Followers ? ""
+                                                                   : " mm");
+    };
+    motion::report(execution_->sink(), diag::PathLeft, deviation->motion, options.place_of)
+        .arg(what_is_off(deviation->fault))
+        .arg(amount(deviation->distance))
+        .arg(round_to(deviation->time, 6))
+        .arg(amount(deviation->allowed));
+}
+
 void Run::write_setpoints(std::span<const motion::Setpoint> some) {
+    if (!check_->follow(some)) return;
     if (motion_) {
         for (const motion::Setpoint& setpoint : some) motion_->add(setpoint);
     }
@@ -554,6 +604,9 @@ Status Run::perform() {
 
 }  // namespace
 
-Status run(Session& session, const RunJob& job) { return Run(session, job).perform(); }
+Status run(Session& session, const RunJob& job,
+           const std::function<void(motion::Segment&)>& spoil) {
+    return Run(session, job, spoil).perform();
+}
 
 }  // namespace kadr::driver

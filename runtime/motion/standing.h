@@ -46,6 +46,9 @@ class Standing {
     void set_tool_length(const path::Command& command, const AxisTable& axes);
 
     const path::Vec3& tip() const { return tip_; }
+    const std::array<double, kFollowers>& followers() const { return followers_; }
+    /// From the tip to what the linear axes carry, mm; without a transformation.
+    const path::Vec3& held() const { return held_; }
 
   private:
     path::Vec3 carrier() const { return carrier_at({tip_, followers_}); }

@@ -26,18 +26,27 @@ std::optional<ScannerCommands> scanner_front(Stream<path::Command>& commands,
 
 PlannedMotion::PlannedMotion(Stream<path::Command>& commands, const machine::Machine& machine,
                              const motion::PlannerOptions& options, DiagnosticSink& sink,
-                             ScannerSegments::Look look)
+                             Onlookers onlookers)
     : served_(served_by(commands, machine)),
       front_(scanner_front(served_ ? *served_ : commands, machine, options, sink, lists_)),
-      planner_(first(commands), machine, options, sink) {
+      planner_(first(commands, std::move(onlookers.command)), machine, options, sink) {
     if (machine.laser && machine.laser->pulse > 0) timer_.emplace(planner_, machine);
-    if (machine.scanner) behind_.emplace(timed(), lists_, std::move(look));
+    if (machine.scanner) behind_.emplace(timed(), lists_, std::move(onlookers.list));
 }
 
-Stream<path::Command>& PlannedMotion::first(Stream<path::Command>& commands) {
-    if (front_) return *front_;
-    if (served_) return *served_;
-    return commands;
+std::size_t PlannedMotion::Shown::pull(std::span<path::Command> out) {
+    const std::size_t count = commands_.pull(out);
+    for (const path::Command& command : out.first(count)) look_(command);
+    return count;
+}
+
+Stream<path::Command>& PlannedMotion::first(Stream<path::Command>& commands,
+                                            std::function<void(const path::Command&)> look) {
+    Stream<path::Command>& last = front_    ? static_cast<Stream<path::Command>&>(*front_)
+                                  : served_ ? static_cast<Stream<path::Command>&>(*served_)
+                                            : commands;
+    if (!look) return last;
+    return shown_.emplace(last, std::move(look));
 }
 
 Stream<motion::Segment>& PlannedMotion::timed() {

@@ -8,7 +8,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "process/command_modules.h"
@@ -19,10 +22,19 @@ namespace kadr::process {
 
 class PlannedMotion final : public Stream<motion::Segment> {
   public:
-    /// References outlive the motion. `look`, which may be empty, sees the scanner's lists.
+    /// Who looks on; each may be empty.
+    struct Onlookers {
+        ScannerSegments::Look list = {};  // sees the scanner's lists
+        /// Sees what the axes get: the commands as the planner reads them.
+        std::function<void(const path::Command&)> command = {};
+    };
+
+    /// References outlive the motion.
     PlannedMotion(Stream<path::Command>& commands, const machine::Machine& machine,
-                  const motion::PlannerOptions& options, DiagnosticSink& sink,
-                  ScannerSegments::Look look = {});
+                  const motion::PlannerOptions& options, DiagnosticSink& sink)
+        : PlannedMotion(commands, machine, options, sink, Onlookers{}) {}
+    PlannedMotion(Stream<path::Command>& commands, const machine::Machine& machine,
+                  const motion::PlannerOptions& options, DiagnosticSink& sink, Onlookers onlookers);
 
     std::size_t pull(std::span<motion::Segment> out) override { return last().pull(out); }
 
@@ -44,13 +56,27 @@ class PlannedMotion final : public Stream<motion::Segment> {
     const ScanFigures* scan() const { return behind_ ? &behind_->figures() : nullptr; }
 
   private:
-    Stream<path::Command>& first(Stream<path::Command>& commands);
+    Stream<path::Command>& first(Stream<path::Command>& commands,
+                                 std::function<void(const path::Command&)> look);
     Stream<motion::Segment>& timed();
     Stream<motion::Segment>& last();
+
+    /// Shows commands on their way.
+    class Shown final : public Stream<path::Command> {
+      public:
+        Shown(Stream<path::Command>& commands, std::function<void(const path::Command&)> look)
+            : commands_(commands), look_(std::move(look)) {}
+        std::size_t pull(std::span<path::Command> out) override;
+
+      private:
+        Stream<path::Command>& commands_;
+        std::function<void(const path::Command&)> look_;
+    };
 
     std::optional<ServedCommands> served_;
     ScanLists lists_;
     std::optional<ScannerCommands> front_;
+    std::optional<Shown> shown_;  // nothing: nobody looks on
     motion::Planner planner_;
     std::optional<PulseTimer> timer_;
     std::optional<ScannerSegments> behind_;

@@ -244,6 +244,8 @@ TEST_F(MachineRowExamples, WrongOnesCauseTheirMessageAndRightOnesNone) {
     int count = 0;
     for (const DiagnosticRow* row : kadr::all_diagnostics()) {
         if (!row->code.starts_with("K6")) continue;
+        // Of Kadr itself: no input causes it (path_check_test.cpp does, with a planner that errs).
+        if (row->code == "K6320") continue;
         ++count;
         SCOPED_TRACE(row->code);
         const auto before = kSaidBefore.find(row->code);

@@ -5,6 +5,9 @@
 #include <limits>
 #include <vector>
 
+#include <gtest/gtest.h>
+
+#include "motion/path_check.h"
 #include "motion/pipeline.h"
 
 namespace kadr::motion::test {
@@ -146,17 +149,26 @@ inline Motion run(const machine::Machine& machine, std::vector<Command> commands
     return result;
 }
 
+/// The setpoints, all of them held against the path of the commands.
 inline std::vector<Setpoint> sample(const machine::Machine& machine, std::vector<Command> commands,
                                     const PlannerOptions& options = {}) {
     DiagnosticList diagnostics;
+    PathCheck check(machine, options.tick);
+    for (const Command& command : commands) check.read(command);
     CommandList list(std::move(commands));
     Planner planner(list, machine, options, diagnostics);
     Sampler sampler(planner, machine, options.tick);
     std::vector<Setpoint> all;
     std::vector<Setpoint> batch(13);
     while (const std::size_t n = sampler.pull(batch)) {
+        check.follow(std::span(batch).first(n));
         all.insert(all.end(), batch.begin(), batch.begin() + static_cast<long>(n));
     }
+    if (!planner.alarmed()) check.finish();
+    if (const auto& off = check.deviation())
+        ADD_FAILURE() << "command " << off->motion.line << ", " << off->time << " s: fault "
+                      << static_cast<int>(off->fault) << " by " << off->distance << " where "
+                      << off->allowed << " is allowed";
     return all;
 }
 

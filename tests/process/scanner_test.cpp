@@ -73,10 +73,12 @@ void run(const machine::Machine& machine, std::vector<Command> commands, Scanned
          std::size_t batch_size = 13, std::size_t portion = 1000) {
     motion::test::CommandList list(std::move(commands));
     Portions portions(list, portion);
-    PlannedMotion motion(portions, machine, {}, out.diagnostics, [&](const StartedList& started) {
+    PlannedMotion::Onlookers onlookers;
+    onlookers.list = [&](const StartedList& started) {
         out.lists.push_back(started.list);
         out.starts.push_back(started.start_time);
-    });
+    };
+    PlannedMotion motion(portions, machine, {}, out.diagnostics, onlookers);
     out.setpoints = test::sampled(motion, machine, out.segments, batch_size);
     out.figures = *motion.scan();
     out.totals = motion.totals();

@@ -1,0 +1,467 @@
+#include "motion/path_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "machine/kinematics.h"
+#include "motion/axis_table.h"
+#include "motion/programmed_path.h"
+#include "motion/standing.h"
+#include "motion/transformed.h"
+#include "path/cubic.h"
+
+namespace kadr::motion {
+
+namespace {
+
+using path::Command;
+using path::Vec3;
+
+/// So exact are places without a tolerance, mm: rounding of long ways through the kinematics, far
+/// below an increment.
+constexpr double kExact = 1e-6;
+/// Behind the end of a transformation the tip is where the axes are, which the planner knows by
+/// following the tool and the program by solving for it: rounding of angles, at the length of an
+/// arm. Mm.
+constexpr double kExactBehindTurn = 1e-4;
+/// … and the direction of a tool, rad. At a pole it is known less well.
+constexpr double kExactLean = 1e-5;
+/// Motions with a greater tolerance may be beside each other within it, as a path that goes forth
+/// and back: which end was passed is then not known, mm.
+constexpr double kSureEnd = 1e-3;
+/// More motions do not wait while the tip stands within the tolerance of the end of one.
+constexpr std::size_t kMostWaiting = 1 << 14;
+/// The tip counts as on the end of a motion while it is within its tolerance, although it may have
+/// gone on; so many tolerances of way, at most, are made up for at once.
+constexpr double kBehind = 8;
+/// A path may be so much longer than the way that the tip takes within the tolerance of it.
+constexpr double kLonger = 2;
+
+bool keeps(const ProgrammedMotion& motion, const Nearness& near) {
+    return near.distance <= motion.tolerance && near.lean <= near.lean_allowed &&
+           near.off <= near.off_allowed;
+}
+
+/// How far the curve around a corner may be from the path.
+double room_of(const path::Blending& blending) {
+    return blending.kind == path::BlendKind::None ? 0 : blending.size;
+}
+double lean_of(const path::Blending& blending) {
+    const bool leans = blending.kind != path::BlendKind::None || blending.smooths_turns;
+    return leans ? blending.orientation : 0;
+}
+
+/// A straight motion on which nothing but X, Y and Z moves: what most of a program is, judged in
+/// some nanoseconds.
+struct StraightWay {
+    path::Line line{};
+    Vec3 carrier = Vec3::Zero();
+    std::array<double, kFollowers> standing{};  // beside X, Y and Z, in the order of the machine
+
+    /// Whether the setpoint surely is on it, not much before a place; then where, and its tip.
+    bool has(const Setpoint& setpoint, double tolerance, std::size_t followers, double& place,
+             Vec3& tip) const {
+        for (std::size_t i = 0; i < followers; ++i)
+            if (setpoint.axis[i + 3] != standing[i]) return false;
+        const Vec3 at = Vec3(setpoint.axis[0], setpoint.axis[1], setpoint.axis[2]) - carrier;
+        const double along = (at - line.start).dot(line.direction);
+        const double from = std::max(0.0, place - 2 * tolerance);
+        const double foot = std::clamp(along, std::min(from, line.length), line.length);
+        if (!((at - line.start - line.direction * foot).squaredNorm() <= tolerance * tolerance))
+            return false;
+        place = std::max(place, foot);
+        tip = at;
+        return true;
+    }
+};
+
+/// A motion that waits for its setpoints, and the command that it is of.
+struct Waiting {
+    SourceId source;
+    std::uint32_t line = 0;
+    std::uint32_t system = 0;
+    double length = 0;
+    double tolerance = 0;
+    double lean = 0;
+    bool is_straight = false;
+    StraightWay straight;                      // if it is
+    std::unique_ptr<ProgrammedMotion> motion;  // else, or once it is asked for
+};
+
+/// Lays the commands as motions, as they are programmed.
+class Layer {
+  public:
+    explicit Layer(const machine::Machine& machine)
+        : machine_(machine), standing_(machine), axes_(machine) {
+        // X, Y and Z stand in front in every machine that has them all; others take the long way.
+        is_plain_ = machine.axes.size() >= 3;
+        for (std::size_t i = 0; is_plain_ && i < 3; ++i)
+            is_plain_ = index(machine.axes[i].axis) == i;
+        if (is_plain_) followers_ = machine.axes.size() - 3;
+        if (!machine.kinematics) return;
+        const machine::Kinematics& kinematics = *machine.kinematics;
+        // A way near a pole is led through it; one beside a gap that the axes cannot reach, beside
+        // it by half as much again.
+        pole_ = kinematics.pole_tolerance;
+        if (kinematics.chain.orients())
+            pole_ = std::max(pole_, 1.5 * machine::tilt_reach(kinematics.chain).lower);
+    }
+
+    /// False: it moves nothing.
+    bool lay(const Command& command, Waiting& out) {
+        if (command.op == path::Op::ToolLength) {
+            standing_.set_tool_length(command, axes_);
+            ++system_;
+        }
+        if (!path::is_motion(command.op)) return false;
+        if (standing_.follow_transformation(command)) {
+            ++system_;
+            was_turned_ |= command.turning != path::Turning::None;
+        }
+        const Standing::Target target = standing_.target_of(command);
+        out.source = command.source;
+        out.line = command.line;
+        lay_way(command, target, out);
+        standing_.arrive(command, target);
+        const path::Blending behind = command.exact_stop ? path::Blending{} : command.blending;
+        set_tolerance(command, behind, out);
+        before_ = behind;
+        return out.length > 0;
+    }
+
+    /// What other motions need that are not told as straight ones.
+    void complete(Waiting& waiting) const {
+        if (waiting.motion) return;
+        waiting.motion = std::make_unique<ProgrammedMotion>();
+        ProgrammedMotion& motion = *waiting.motion;
+        motion.way.curve = waiting.straight.line;
+        motion.way.carrier = waiting.straight.carrier;
+        for (std::size_t i = 0; i < followers_; ++i)
+            motion.way.follower_start[index(machine_.axes[i + 3].axis) - 3] =
+                waiting.straight.standing[i];
+        motion.length = waiting.length;
+        motion.system = waiting.system;
+        motion.tolerance = waiting.tolerance;
+        motion.lean = waiting.lean;
+    }
+
+    /// Axes of the machine behind X, Y and Z; 0 where these do not stand in front.
+    std::size_t followers() const { return followers_; }
+
+  private:
+    void lay_way(const Command& command, const Standing::Target& target, Waiting& out) const {
+        const bool is_line = command.op == path::Op::Line || command.op == path::Op::Rapid;
+        out.is_straight = is_plain_ && is_line && command.turning == path::Turning::None &&
+                          !command.virtual_axes.is_on() &&
+                          target.followers == standing_.followers();
+        if (!out.is_straight) {
+            out.motion = std::make_unique<ProgrammedMotion>();
+            Segment& way = out.motion->way;
+            way = standing_.still();
+            out.length = standing_.lay_path(command, target, way);
+            // From point to point the tip is told as without a transformation.
+            out.system = 2 * system_ + (way.goes_straight() ? 1 : 0);
+            return;
+        }
+        out.system = 2 * system_;
+        out.length = (target.tip - standing_.tip()).norm();
+        if (!(out.length > kStill)) {
+            out.length = 0;
+            return;
+        }
+        out.straight.line = path::make_line(standing_.tip(), target.tip);
+        out.straight.carrier = standing_.held();
+        for (std::size_t i = 0; i < followers_; ++i)
+            out.straight.standing[i] = standing_.followers()[index(machine_.axes[i + 3].axis) - 3];
+    }
+
+  private:
+    /// Of curves around both of its corners, and of one that takes the place of lines.
+    void set_tolerance(const Command& command, const path::Blending& behind, Waiting& out) const {
+        const double room = std::max(room_of(before_), room_of(behind));
+        const bool is_distance =
+            behind.kind == path::BlendKind::Distance || before_.kind == path::BlendKind::Distance;
+        const double curved =
+            is_distance ? room + command.compress : std::max(room, command.compress);
+        out.tolerance = curved + (was_turned_ ? kExactBehindTurn : kExact);
+        out.lean = kExactLean + pole_ + std::max(lean_of(before_), lean_of(behind));
+        if (!out.motion) return;
+        out.motion->length = out.length;
+        out.motion->system = out.system;
+        out.motion->tolerance = out.tolerance;
+        out.motion->lean = out.lean;
+    }
+
+    const machine::Machine& machine_;
+    bool is_plain_ = false;
+    std::size_t followers_ = 0;
+    Standing standing_;
+    AxisTable axes_;
+    path::Blending before_;
+    double pole_ = 0;
+    bool was_turned_ = false;
+    std::uint32_t system_ = 0;
+};
+
+}  // namespace
+
+struct PathCheck::State {
+    State(const machine::Machine& machine_in, double tick_in)
+        : machine(machine_in), tick(tick_in > 0 ? tick_in : machine_in.tick), layer(machine_in) {
+        if (machine.kinematics) chain = &machine.kinematics->chain;
+        double square = 0;
+        for (const machine::MachineAxis& axis : machine.axes)
+            if (!axis.is_rotary) square += axis.acceleration * axis.acceleration;
+        in_a_tick = std::sqrt(square) * tick * tick;
+    }
+
+    bool follow(const Setpoint& setpoint);
+    bool is_on_straight();
+    const ProgrammedMotion& motion_at(std::size_t i);
+    bool go_on();
+    bool search();
+    bool stand(std::size_t at, const Nearness& near);
+    bool leaves_out(std::size_t at);
+    void take();
+    const StandingTool& tool_for(const ProgrammedMotion& motion);
+    double reach() const;
+    void fail(PathFault fault, const Waiting& waiting, double distance, double allowed);
+    void fail_near(const Waiting& waiting, const Nearness& near);
+
+    const machine::Machine& machine;
+    const machine::Chain* chain = &kNoChain;
+    double tick;
+    double in_a_tick = 0;  // mm, what the axes may do from rest to rest between two setpoints
+
+    // Of whoever reads the commands.
+    std::mutex mutex;
+    Layer layer;
+    std::vector<Waiting> laid;
+
+    std::vector<Waiting> taken;   // from `laid`, to be given back empty
+    std::deque<Waiting> motions;  // the first one is where the tip is
+    double place = 0;             // the farthest there so far
+    bool has_begun = false;
+    const Setpoint* setpoint = nullptr;
+    StandingTool tool;              // of the setpoint …
+    std::uint32_t tool_system = 0;  // … in this system
+    bool is_tool_known = false;
+    Vec3 before = Vec3::Zero();  // the tip of the setpoint before …
+    std::uint32_t system_before = 0;
+    double feed_before = 0;
+    double time = 0;
+    std::optional<PathDeviation> deviation;
+};
+
+/// What has been read since.
+void PathCheck::State::take() {
+    {
+        const std::lock_guard lock(mutex);
+        taken.swap(laid);
+    }
+    for (Waiting& motion : taken) motions.push_back(std::move(motion));
+    taken.clear();
+}
+
+const StandingTool& PathCheck::State::tool_for(const ProgrammedMotion& motion) {
+    if (!is_tool_known || tool_system != motion.system) {
+        tool = standing_tool(machine, *chain, motion, *setpoint);
+        tool_system = motion.system;
+        is_tool_known = true;
+    }
+    return tool;
+}
+
+/// How far the tip may have come since the setpoint before, mm. From point to point, and where it
+/// is beside the path that has the feed, it may be faster than that.
+double PathCheck::State::reach() const {
+    const double moved = tool_system == system_before ? (tool.tip - before).norm() : 0;
+    return std::max(moved, std::max(setpoint->feed, feed_before) * tick) + in_a_tick;
+}
+
+void PathCheck::State::fail(PathFault fault, const Waiting& waiting, double distance,
+                            double allowed) {
+    deviation = PathDeviation{fault, distance, allowed, time, {waiting.line, waiting.source, {}}};
+}
+
+void PathCheck::State::fail_near(const Waiting& waiting, const Nearness& near) {
+    if (near.distance > waiting.tolerance)
+        return fail(PathFault::Tip, waiting, near.distance, waiting.tolerance);
+    if (near.lean > near.lean_allowed)
+        return fail(PathFault::Tool, waiting, near.lean, near.lean_allowed);
+    fail(PathFault::Followers, waiting, near.off, near.off_allowed);
+}
+
+bool PathCheck::State::follow(const Setpoint& next) {
+    setpoint = &next;
+    time = next.time;
+    is_tool_known = false;
+    if (motions.empty()) return true;  // nothing has moved yet
+    if (is_on_straight()) return true;
+    if (!go_on()) return false;
+    const ProgrammedMotion& here = motion_at(0);
+    before = tool_for(here).tip;
+    system_before = here.system;
+    feed_before = next.feed;
+    has_begun = true;
+    return true;
+}
+
+/// On the motion on which the tip was, or one of the next, as far as these are straight; false:
+/// that is not known.
+bool PathCheck::State::is_on_straight() {
+    if (motions.size() >= kMostWaiting) return false;
+    const std::size_t followers = layer.followers();
+    const double come = std::max(setpoint->feed, feed_before) * tick + in_a_tick;
+    const double behind = kBehind * motions[0].tolerance;
+    double passed = 0;
+    Vec3 tip;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const Waiting& here = motions[i];
+        if (!here.is_straight || here.system != motions[0].system) return false;
+        double there = i == 0 ? place : 0;
+        if (here.straight.has(*setpoint, here.tolerance, followers, there, tip)) {
+            double widest = 0;
+            for (std::size_t k = 0; k < i; ++k) {
+                widest = std::max(widest, motions[k].tolerance);
+                if (widest > kSureEnd) break;
+                const double allowed = 3 * widest + come / 2;
+                const Vec3& end = motions[k].straight.line.end;
+                if (!has_begun || path::distance_to_line(end, before, tip) > allowed) return false;
+            }
+            for (std::size_t k = 0; k < i; ++k) motions.pop_front();
+            place = there;
+            before = tip;
+            system_before = motions.front().system;
+            feed_before = setpoint->feed;
+            has_begun = true;
+            return true;
+        }
+        if (i > 0) passed += here.length;
+        if (passed > kLonger * come + behind) return false;
+    }
+    return false;
+}
+
+const ProgrammedMotion& PathCheck::State::motion_at(std::size_t i) {
+    layer.complete(motions[i]);
+    return *motions[i].motion;
+}
+
+/// On the motion on which the tip was, or one of the next.
+bool PathCheck::State::go_on() {
+    const ProgrammedMotion& here = motion_at(0);
+    const Nearness near = nearest_on(*chain, here, tool_for(here), place);
+    if (keeps(here, near)) {
+        place = std::max(place, near.place);
+        const bool may_wait = motions.size() < kMostWaiting;
+        return may_wait || motions.size() == 1 || search();
+    }
+    return search();
+}
+
+/// On one of the next motions, as far as the tip may have come; then also where a motion comes near
+/// once more.
+bool PathCheck::State::search() {
+    const Waiting* best = nullptr;
+    Nearness nearest;
+    double behind = kBehind * motions[0].tolerance;
+    for (const bool is_thorough : {false, true}) {
+        double passed = 0;
+        for (std::size_t i = 0; i < motions.size(); ++i) {
+            const ProgrammedMotion& motion = motion_at(i);
+            const StandingTool& there = tool_for(motion);
+            const double from = i == 0 ? place : 0;
+            const bool was_seen = i == 0 && !is_thorough;
+            if (!was_seen) {
+                const Nearness near = is_thorough ? nearest_on_rest(*chain, motion, there, from)
+                                                  : nearest_on(*chain, motion, there, from);
+                if (keeps(motion, near)) return stand(i, near);
+                if (best == nullptr || near.distance < nearest.distance) {
+                    best = &motions[i];
+                    nearest = near;
+                }
+            }
+            behind = std::max(behind, kBehind * motion.tolerance);
+            // What is left of the first one is not known in mm; it may be nothing.
+            if (i > 0 && !motion.way.turns_only) passed += motion.length;
+            if (passed > kLonger * reach() + behind) break;
+        }
+    }
+    fail_near(*best, nearest);
+    return false;
+}
+
+/// The tip is on the motion at `at`; those before it are through.
+bool PathCheck::State::stand(std::size_t at, const Nearness& near) {
+    if (has_begun && leaves_out(at)) return false;
+    motions.erase(motions.begin(), motions.begin() + static_cast<std::ptrdiff_t>(at));
+    place = at == 0 ? std::max(place, near.place) : near.place;
+    return true;
+}
+
+/// Whether an end of a motion that is through is not between the setpoint and the one before.
+bool PathCheck::State::leaves_out(std::size_t at) {
+    double widest = 0;  // so far the tip may have gone on within the tolerance of an end
+    for (std::size_t i = 0; i < at; ++i) {
+        const ProgrammedMotion& motion = motion_at(i);
+        widest = std::max(widest, motion.tolerance);
+        if (motion.system != system_before || motion.system != tool_system) continue;
+        if (widest > kSureEnd) break;
+        const double allowed = 3 * widest + reach() / 2;
+        const double off = path::distance_to_line(end_of(*chain, motion), before, tool.tip);
+        if (off <= allowed) continue;
+        fail(PathFault::LeftOut, motions[i], off, allowed);
+        return true;
+    }
+    return false;
+}
+
+PathCheck::PathCheck(const machine::Machine& machine, double tick)
+    : state_(std::make_unique<State>(machine, tick)) {}
+PathCheck::~PathCheck() = default;
+
+void PathCheck::read(const Command& command) {
+    State& state = *state_;
+    const std::lock_guard lock(state.mutex);
+    Waiting& next = state.laid.emplace_back();
+    if (!state.layer.lay(command, next)) state.laid.pop_back();
+}
+
+bool PathCheck::follow(std::span<const Setpoint> setpoints) {
+    State& state = *state_;
+    if (state.deviation) return false;
+    state.take();
+    for (const Setpoint& setpoint : setpoints) {
+        if (!state.follow(setpoint)) return false;
+    }
+    return true;
+}
+
+bool PathCheck::finish() {
+    State& state = *state_;
+    if (state.deviation) return false;
+    state.take();
+    if (state.motions.empty()) return true;
+    Waiting& last = state.motions.back();
+    if (!state.has_begun) {
+        state.fail(PathFault::End, last, last.length, 0);
+        return false;
+    }
+    if (last.system != state.system_before) return true;
+    const double off =
+        (end_of(*state.chain, state.motion_at(state.motions.size() - 1)) - state.before).norm();
+    if (off <= last.tolerance) return true;
+    state.fail(PathFault::End, last, off, last.tolerance);
+    return false;
+}
+
+const std::optional<PathDeviation>& PathCheck::deviation() const { return state_->deviation; }
+
+}  // namespace kadr::motion

@@ -1,0 +1,352 @@
+#include "motion/programmed_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "motion/transformed.h"
+#include "path/curve.h"
+
+namespace kadr::motion {
+
+namespace {
+
+using machine::Chain;
+using path::CurvePoint;
+using path::Vec3;
+
+/// Steps to the nearest place; they end where one is shorter than rounding.
+constexpr int kSteps = 12;
+constexpr double kSameShare = 1e-13;  // of the way
+/// Places at which all of a motion is looked at.
+constexpr int kLooks = 64;
+/// An axis may be beside its way by so much, rad or mm: rounding of degrees and of lengths.
+constexpr double kSameFollower = 1e-7;
+/// Width of the difference that stands for a derivative, of the way.
+constexpr double kStencil = 1e-5;
+
+/// How a place along a motion is told.
+enum class Walk : std::uint8_t {
+    Circle,  // by the angle
+    Span,    // by the parameter, 0 … 1
+    Length,  // by the length of the path
+    Turn,    // likewise; only the tool, or axes beside X, Y, Z, move
+    Touch,   // likewise; the tip is beside the path
+};
+
+bool follows_axes(const Segment& way) {
+    return !way.is_transformed() || way.turn.kind == path::Turning::Axes ||
+           way.virtual_axes.is_on();
+}
+bool turns_tool(const Segment& way) { return way.is_transformed() && !way.virtual_axes.is_on(); }
+
+Walk walk_of(const ProgrammedMotion& motion) {
+    const Segment& way = motion.way;
+    if (way.contact.kind != path::ContactKind::Tip) return Walk::Touch;
+    if (std::holds_alternative<path::Point>(way.curve)) return Walk::Turn;
+    if (std::holds_alternative<path::Helix>(way.curve)) return Walk::Circle;
+    const bool is_alone = way.followers == 0 && !turns_tool(way);
+    const bool is_span = std::holds_alternative<path::CubicSpan>(way.curve) ||
+                         std::holds_alternative<path::QuinticSpan>(way.curve);
+    return is_alone && is_span ? Walk::Span : Walk::Length;
+}
+
+double end_place(const ProgrammedMotion& motion, Walk walk) {
+    if (walk == Walk::Circle) return std::get<path::Helix>(motion.way.curve).sweep;
+    return walk == Walk::Span ? 1 : motion.length;
+}
+
+double length_at(const ProgrammedMotion& motion, Walk walk, double place) {
+    if (walk != Walk::Circle) return place;
+    const auto& helix = std::get<path::Helix>(motion.way.curve);
+    return (helix.rate + helix.rate_slope * place / 2) * place;
+}
+
+Vec3 tip_of_span(const path::Curve& curve, double u) {
+    if (const auto* cubic = std::get_if<path::CubicSpan>(&curve))
+        return path::point_at(*cubic, u).position;
+    return path::point_at(std::get<path::QuinticSpan>(curve), u).position;
+}
+
+Vec3 tip_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk, double place) {
+    const path::Curve& curve = motion.way.curve;
+    switch (walk) {
+        case Walk::Circle: return path::position_at_angle(std::get<path::Helix>(curve), place);
+        case Walk::Span: return tip_of_span(curve, place);
+        case Walk::Length:
+        case Walk::Turn: return path::position(curve, place);
+        case Walk::Touch: break;
+    }
+    return placed_at(chain, motion.way, place, path::position(curve, place)).tip;
+}
+
+double follower_at(const Segment& way, std::size_t i, double distance) {
+    return way.follower_start[i] + way.follower_rate[i] * distance;
+}
+
+Vec3 direction_on(const Chain& chain, const Segment& way, double distance) {
+    if (leads_tool(way.turn)) return path::direction_at(way.turn, way.curve, distance);
+    std::array<double, kFollowers> followers{};
+    for (std::size_t i = 0; i < kFollowers; ++i) followers[i] = follower_at(way, i, distance);
+    return machine::tool_vector(chain, joints_of(chain, followers));
+}
+
+// ------------------------------------------------------------------------------ nearest places
+
+/// Where the foot of a perpendicular is looked for, and where it may be at all.
+struct Search {
+    double guess = 0;
+    double lower = 0;
+    double upper = 0;
+};
+
+double on_line(const path::Line& line, const Vec3& tip, const Search& search) {
+    return std::clamp((tip - line.start).dot(line.direction), search.lower, search.upper);
+}
+
+/// Where a tip beside a rising or a widening arc has its foot, from the place at its angle on.
+double beside_helix(const path::Helix& helix, const Vec3& tip, double angle, const Search& search) {
+    if (helix.height_rate == 0 && helix.radius_rate == 0) return angle;
+    for (int step = 0; step < kSteps; ++step) {
+        const Vec3 out = std::cos(angle) * helix.e1 + std::sin(angle) * helix.e2;
+        const Vec3 around = std::cos(angle) * helix.e2 - std::sin(angle) * helix.e1;
+        const double radius = helix.radius + helix.radius_rate * angle;
+        const Vec3 slope =
+            helix.radius_rate * out + radius * around + helix.height_rate * helix.normal;
+        const double off = (tip - path::position_at_angle(helix, angle)).dot(slope);
+        const double next =
+            std::clamp(angle + off / slope.squaredNorm(), search.lower, search.upper);
+        if (std::abs(next - angle) <= kSameShare * helix.sweep) return next;
+        angle = next;
+    }
+    return angle;
+}
+
+/// The angle of the tip, of all turns the first one that is not much before the guess.
+double on_circle(const path::Helix& helix, const Vec3& tip, const Search& search) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    // Rounding may put the tip before the place from where it is looked for, by less than a turn.
+    constexpr double kBehind = 1e-4;
+    const Vec3 out = tip - helix.base;
+    const double angle = std::atan2(out.dot(helix.e2), out.dot(helix.e1));
+    const double lower = search.lower - kBehind;
+    double ahead = std::fmod(angle - lower, kTurn);
+    if (ahead < 0) ahead += kTurn;
+    const double found = std::max(search.lower, lower + ahead);
+    if (found <= search.upper) return beside_helix(helix, tip, found, search);
+    // Behind the end, or before the start.
+    const bool is_before = found - search.upper > search.lower + kTurn - found;
+    return beside_helix(helix, tip, is_before ? search.lower : search.upper, search);
+}
+
+double on_span(const path::Curve& curve, const Vec3& tip, const Search& search) {
+    const auto find = [&](const auto& span) {
+        double u = search.guess;
+        for (int step = 0; step < kSteps; ++step) {
+            const path::SplinePoint at = path::point_at(span, u);
+            const Vec3 way = tip - at.position;
+            const double square = at.first.squaredNorm();
+            // (C − Q)·C' = 0; where the curve bends away from the tip the slope is kept from zero.
+            const double slope = std::max(square / 8, square - way.dot(at.second));
+            if (!(slope > 0)) break;
+            const double next =
+                std::clamp(u + way.dot(at.first) / slope, search.lower, search.upper);
+            const bool is_found = std::abs(next - u) <= kSameShare;
+            u = next;
+            if (is_found) break;
+        }
+        return u;
+    };
+    if (const auto* cubic = std::get_if<path::CubicSpan>(&curve)) return find(*cubic);
+    return find(std::get<path::QuinticSpan>(curve));
+}
+
+/// By length; `at` gives place and derivative by it.
+template <typename At>
+double by_steps(const At& at, const Vec3& wanted, const Search& search) {
+    double s = search.guess;
+    for (int step = 0; step < kSteps; ++step) {
+        const CurvePoint here = at(s);
+        const Vec3 way = wanted - here.position;
+        const double square = here.tangent.squaredNorm();
+        const double slope = std::max(square / 8, square - way.dot(here.curvature));
+        if (!(slope > 0)) break;
+        const double next =
+            std::clamp(s + way.dot(here.tangent) / slope, search.lower, search.upper);
+        const bool is_found = std::abs(next - s) <= kSameShare * search.upper;
+        s = next;
+        if (is_found) break;
+    }
+    return s;
+}
+
+/// A function of the length with its derivative.
+template <typename Function>
+auto with_slope(const Function& function, double length) {
+    return [&function, length](double s) {
+        const double step = kStencil * length;
+        const double before = std::max(0.0, s - step);
+        const double behind = std::min(length, s + step);
+        return CurvePoint{function(s),
+                          Vec3((function(behind) - function(before)) / (behind - before))};
+    };
+}
+
+/// Where the axes stand that follow evenly.
+double by_followers(const ProgrammedMotion& motion, const StandingTool& tool,
+                    const Search& search) {
+    double product = 0;
+    double square = 0;
+    for (std::size_t i = 0; i < kFollowers; ++i) {
+        const double rate = motion.way.follower_rate[i];
+        if (rate == 0 || std::isnan(tool.followers[i])) continue;
+        product += rate * (tool.followers[i] - motion.way.follower_start[i]);
+        square += rate * rate;
+    }
+    return square > 0 ? std::clamp(product / square, search.lower, search.upper) : search.upper;
+}
+
+double on_turn(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
+               const Search& search) {
+    if (follows_axes(motion.way)) return by_followers(motion, tool, search);
+    const auto direction = [&](double s) { return direction_on(chain, motion.way, s); };
+    return by_steps(with_slope(direction, motion.length), tool.tool, search);
+}
+
+double place_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+                const StandingTool& tool, const Search& search) {
+    const path::Curve& curve = motion.way.curve;
+    switch (walk) {
+        case Walk::Circle: return on_circle(std::get<path::Helix>(curve), tool.tip, search);
+        case Walk::Span: return on_span(curve, tool.tip, search);
+        case Walk::Turn: return on_turn(chain, motion, tool, search);
+        case Walk::Touch: {
+            const auto tip = [&](double s) { return tip_on(chain, motion, walk, s); };
+            return by_steps(with_slope(tip, motion.length), tool.tip, search);
+        }
+        case Walk::Length: break;
+    }
+    if (const auto* line = std::get_if<path::Line>(&curve)) return on_line(*line, tool.tip, search);
+    return by_steps([&](double s) { return path::evaluate(curve, s); }, tool.tip, search);
+}
+
+// ------------------------------------------------------------------------------ what else is there
+
+void judge_tool(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
+                double distance, Nearness& near) {
+    near.lean_allowed = motion.lean;
+    near.lean = path::angle_between(direction_on(chain, motion.way, distance), tool.tool);
+    if (!(near.lean > motion.lean)) return;
+    // Where the tip may be beside its path, it may be on as well.
+    const double beside = 2 * motion.tolerance;
+    const Vec3 before = direction_on(chain, motion.way, std::max(0.0, distance - beside));
+    const Vec3 behind = direction_on(chain, motion.way, std::min(motion.length, distance + beside));
+    near.lean_allowed += path::angle_between(before, behind);
+}
+
+void judge_followers(const ProgrammedMotion& motion, const StandingTool& tool, double distance,
+                     Nearness& near) {
+    const Segment& way = motion.way;
+    const bool has_led = way.virtual_axes.turns();
+    for (std::size_t i = 0; i < kFollowers; ++i) {
+        const double rate = way.follower_rate[i];
+        if (has_led && rate == 0 && i + 3 == index(way.virtual_axes.rotary)) continue;
+        const double off = std::abs(tool.followers[i] - follower_at(way, i, distance));
+        const double allowed = kSameFollower + 2 * std::abs(rate) * motion.tolerance;
+        // One that the machine does not have is no number.
+        if (!(off - allowed > near.off - near.off_allowed)) continue;
+        near.off = off;
+        near.off_allowed = allowed;
+    }
+}
+
+Nearness judged(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+                const StandingTool& tool, double place) {
+    Nearness near;
+    near.place = place;
+    near.distance = (tip_on(chain, motion, walk, place) - tool.tip).norm();
+    near.off_allowed = kSameFollower;
+    if (!(near.distance <= motion.tolerance)) return near;
+    const double distance = length_at(motion, walk, place);
+    if (turns_tool(motion.way)) judge_tool(chain, motion, tool, distance, near);
+    else judge_followers(motion, tool, distance, near);
+    return near;
+}
+
+/// A place may be looked for so far before the one that was found last.
+double lower_bound_of(const ProgrammedMotion& motion, Walk walk, double from) {
+    const double back = walk == Walk::Turn ? 0 : 2 * motion.tolerance;
+    const double share = motion.length > 0 ? back / motion.length : 0;
+    return std::max(0.0, from - share * end_place(motion, walk));
+}
+
+}  // namespace
+
+StandingTool standing_tool(const machine::Machine& machine, const Chain& chain,
+                           const ProgrammedMotion& motion, const Setpoint& setpoint) {
+    const Segment& way = motion.way;
+    LogicalAxes axes;
+    axes.fill(std::numeric_limits<double>::quiet_NaN());
+    const Vec3 missing =
+        (way.virtual_axes.is_on() ? path::real_place(way.virtual_axes, setpoint.tip)
+                                  : setpoint.tip) +
+        way.carrier;
+    for (std::size_t i = 0; i < 3; ++i) axes[i] = missing[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < machine.axes.size(); ++i)
+        axes[index(machine.axes[i].axis)] = setpoint.axis[i];
+    StandingTool standing;
+    std::copy(axes.begin() + 3, axes.end(), standing.followers.begin());
+    const Vec3 carried = Vec3(axes[0], axes[1], axes[2]) - way.carrier;
+    if (way.virtual_axes.is_on()) {
+        const double angle = way.virtual_axes.turns() ? axes[index(way.virtual_axes.rotary)] : 0;
+        standing.tip = path::virtual_place(way.virtual_axes, carried, angle);
+    } else if (way.is_transformed()) {
+        for (double& follower : standing.followers)
+            if (std::isnan(follower)) follower = 0;
+        machine::ChainPosition position{
+            {axes[0], axes[1], axes[2]},
+            {standing.followers[3], standing.followers[4], standing.followers[5]},
+            joints_of(chain, standing.followers)};
+        const machine::Pose pose = machine::forward(chain, position, -way.carrier);
+        standing.tip = pose.tip;
+        standing.tool = pose.rotation * chain.tool_direction;
+    } else {
+        standing.tip = carried;
+    }
+    return standing;
+}
+
+Nearness nearest_on(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
+                    double from) {
+    const Walk walk = walk_of(motion);
+    const Search search{from, lower_bound_of(motion, walk, from), end_place(motion, walk)};
+    return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, search));
+}
+
+Nearness nearest_on_rest(const Chain& chain, const ProgrammedMotion& motion,
+                         const StandingTool& tool, double from) {
+    const Walk walk = walk_of(motion);
+    const double lower = lower_bound_of(motion, walk, from);
+    const double upper = end_place(motion, walk);
+    Search search{from, lower, upper};
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= kLooks; ++i) {
+        const double place = lower + (upper - lower) * i / kLooks;
+        const bool by_tool = walk == Walk::Turn && !follows_axes(motion.way);
+        const Vec3 off = by_tool ? Vec3(direction_on(chain, motion.way, place) - tool.tool)
+                                 : Vec3(tip_on(chain, motion, walk, place) - tool.tip);
+        const double apart = off.squaredNorm();
+        if (apart >= least) continue;
+        least = apart;
+        search.guess = place;
+    }
+    return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, search));
+}
+
+Vec3 end_of(const Chain& chain, const ProgrammedMotion& motion) {
+    const Walk walk = walk_of(motion);
+    if (walk != Walk::Touch) return path::end(motion.way.curve);
+    return tip_on(chain, motion, walk, motion.length);
+}
+
+}  // namespace kadr::motion

@@ -1,0 +1,59 @@
+// programmed_path.h — one motion as the program says it, for those who judge where the tip is.
+//
+// Geometry of a command: where on its way the tip is nearest, and what tool and axes should be
+// there. Which motion a setpoint belongs to is path_check.h's question.
+#pragma once
+
+#include "machine/machine.h"
+#include "motion/pipeline.h"
+#include "motion/segment.h"
+
+namespace kadr::motion {
+
+/// A motion, whole, and what may be missing of it.
+struct ProgrammedMotion {
+    Segment way;           // without times
+    double length = 0;     // of its path, mm (deg)
+    double tolerance = 0;  // mm, of the tip
+    double lean = 0;       // rad, of the tool
+    /// Motions with the same number tell the tip in the same coordinates of the same tool.
+    std::uint32_t system = 0;
+};
+
+/// Where a setpoint is, by its axes.
+struct StandingTool {
+    path::Vec3 tip = path::Vec3::Zero();
+    path::Vec3 tool = path::Vec3::UnitZ();  // under a transformation
+    std::array<double, kFollowers> followers{};
+};
+
+/// The tip in the coordinates of a motion, by the axes of the machine. An axis that the machine
+/// does not have stands where the setpoint says that its tip is.
+StandingTool standing_tool(const machine::Machine& machine, const machine::Chain& chain,
+                           const ProgrammedMotion& motion, const Setpoint& setpoint);
+
+/// How far a tool is from a motion.
+struct Nearness {
+    double place = 0;     // along the motion, in its own parameter
+    double distance = 0;  // of the tip from the way, mm
+    double lean = 0;      // of the tool from its direction there, rad
+    double off = 0;       // of an axis that follows, rad or mm
+    /// What the last two may be: where the tip may be beside its path, it also may be behind.
+    double lean_allowed = 0;
+    double off_allowed = 0;
+};
+
+/// Beside which place of the motion a tool is, not much before `from`, and how far from it. The
+/// place is that nearest to the tip in the neighbourhood of `from`; of a motion that only turns,
+/// the one with the nearest direction.
+Nearness nearest_on(const machine::Chain& chain, const ProgrammedMotion& motion,
+                    const StandingTool& tool, double from);
+
+/// The same, looked for along all of the motion behind `from`.
+Nearness nearest_on_rest(const machine::Chain& chain, const ProgrammedMotion& motion,
+                         const StandingTool& tool, double from);
+
+/// Where the tip is when the motion ends.
+path::Vec3 end_of(const machine::Chain& chain, const ProgrammedMotion& motion);
+
+}  // namespace kadr::motion

@@ -1,0 +1,253 @@
+// The check of setpoints against the programmed path: nothing that the planner makes is refused,
+// whatever the program, and everything that leaves the path is found.
+#include "motion/path_check.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/motion/any_program.h"
+#include "tests/motion/support.h"
+
+namespace kadr::motion {
+namespace {
+
+using namespace test;
+
+/// What the check says of setpoints, given in batches that are no divisor of anything.
+std::optional<PathDeviation> deviation_of(const machine::Machine& machine,
+                                          const std::vector<Command>& program,
+                                          const std::vector<Setpoint>& setpoints) {
+    PathCheck check(machine);
+    for (const Command& command : program) check.read(command);
+    constexpr std::size_t kBatch = 17;
+    const std::span<const Setpoint> all(setpoints);
+    for (std::size_t i = 0; i < all.size(); i += kBatch) {
+        if (!check.follow(all.subspan(i, std::min(kBatch, all.size() - i)))) break;
+    }
+    if (!check.deviation()) check.finish();
+    return check.deviation();
+}
+
+/// Commands with the numbers that a text gives them.
+std::vector<Command> numbered(std::vector<Command> program) {
+    std::uint32_t line = 0;
+    for (Command& command : program) command.line = ++line;
+    return program;
+}
+
+TEST(PathCheck, TakesEveryTolerance) {
+    machine::Machine machine = machine_of();
+    for (const path::Blending& wish :
+         {path::Blending{}, by_distance(0.5), within(0.05), within(0.05, true), within(2, true)}) {
+        for (const double compress : {0.0, 0.02, 0.5}) {
+            std::vector<Command> program;
+            for (int i = 0; i <= 200; ++i) {
+                const double angle = 0.05 * i;
+                const double radius = 5 + 0.02 * i;
+                program.push_back(
+                    line_to({radius * std::cos(angle), radius * std::sin(angle), 0.01 * i}, 3000));
+                program.back().compress = compress;
+                if (i % 50 == 49) program.push_back(line_to({radius, -radius, 0}, 3000));
+            }
+            program = numbered(rounded(program, wish));
+            EXPECT_FALSE(deviation_of(machine, program, sample(machine, program)).has_value());
+        }
+    }
+}
+
+RC_GTEST_PROP(PathCheck, RefusesNothingThatIsPlanned, ()) {
+    const auto machine = any_machine();
+    std::vector<Command> program = any_program();
+    if (*rc::gen::arbitrary<bool>())
+        for (Command& command : program)
+            if (command.op == Op::Line) command.compress = any_number(0, 1) * 0.1;
+    const auto deviation = deviation_of(machine, program, sample(machine, program));
+    if (deviation)
+        RC_FAIL("line " + std::to_string(deviation->motion.line) + " fault " +
+                std::to_string(static_cast<int>(deviation->fault)) + " by " +
+                std::to_string(deviation->distance) + " of " + std::to_string(deviation->allowed));
+}
+
+// A zigzag and an arc, so that every kind of mistake has something to show at.
+std::vector<Command> workpiece() {
+    std::vector<Command> program = {rapid_to({10, 0, 0})};
+    for (int i = 1; i <= 10; ++i) program.push_back(line_to({10.0 + i, i % 2 * 2.0, 0}, 3000));
+    program.push_back(arc_to({30, 0, 0}, {25, 0, 0}, -std::numbers::pi, 3000));
+    program.push_back(line_to({30, -20, 0}, 3000));
+    return numbered(program);
+}
+
+struct Mistake {
+    const char* name;
+    std::function<void(std::vector<Setpoint>&)> make;
+    PathFault fault;
+    std::uint32_t line;  // that it is found in; 0: any
+    double distance;     // mm, about; 0: any
+};
+
+/// The setpoints of a line.
+std::pair<std::size_t, std::size_t> range_of(const std::vector<Setpoint>& setpoints,
+                                             std::uint32_t line) {
+    std::size_t first = 0;
+    while (setpoints[first].line != line) ++first;
+    std::size_t last = first;
+    while (last < setpoints.size() && setpoints[last].line == line) ++last;
+    return {first, last};
+}
+
+TEST(PathCheck, FindsEveryMistake) {
+    const machine::Machine machine = machine_of();
+    const std::vector<Command> program = workpiece();
+    const std::vector<Setpoint> right = sample(machine, program);
+    EXPECT_FALSE(deviation_of(machine, program, right).has_value());
+    const auto shift = [](Setpoint& setpoint, const Vec3& way) {
+        setpoint.tip += way;
+        for (std::size_t i = 0; i < 3; ++i) setpoint.axis[i] += way[static_cast<long>(i)];
+    };
+    for (const Mistake& mistake : {
+             Mistake{"one setpoint beside an arc",
+                     [&](auto& all) {
+                         const auto [from, to] = range_of(all, 12);
+                         shift(all[(from + to) / 2], {0, 0, 0.01});
+                     },
+                     PathFault::Tip, 12, 0.01},
+             Mistake{"a thousandth of a millimetre",
+                     [&](auto& all) {
+                         shift(all[range_of(all, 5).second - 9], {0, 0, 0.001});
+                     },
+                     PathFault::Tip, 5, 0.001},
+             Mistake{"only the axes are wrong",
+                     [&](auto& all) { all[range_of(all, 7).second - 9].axis[2] += 0.02; },
+                     PathFault::Tip, 7, 0.02},
+             Mistake{"a corner left out by a straight line",
+                     [&](auto& all) {
+                         // From the middle of one line to the middle of the next.
+                         const auto [from, corner] = range_of(all, 4);
+                         const auto [next, to] = range_of(all, 5);
+                         const std::size_t begin = (from + corner) / 2;
+                         const std::size_t end = (next + to) / 2;
+                         const Vec3 start = all[begin].tip;
+                         const Vec3 way = all[end].tip - start;
+                         for (std::size_t i = begin; i < end; ++i) {
+                             const double share =
+                                 static_cast<double>(i - begin) / static_cast<double>(end - begin);
+                             shift(all[i], start + share * way - all[i].tip);
+                         }
+                     },
+                     PathFault::Tip, 0, 0},
+             Mistake{"two lines are not gone at all",
+                     [](auto& all) {
+                         const auto [from, to] = range_of(all, 4);
+                         const auto [next, end] = range_of(all, 5);
+                         all.erase(all.begin() + static_cast<long>(from),
+                                   all.begin() + static_cast<long>(end));
+                     },
+                     PathFault::Tip, 0, 0},
+             Mistake{"back along the line",
+                     [](auto& all) {
+                         const auto [from, to] = range_of(all, 13);
+                         all[to - 20] = all[from + 20];
+                     },
+                     PathFault::Tip, 13, 0},
+             Mistake{"an end that is not reached", [](auto& all) { all.resize(all.size() - 30); },
+                     PathFault::End, 13, 0},
+         }) {
+        SCOPED_TRACE(mistake.name);
+        std::vector<Setpoint> wrong = right;
+        mistake.make(wrong);
+        const auto found = deviation_of(machine, program, wrong);
+        ASSERT_TRUE(found.has_value());
+        EXPECT_EQ(static_cast<int>(found->fault), static_cast<int>(mistake.fault));
+        if (mistake.line > 0) {
+            EXPECT_EQ(found->motion.line, mistake.line);
+        }
+        if (mistake.distance > 0) {
+            EXPECT_NEAR(found->distance, mistake.distance, 1e-6);
+        }
+        EXPECT_GT(found->distance, found->allowed);
+    }
+}
+
+// One tick is as long as three lines: the corners between two setpoints are held against the way
+// between both, of which they may be beside by half.
+TEST(PathCheck, FindsAnEndThatIsPassedBy) {
+    machine::Machine machine = machine_of();
+    machine.tick = 0.001;
+    const std::vector<Command> program =
+        numbered({line_to({10, 0, 0}, 1000), line_to({10, 5, 0}, 1000), line_to({10, 0, 0}, 1000),
+                  line_to({20, 0, 0}, 1000)});
+    std::vector<Setpoint> setpoints;
+    for (int i = 0; i <= 2000; ++i) {
+        Setpoint& setpoint = setpoints.emplace_back();
+        setpoint.time = 0.001 * i;
+        setpoint.feed = 10;
+        setpoint.tip = {0.01 * i, 0, 0};
+        setpoint.axis = {0.01 * i, 0, 0};
+    }
+    const auto found = deviation_of(machine, program, setpoints);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->motion.line, 2u);
+}
+
+// A compressor that leaves the lines by more than its tolerance.
+TEST(PathCheck, HoldsCurvesToTheToleranceOfTheCompressor) {
+    const machine::Machine machine = machine_of();
+    std::vector<Command> program;
+    for (int i = 1; i <= 100; ++i) program.push_back(line_to({0.2 * i, 0, 0}, 3000));
+    for (Command& line : program) line.compress = 0.02;
+    program = numbered(program);
+    for (const auto& [height, is_found] : {std::pair(0.0199, false), std::pair(0.0201, true)}) {
+        std::vector<Setpoint> setpoints = sample(machine, program);
+        for (Setpoint& setpoint : setpoints) {
+            const double bow = height * std::sin(std::numbers::pi * setpoint.tip[0] / 20);
+            setpoint.tip[1] = setpoint.axis[1] = bow;
+        }
+        const auto found = deviation_of(machine, program, setpoints);
+        EXPECT_EQ(found.has_value(), is_found);
+        if (found) {
+            EXPECT_NEAR(found->allowed, 0.02, 1e-5);
+        }
+    }
+}
+
+TEST(PathCheck, HoldsRotaryAxesToTheirPlaces) {
+    machine::Machine machine = machine_of();
+    machine::MachineAxis axis;
+    axis.name = "C";
+    axis.axis = Axis::C;
+    axis.is_rotary = true;
+    axis.lower = -kUnlimited;
+    axis.upper = kUnlimited;
+    axis.velocity = 2;
+    axis.acceleration = 20;
+    axis.jerk = kUnlimited;
+    machine.axes.push_back(axis);
+    std::vector<Command> program = {line_to({10, 0, 0}, 1000), line_to({20, 0, 0}, 1000),
+                                    line_to({20, 0, 0}, 3000), line_to({20, 5, 0}, 1000)};
+    const double angles[] = {0, 90, 180, 180};
+    for (std::size_t i = 0; i < program.size(); ++i) {
+        program[i].to[index(Axis::C)] = angles[i];
+        program[i].moved |= bit(Axis::C);
+    }
+    program = numbered(program);
+    const std::vector<Setpoint> right = sample(machine, program);
+    EXPECT_FALSE(deviation_of(machine, program, right).has_value());
+    for (const std::uint32_t line : {2u, 4u}) {
+        std::vector<Setpoint> wrong = right;
+        const auto [from, to] = range_of(wrong, line);
+        wrong[(from + to) / 2].axis[3] += 1e-4;
+        const auto found = deviation_of(machine, program, wrong);
+        ASSERT_TRUE(found.has_value());
+        EXPECT_EQ(static_cast<int>(found->fault), static_cast<int>(PathFault::Followers));
+        EXPECT_EQ(found->motion.line, line);
+    }
+}
+
+}  // namespace
+}  // namespace kadr::motion
