@@ -1,7 +1,9 @@
 // Which form says a function: what it needs, what must not act, and why none fits.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <string>
 
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"
@@ -113,6 +115,24 @@ bool BlockWriter::holds(const Form& form, const Block& block, Function asked,
     return is_fine(form.function) && std::ranges::all_of(form.sets, is_fine);
 }
 
+/// What the control has for a code that a program wants for the builder's, and how a dialect gives
+/// it to him.
+static void say_whose(DiagnosticBuilder& builder, double number, const DialectTables& tables,
+                      FormId any) {
+    const FormWord& word = tables.forms[any].words[0];
+    const Code* code = tables.find_code(word.address, number);
+    const std::string text = "M" + std::to_string(std::llround(number));
+    std::string file = "`extends=\"" + tables.name + "\"`";
+    if (code != nullptr && !code->forms.empty()) {
+        const std::string own(info(tables.forms[code->forms.front()].function).name);
+        builder.note("`" + text + "` is `" + own + "` on this control");
+        file += ", takes it away with `<remove commands=\"" + own + "\"/>`";
+    }
+    builder.fix("where `" + text +
+                "` is the machine builder's, a dialect of this machine says so: a file that " +
+                file + " and has the number in its `<command name=\"machine_function\">`");
+}
+
 FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation) {
     const bool is_cycle = invocation.function == Function::Cycle;
     KADR_ASSERT(!is_cycle || block.cycle < tables_.forms_of_cycle.size(),
@@ -169,7 +189,13 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
         what += nearest ? misfit_words(tables_.parameters(any), *nearest)
                         : " with these values or in this modal state";
     }
-    cannot_express(block, what);
+    if (invocation.function != Function::MachineFunction || candidates.empty()) {
+        cannot_express(block, what);
+    } else if (is_new_message(block, what)) {
+        DiagnosticBuilder builder = sink_.report(diag::CannotExpress, place(block));
+        builder.arg(tables_.name).arg(what);
+        say_whose(builder, block.argument(invocation, 0), tables_, candidates.front());
+    }
     return kNoForm;
 }
 
