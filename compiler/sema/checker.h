@@ -4,8 +4,8 @@
 // scope.cpp (names), expressions.cpp, values.cpp, convert.cpp (units and dimensions),
 // optionals.cpp, composites.cpp (points, structs, arrays), operators.cpp, conditions.cpp,
 // places.cpp (what can be assigned), calls.cpp, builtins.cpp, text.cpp (strings), statements.cpp,
-// loops.cpp, blocks.cpp (NC blocks), contours.cpp, curves.cpp, with.cpp, tests.cpp, preserves.cpp.
-// For the room sema only.
+// loops.cpp, blocks.cpp (NC blocks), contours.cpp, curves.cpp, with.cpp, tests.cpp, preserves.cpp,
+// origins.cpp. For the room sema only.
 #pragma once
 
 #include <memory>
@@ -236,6 +236,10 @@ class Checker {
     void jump_compare(const Comparison& comparison, bool sense, Label& label, int depth);
     void check_condition(const Value& value, const SourceRange& range);
 
+    // origins.cpp
+    static Origin origin_of_literal(double number, std::string_view literal);
+    Origin origin_of_result(syntax::Operator op, const Value& left, const Value& right) const;
+    void warn_of_origin(const Value& value, Type target, const SourceRange& range);
     // places.cpp
     std::optional<Place> place(syntax::ExprId id);
     bool is_read(syntax::ExprId id);

@@ -62,7 +62,10 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
         if (kind(target) == Kind::Real && type_info(target).quantity.is_number())
             return to_real(value);
         if (kind(target) == Kind::Int) return whole_number(value, target, range, what);
-        if (types_.is_numeric(target)) return adapt_number(value, target);
+        if (types_.is_numeric(target)) {
+            if (value.origin != Origin::Any) warn_of_origin(value, target, range);
+            return adapt_number(value, target);
+        }
     } else if (types_.is_numeric(value.type) && types_.is_numeric(target)) {
         if (mistakes_diameter(value, target, range, what)) return error_value();
         if (const std::optional<Value> same = same_quantity(value, target)) return *same;

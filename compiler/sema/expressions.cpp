@@ -62,7 +62,11 @@ Value Checker::expression_kind(ExprId id, Type expected, Reg hint) {
 
 Value Checker::number_literal(const Expr& expr) {
     const UnitInfo unit = unit_info(expr.unit);
-    if (expr.unit == syntax::Unit::None) return constant_number(expr.number, types::kReal);
+    if (expr.unit == syntax::Unit::None) {
+        Value number = constant_number(expr.number, types::kReal);
+        number.origin = origin_of_literal(expr.number, sources_.text(expr.range));
+        return number;
+    }
     // Exact where the unit's factor is the reciprocal of a whole number: 200mm/min is 200/60.
     const double inverse = 1.0 / unit.factor;
     const double whole = std::nearbyint(inverse);
@@ -77,6 +81,7 @@ Value Checker::symbol_value(std::int32_t index, const SourceRange& range, bool c
     if (symbol.storage == Symbol::Storage::Constant) return symbol.constant;
     Value value = in_registers(symbol.type, symbol.reg);
     value.is_variable = true;
+    value.origin = symbol.origin;
     const bool is_optional = type_info(symbol.type).is_optional;
     if (checked && symbol.givenness == Givenness::NotGiven &&
         (is_optional || symbol.may_be_unset)) {
@@ -126,7 +131,9 @@ Value Checker::name_value(ExprId id, Reg hint) {
         }
     }
     if (found.symbol < 0 && found.name == nullptr && name == "pi") {
-        return constant_number(3.14159265358979323846, types::kReal);
+        Value pi = constant_number(3.14159265358979323846, types::kReal);
+        pi.origin = Origin::Radians;
+        return pi;
     }
     if (found.symbol < 0 && found.name == nullptr && name == "position") {
         const Reg reg = emit_.take(3);

@@ -18,6 +18,14 @@ namespace kadr::sema {
 using Reg = std::uint16_t;
 inline constexpr Reg kNoReg = 0xffff;
 
+/// Where a number comes from, if that makes it a slip somewhere (origins.cpp).
+enum class Origin : std::uint8_t {
+    Any,
+    Radians,    // made from pi, or a number that is a part of it
+    PerRadian,  // what turns radians into degrees: 180/pi
+    Ratio,      // of two values of one dimension
+};
+
 /// What an expression came to: a constant, or the registers that hold it.
 struct Value {
     enum class Form : std::uint8_t { None, Constant, InRegister };
@@ -27,6 +35,7 @@ struct Value {
     Reg reg = 0;
     bool is_variable = false;  // the registers belong to a variable: copy before changing
     bool is_fresh = false;     // an array that nobody else holds
+    Origin origin = Origin::Any;
 
     bool is_constant() const { return form == Form::Constant; }
 };
@@ -49,8 +58,9 @@ struct Symbol {
     Givenness givenness = Givenness::Given;
     bool is_parameter = false;
     bool is_read = false;
-    bool is_row = false;       // of `for (… : list)`
-    bool is_assigned = false;  // after its declaration
+    bool is_row = false;          // of `for (… : list)`
+    bool is_assigned = false;     // after its declaration
+    Origin origin = Origin::Any;  // of the value that it was given last in the text
     SourceRange range;
 };
 

@@ -86,12 +86,18 @@ Value Checker::unary(ExprId id, Type expected, Reg hint) {
     }
     if (expr.op == Operator::Plus) return value;
     if (value.is_constant()) {
-        if (k == Kind::Real) return constant_number(-value.constant.number, value.type);
+        if (k == Kind::Real) {
+            Value negative = constant_number(-value.constant.number, value.type);
+            negative.origin = value.origin;
+            return negative;
+        }
         return fold_integers(Operator::Subtract, 0, value.constant.integer, expr.range);
     }
     const Reg reg = hint != kNoReg ? hint : emit_.take(1);
     emit_.emit(k == Kind::Int ? Op::NegI : Op::NegF, reg, value.reg);
-    return in_registers(value.type, reg);
+    Value negative = in_registers(value.type, reg);
+    negative.origin = value.origin;
+    return negative;
 }
 
 // ---------------------------------------------------------------- binary
@@ -229,7 +235,10 @@ Value Checker::binary_values(Operator op, Value left, Value right, const Expr& e
             .arg(type_name(wrong.type));
         return error_value();
     }
-    return arithmetic(op, left, right, expr, hint);
+    const Origin origin = origin_of_result(op, left, right);
+    Value result = arithmetic(op, left, right, expr, hint);
+    result.origin = origin;
+    return result;
 }
 
 Value Checker::bits(Operator op, const Value& left, const Value& right, const Expr& expr,

@@ -366,6 +366,9 @@ Value Checker::assign(ExprId id, bool is_value) {
         const bool direct = is_local && slots == 1 && value_kind != Kind::Error &&
                             value_kind != Kind::Array && value_kind != Kind::String;
         Value value = expression(expr.child[1], target->type, direct ? target->reg : kNoReg);
+        if (target->symbol >= 0)
+            symbols_[static_cast<std::size_t>(target->symbol)].origin =
+                is_plain_number(value) ? value.origin : Origin::Any;
         const bool stays_open = type_info(value.type).is_optional;
         value = convert(value, target->type, value_range, what);
         if (is_error(value)) {
@@ -396,6 +399,8 @@ Value Checker::assign(ExprId id, bool is_value) {
         default: break;
     }
     const Value old = load(*target, target_range, true, kNoReg);
+    if (target->symbol >= 0)
+        symbols_[static_cast<std::size_t>(target->symbol)].origin = Origin::Any;
     if (target->symbol >= 0 && !is_value)
         symbols_[static_cast<std::size_t>(target->symbol)].is_read = was_read;
     const bool is_sum = op == Operator::Add || op == Operator::Subtract;

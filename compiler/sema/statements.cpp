@@ -136,6 +136,7 @@ void Checker::variable(const Decl& decl) {
             const bool is_single = slots == 1 && kind(symbol.type) != Kind::Array;
             const Value value =
                 expression(decl.value, symbol.type, is_single ? symbol.reg : kNoReg);
+            if (is_plain_number(value)) symbol.origin = value.origin;
             const bool stays_open = type_info(value.type).is_optional;
             const Value converted = convert(value, symbol.type, range, symbol.name);
             if (decl.is_const && converted.is_constant() && !is_error(converted)) {
@@ -156,6 +157,7 @@ void Checker::variable(const Decl& decl) {
             } else if (!decl.type.is_valid()) {
                 symbol.type = value.type;
             }
+            if (is_plain_number(value)) symbol.origin = value.origin;
             if (decl.is_const && value.is_constant()) {
                 symbol.storage = Symbol::Storage::Constant;
                 symbol.constant = value;

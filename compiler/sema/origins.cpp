@@ -1,0 +1,97 @@
+// origins.cpp — numbers whose origin says that they are meant otherwise: radians that become
+// degrees, ratios that become lengths.
+//
+// Both are right by the rules (a bare number takes the dimension of its place) and wrong in the
+// part. The origin goes along with a value through products, quotients, sums and variables.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/diagnostics/sema.h"
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Operator;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Decimals of a literal: `3.1416` has four. With an exponent nobody writes a part of pi.
+int decimals_of(std::string_view literal) {
+    const std::size_t point = literal.find('.');
+    if (point == std::string_view::npos || literal.find_first_of("eE") != std::string_view::npos)
+        return 0;
+    return static_cast<int>(literal.size() - point - 1);
+}
+
+/// Whether the literal is this number, rounded or cut off at its last decimal.
+bool is_written(double literal, int decimals, double number) {
+    const double step = std::pow(10.0, -decimals);
+    const double low = std::floor(number / step + 1e-9) * step;
+    const double near = std::round(number / step) * step;
+    return std::min(std::abs(literal - low), std::abs(literal - near)) < 1e-3 * step;
+}
+
+}  // namespace
+
+/// A number as it stands in the program: `3.14159` and `0.7854` are angles in radians, as `pi/4`.
+/// With fewer than four decimals it may be anything.
+Origin Checker::origin_of_literal(double number, std::string_view literal) {
+    constexpr int kLeast = 4;
+    constexpr std::array kRadians = {kPi / 6,     kPi / 4,     kPi / 3, kPi / 2,     2 * kPi / 3,
+                                     3 * kPi / 4, 5 * kPi / 6, kPi,     3 * kPi / 2, 2 * kPi};
+    const int decimals = decimals_of(literal);
+    if (decimals < kLeast) return Origin::Any;
+    const auto is = [&](double wanted) { return is_written(number, decimals, wanted); };
+    if (std::ranges::any_of(kRadians, is) || (decimals > kLeast && is(kPi / 180)))
+        return Origin::Radians;
+    return is(180 / kPi) ? Origin::PerRadian : Origin::Any;
+}
+
+Origin Checker::origin_of_result(Operator op, const Value& left, const Value& right) const {
+    const auto either = [&](Origin origin) {
+        return left.origin == origin || right.origin == origin;
+    };
+    // Times 180 or 360 nothing is in radians any more.
+    const auto is_half_turns = [this](const Value& value) {
+        const std::optional<double> number = value.is_constant() ? number_of(value) : std::nullopt;
+        return number == 180.0 || number == 360.0;
+    };
+    switch (op) {
+        case Operator::Multiply:
+            if (is_half_turns(left) || is_half_turns(right)) return Origin::Any;
+            if (either(Origin::Radians) && either(Origin::PerRadian)) return Origin::Any;
+            return either(Origin::Radians)     ? Origin::Radians
+                   : either(Origin::PerRadian) ? Origin::PerRadian
+                                               : Origin::Any;
+        case Operator::Divide: {
+            if (left.origin == Origin::Radians)
+                return right.origin == Origin::Radians ? Origin::Any : Origin::Radians;
+            if (right.origin == Origin::Radians) return Origin::PerRadian;
+            const TypeInfo& a = type_info(left.type);
+            const TypeInfo& b = type_info(right.type);
+            const bool is_ratio = a.kind == Kind::Real && b.kind == Kind::Real &&
+                                  a.quantity == b.quantity && !a.quantity.is_number();
+            return is_ratio ? Origin::Ratio : Origin::Any;
+        }
+        case Operator::Add:
+        case Operator::Subtract: return either(Origin::Radians) ? Origin::Radians : Origin::Any;
+        default: return Origin::Any;
+    }
+}
+
+/// A bare number is about to take the dimension of its place.
+void Checker::warn_of_origin(const Value& value, Type target, const SourceRange& range) {
+    const TypeInfo& to = type_info(target);
+    const bool is_angle = to.kind == Kind::Real && to.quantity == kAngle;
+    if (value.origin == Origin::Radians && is_angle) {
+        report(diag::RadiansAsDegrees, range)
+            .fix("say that it is in radians: `(" + std::string(sources_.text(range)) + ")*1rad`");
+    } else if (value.origin == Origin::Ratio && !is_angle) {  // 360*w/h is one on purpose
+        report(diag::RatioAsQuantity, range).arg(type_name(target));
+    }
+}
+
+}  // namespace kadr::sema
