@@ -461,7 +461,11 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
         else block.comment = line;
         if (options.trace) keep_trace(at, instruction.c, source);
     } while (!rest.empty());
-    if (is_raw) modal.forget(source);
+    if (!is_raw) return true;
+    modal.forget(source);
+    // No word of this control says what X is, so no text changes it.
+    if (target.tables().forms_of[static_cast<std::size_t>(Function::DiameterOff)].empty())
+        modal.lost &= ~sema::group_bit(Group::Diameter);
     return true;
 }
 

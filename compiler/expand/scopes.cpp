@@ -1,5 +1,7 @@
 // scopes.cpp — what `with` sets back, what a cycle needs and preserves.
 
+#include <string>
+
 #include "base/diagnostics/expand.h"
 #include "expand/state.h"
 #include "nc/tables.h"
@@ -81,6 +83,41 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     return true;
 }
 
+namespace {
+
+/// How a program says what a cycle preserves: `preserves G90, DIAMOF`.
+std::string_view word_of_need(Function needed) {
+    switch (needed) {
+        case Function::Absolute: return "G90";
+        case Function::Incremental: return "G91";
+        case Function::PlaneXy: return "G17";
+        case Function::PlaneZx: return "G18";
+        case Function::PlaneYz: return "G19";
+        case Function::RadiusCompOff: return "G40";
+        case Function::FeedPerMinute: return "G94";
+        case Function::FeedPerRevolution: return "G95";
+        case Function::FeedInverseTime: return "G93";
+        case Function::CuttingSpeedOn: return "G96";
+        case Function::CuttingSpeedOff: return "G97";
+        case Function::DiameterOn: return "DIAMON";
+        case Function::DiameterOff: return "DIAMOF";
+        default: return nc::info(needed).name;
+    }
+}
+
+/// The words of all that the cycle needs and that is not known.
+std::string lost_needs(const sema::FunctionCode& cycle, sema::ModalMask lost) {
+    std::string words;
+    for (const Function needed : cycle.needs) {
+        if ((lost & sema::group_bit(nc::info(needed).group)) == 0) continue;
+        if (!words.empty()) words += ' ';
+        words += word_of_need(needed);
+    }
+    return words;
+}
+
+}  // namespace
+
 /// What a cycle preserves it also relies on: `preserves G90` called under G91 would work with
 /// distances where its author wrote coordinates.
 bool Expander::State::check_needs(std::uint32_t at) {
@@ -97,19 +134,19 @@ bool Expander::State::check_needs(std::uint32_t at) {
         }
         const bool is_called = frames.size() > 1 && frame.return_to > 0;
         if (is_lost) {
-            const std::string name(nc::info(needed).name);
+            const std::string words = lost_needs(*frame.function, modal.lost);
             tell_loss(is_called ? fault_in(diag::StateLost, frame.return_to - 1, frames.size() - 1)
                                 : fault(diag::StateLost, at),
-                      "whether `" + name + "` is active, as `" + frame.function->name + "` needs,",
-                      "say `" + name + "` before it");
+                      "whether `" + words + "` acts, as `" + frame.function->name + "` needs,",
+                      "say `" + words + "` before it");
             return false;
         }
         DiagnosticBuilder builder =
             is_called ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
                       : fault(diag::StateNeeded, at);
         builder.arg(frame.function->name)
-            .arg(nc::info(needed).name)
-            .arg(nc::info(active == Function::None ? Function::DiameterOn : active).name);
+            .arg(word_of_need(needed))
+            .arg(word_of_need(active == Function::None ? Function::DiameterOn : active));
         const SourceId by = modal.changed_by[static_cast<std::size_t>(nc::info(needed).group)];
         if (by.is_valid() && by.index < code.statements.size()) {
             builder.note(code.statements[by.index], "it was changed here last");

@@ -2,6 +2,7 @@
 // may leave out. What needs it is said again, by the output where the program has said it, else by
 // the author.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -33,6 +34,37 @@ bool is_cut(Function motion) {
 
 bool moves(const Block& block) {
     return (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
+}
+
+/// What a part needs of the modal state, as a program says it.
+struct StateWord {
+    Group group;
+    std::string_view word;
+};
+constexpr std::array kStateWords = {
+    StateWord{Group::Distance, "G90"},   StateWord{Group::Plane, "G17"},
+    StateWord{Group::RadiusComp, "G40"}, StateWord{Group::Diameter, "DIAMOF"},
+    StateWord{Group::FeedMode, "G94"},   StateWord{Group::SpeedMode, "G97"},
+};
+
+/// All that raw text has lost, for one block behind it.
+std::string words_of_lost(sema::ModalMask lost) {
+    std::string words;
+    for (const auto& [group, word] : kStateWords) {
+        if ((lost & group_bit(group)) == 0) continue;
+        if (!words.empty()) words += ' ';
+        words += word;
+    }
+    if (!words.empty()) words = '`' + words + '`';
+    const auto add = [&](sema::ModalMask bit, std::string_view word) {
+        if ((lost & bit) == 0) return;
+        if (!words.empty()) words += ", ";
+        words += word;
+    };
+    add(sema::kFeedBit, "F");
+    add(sema::kSpeedBit, "S");
+    add(sema::kFrameBit, "`shift();` for the frames");
+    return words;
 }
 
 bool has_group(const Block& block, Group group) {
@@ -126,6 +158,9 @@ void Expander::State::tell_loss(DiagnosticBuilder builder, std::string_view what
                          : "what was set for the block of `with` ends here");
     }
     builder.fix(std::string(fix));
+    if (modal.lost_in == Loss::RawText)
+        builder.fix("or say behind the raw text all at once what the part needs: " +
+                    words_of_lost(modal.lost));
 }
 
 bool Expander::State::knows_state(const Block& block, std::uint32_t at) {

@@ -102,9 +102,8 @@ TEST(Diameter, FramesHaveRadii) {
 }
 
 TEST(Diameter, ACycleIsNotCalledInRadii) {
-    expect_rows(
-        {{"cycle c() preserves DIAMON { G1 X10; }\nprogram p() { F100; DIAMOF; c(); }",
-          "F100\ndiameter_off", "2:29 K3206 `c` needs diameter_on, but diameter_off is active"}});
+    expect_rows({{"cycle c() preserves DIAMON { G1 X10; }\nprogram p() { F100; DIAMOF; c(); }",
+                  "F100\ndiameter_off", "2:29 K3206 `c` needs DIAMON, but DIAMOF is active"}});
 }
 
 TEST(Diameter, TurningWithoutAWordOfItIsWarnedOf) {

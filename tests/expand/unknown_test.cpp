@@ -102,7 +102,7 @@ TEST(Unknown, PromisesAreKeptBehindRawText) {
          "be set back"},
         // What a cycle needs must be known where it is called.
         {"cycle c() preserves G90 { G0 X1; }\nprogram p() { raw \"A\"; c(); }", "raw \"A\"",
-         "2:24 K3212 whether `absolute` is active, as `c` needs, is not known here"},
+         "2:24 K3212 whether `G90` acts, as `c` needs, is not known here"},
     });
 }
 
