@@ -1,8 +1,10 @@
-// scopes.cpp — what `with` sets back, what a cycle needs and preserves.
+// scopes.cpp — what `with` sets back, what a cycle needs and preserves, and its cutter.
 
+#include <cmath>
 #include <string>
 
 #include "base/diagnostics/expand.h"
+#include "expand/cutters.h"
 #include "expand/state.h"
 #include "nc/tables.h"
 
@@ -153,7 +155,24 @@ bool Expander::State::check_needs(std::uint32_t at) {
         }
         return false;
     }
-    return true;
+    // The cutter that the call says is the one that the machine has; where only the text is made,
+    // another one is a warning.
+    if (!modal.has_tool_in || frames.size() < 2 || frame.return_to == 0 || !options.machine ||
+        !says_cutter(*frame.function))
+        return true;
+    const machine::Machine* machine = options.machine();
+    if (machine == nullptr) return true;
+    const auto tool = static_cast<std::int64_t>(std::llround(modal.tool_in));
+    const auto other = cutter_mismatch(*frame.function, stack.data() + frame.base, *machine, tool);
+    if (!other) return true;
+    const bool is_warning = options.warns_of_cuts;
+    fault_in(is_warning ? diag::CutterDiffers : diag::CutterContradicts, frame.return_to - 1,
+             frames.size() - 1)
+        .arg(other->parameter)
+        .arg(other->said)
+        .arg(tool)
+        .arg(other->own);
+    return is_warning;
 }
 
 bool Expander::State::check_preserves(std::uint32_t at) {
