@@ -1,5 +1,6 @@
 // cuts.cpp — what a block that cuts needs: feed, speed, a spindle that turns, one tool.
 #include <cmath>
+#include <string>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
@@ -124,6 +125,21 @@ bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
     return false;
 }
 
+/// Whether a T by itself brings the tool in: on some controls it does, on others on lathes alone.
+static bool selection_changes(const nc::Dialect& target, const ModalState& modal) {
+    if (target.has_rule("tool_select_changes", "yes")) return true;
+    const bool turns =
+        target.is_of_lathe() || modal.is_diameter || modal[Group::Plane] == Function::PlaneZx;
+    return turns && target.has_rule("tool_select_changes", "lathe");
+}
+
+/// A tool was selected, and nothing has changed it.
+static void warn_of_selection(DiagnosticBuilder builder, double tool) {
+    const std::string number = std::to_string(std::llround(tool));
+    builder.note("T" + number + " is selected only, another tool may be in the spindle")
+        .fix("change it: `M6`, or `tool(" + number + ")` for both");
+}
+
 /// What the interpreter finds when the text is run, said where only the text is made.
 void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
     if (needs_feed && !modal.has_feed && !warned_of_feed) {
@@ -141,7 +157,9 @@ void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
     }
     if (modal.is_spindle_turning() && modal.lacks_tool) {
         modal.lacks_tool = false;  // said once
-        fault(diag::ToolNeverCalled, at);
+        if (!modal.has_tool) fault(diag::ToolNeverCalled, at);
+        else if (!selection_changes(target, modal))
+            warn_of_selection(fault(diag::ToolNeverCalled, at), modal.tool);
     }
     if (!modal.is_spindle_turning() && !modal.warned_of_spindle) warn_of_spindle(at);
 }

@@ -230,7 +230,6 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             return;
         case Function::ToolSelect:
             has_tool = true;
-            lacks_tool = false;
             tool = block.argument(invocation, 0);
             return;
         case Function::ToolChange: {
