@@ -29,7 +29,7 @@ using motion::Parting;
 class Side {
   public:
     Side(Session& session, const std::string& source, const std::string& dialect)
-        : session_(options_for(session, dialect), session.share(), session.sources(),
+        : session_(options_for_machine(session, dialect), session.share(), session.sources(),
                    session.messages()),
           source_(source) {}
 
@@ -74,6 +74,15 @@ class Side {
     static Options options_for(const Session& session, const std::string& dialect) {
         Options options = session.options();
         options.dialect = dialect;
+        return options;
+    }
+    /// With its options. Where nobody names a machine it is the stock one with tools and offsets:
+    /// on an empty one the length of another tool and another work offset move alike.
+    static Options options_for_machine(Session& session, const std::string& dialect) {
+        Options options = options_for(session, dialect);
+        if (!options.machine.empty()) return options;
+        Session asked(options, session.share(), session.sources(), session.messages());
+        options.machine = asked.stock_machine() + "-set-up";
         return options;
     }
 
