@@ -251,8 +251,10 @@ void Parser::add_expand() {
     add_dialect(*command);
     command->add_option("-o,--output", line_.expand.output, "file for the text")->type_name("OUT");
     command
-        ->add_option("-m,--machine", line_.options.machine,
-                     "machine for which tilted planes are worked out: a name or an XML file")
+        ->add_option(
+            "-m,--machine", line_.options.machine,
+            "machine for which tilted planes are worked out and dangers are looked for: a name "
+            "or an XML file")
         ->type_name("MACHINE");
     add_program(*command);
     add_expansion(*command);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/dangers.h"
 #include "driver/execution.h"
 #include "driver/file_text.h"
 #include "driver/generated_text.h"
@@ -26,8 +27,8 @@ void interpret(Session& session, const std::string& source, std::unique_ptr<File
     execution->read_rest();
 }
 
-/// Makes the text of a program that needs no values from outside, and throws it away: what comes to
-/// light only then is a mistake as well.
+/// Makes the text of a program that needs no values from outside, runs it and throws it away: what
+/// comes to light only then is a mistake as well.
 void try_out(Session& session, const Program& program) {
     const Options& options = session.options();
     const sema::FunctionCode* chosen = chosen_program(*program.code, options.program);
@@ -37,10 +38,10 @@ void try_out(Session& session, const Program& program) {
     if (!is_complete && options.defines.empty()) return;
     const nc::Dialect* target = session.chosen_dialect(kDefaultTarget);
     if (target == nullptr) return;
-    GeneratedText text(session, program, *target, nullptr);
-    text.warn_of_cuts(session.messages());
-    if (!text.start()) return;
-    while (!text.next().empty()) session.tell({.blocks = text.blocks(), .setpoints = 0, .time = 0});
+    constexpr bool kKeepsCalls = true;
+    auto text = std::make_unique<GeneratedText>(session, program, *target, nullptr, kKeepsCalls);
+    text->warn_of_cuts(session.messages());
+    if (text->start()) make_with_dangers(session, program, *target, std::move(text));
 }
 
 }  // namespace

@@ -245,6 +245,24 @@ std::unique_ptr<Execution> Execution::open(Session& session, const Subject& subj
     return execution;
 }
 
+std::unique_ptr<Execution> Execution::open(Session& session, const Program& program,
+                                           const nc::Dialect& dialect,
+                                           std::unique_ptr<GeneratedText> text,
+                                           DiagnosticSink& sink) {
+    std::unique_ptr<Execution> execution(new Execution(session));
+    execution->machine_ = session.machine();
+    if (execution->machine_ == nullptr) return nullptr;
+    execution->dialect_ = &dialect;
+    execution->program_ = &program;
+    execution->text_name_ = generated_name(session.sources().name(program.file), dialect);
+    execution->generated_ = std::move(text);
+    execution->own_cycles_ = std::make_unique<LibraryCycles>(session, dialect);
+    execution->cycles_ = execution->own_cycles_.get();
+    execution->cycles_->report_to(sink);
+    execution->connect(sink);
+    return execution;
+}
+
 bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> text) {
     const bool is_named = !session_.options().dialect.empty();
     const std::string guess = is_named ? "" : dialect_of_text(session_, source, text->peek());
@@ -366,6 +384,11 @@ void Execution::read_rest() {
     }
     if (!has_stopped_ && !interpreter_->alarmed()) held_->soften();
     held_->release();
+}
+
+void Execution::make_rest() {
+    while (!generated_->next().empty())
+        session_.tell({.blocks = generated_->blocks(), .setpoints = 0, .time = 0});
 }
 
 bool Execution::failed() const {

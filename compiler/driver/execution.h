@@ -68,11 +68,19 @@ class Execution final : public Stream<path::Command> {
     /// The same for a part of a program that is checked already; what it refers to outlives the
     /// execution. Null: the sink has got the reason.
     static std::unique_ptr<Execution> open(Session& session, const Subject& subject);
+    /// The same for the text of a checked program that somebody else has started; what they refer
+    /// to outlives the execution. `sink` gets all that the execution says. Null: reported.
+    static std::unique_ptr<Execution> open(Session& session, const Program& program,
+                                           const nc::Dialect& dialect,
+                                           std::unique_ptr<GeneratedText> text,
+                                           DiagnosticSink& sink);
     ~Execution() override;
 
     std::size_t pull(std::span<path::Command> out) override;
     /// Reads the text to its end without executing it, for the sake of its mistakes.
     void read_rest();
+    /// Makes the text of a Kadr program to its end, whatever has stopped its execution.
+    void make_rest();
     /// Who gets the lines that a program of the control prints.
     void print_to(interp::Printer& printer) { reader_->print_to(printer); }
 

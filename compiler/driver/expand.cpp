@@ -2,8 +2,10 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "base/diagnostics/driver.h"
+#include "driver/dangers.h"
 #include "driver/execution.h"
 #include "driver/file_text.h"
 #include "driver/generated_text.h"
@@ -43,14 +45,21 @@ Status expand(Session& session, const ExpandJob& job) {
     const auto map_output = job.map.empty() ? nullptr : Output::open(job.map, messages);
     if (!text_output || (!map_output && !job.map.empty())) return refused(session);
 
-    GeneratedText text(session, *program, *target, map_output.get());
-    text.warn_of_cuts(messages);
-    if (!text.start()) return session.status();
-    for (std::string_view piece = text.next(); !piece.empty(); piece = text.next()) {
-        text_output->write(piece);
-        session.tell({.blocks = text.blocks(), .setpoints = 0, .time = 0});
+    // For a machine the text is run as well, for the dangers that are in it.
+    const bool has_machine = !session.options().machine.empty();
+    auto text =
+        std::make_unique<GeneratedText>(session, *program, *target, map_output.get(), has_machine);
+    text->warn_of_cuts(messages);
+    text->set_tap([&](std::string_view piece) { text_output->write(piece); });
+    if (!text->start()) return session.status();
+    if (has_machine) {
+        make_with_dangers(session, *program, *target, std::move(text));
+    } else {
+        while (!text->next().empty())
+            session.tell({.blocks = text->blocks(), .setpoints = 0, .time = 0});
+        if (text->failed()) return session.status();
     }
-    if (text.failed() || session.status() != Status::Done) return session.status();
+    if (session.status() != Status::Done) return session.status();
     const bool is_written =
         text_output->commit(messages) && (!map_output || map_output->commit(messages));
     return is_written ? session.status() : refused(session);

@@ -212,6 +212,22 @@ bool GeneratedText::move_to_call(Diagnostic& diagnostic, std::vector<Diagnostic:
     return true;
 }
 
+void GeneratedText::move_to_statement(Diagnostic& diagnostic) const {
+    if (!diagnostic.line) return;
+    const SourceId source = line_map_->find(diagnostic.line->line);
+    if (!source.is_valid() || source.index >= program_.code->statements.size()) return;
+    const SourceRange statement = program_.code->statements[source.index];
+    std::erase_if(diagnostic.notes, [&](const auto& note) { return note.range == statement; });
+    diagnostic.range = statement;
+    diagnostic.notes.push_back({{}, std::exchange(diagnostic.line, {}), "it writes this line"});
+    const expand::Trace* trace = calls_behind(diagnostic.notes.back().line->line);
+    if (trace == nullptr) return;
+    std::vector<Diagnostic::Note> calls;
+    for (auto call = trace->calls.rbegin(); call != trace->calls.rend(); ++call)
+        calls.push_back({call->range, {}, "`" + std::string(call->function) + "` was called here"});
+    move_to_call(diagnostic, calls, "this statement makes the block");
+}
+
 void GeneratedText::ExpanderMessages::take(Diagnostic diagnostic) {
     std::vector<Diagnostic::Note> notes = std::move(diagnostic.notes);
     diagnostic.notes.clear();

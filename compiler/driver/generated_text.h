@@ -64,6 +64,9 @@ class GeneratedText final : public nc::TextSource {
     const expand::Trace* calls_behind(std::uint32_t line) const {
         return call_map_ ? call_map_->find(line) : nullptr;
     }
+    /// A message about a line that is still known comes to the statement that wrote it, or where
+    /// the library was called that did; the line becomes a note.
+    void move_to_statement(Diagnostic& diagnostic) const;
     std::uint64_t blocks() const { return blocks_; }
     /// Lines so far that a statement of the program made.
     std::uint64_t statement_lines() const { return statement_lines_; }

@@ -66,6 +66,7 @@ bool Messages::is_allowed(std::string_view code, const SourceRange& place) const
 bool Messages::is_silenced(const Diagnostic& diagnostic) const {
     if (diagnostic.severity != Severity::Warning) return false;
     if (!diagnostic.line) return is_allowed(diagnostic.row->code, diagnostic.range);
+    if (iso_line_allows(diagnostic.line->text, diagnostic.row->code)) return true;
     return std::any_of(diagnostic.notes.begin(), diagnostic.notes.end(), [&](const auto& note) {
         return is_allowed(diagnostic.row->code, note.range);
     });

@@ -1,5 +1,9 @@
 #include "base/allow.h"
 
+#include <string>
+
+#include "base/text.h"
+
 namespace kadr {
 
 namespace {
@@ -39,6 +43,24 @@ Allowance allowed_codes(std::string_view comment) {
     }
     result.is_well_formed = !result.codes.empty();
     return result;
+}
+
+bool iso_line_allows(std::string_view line, std::string_view code) {
+    constexpr std::string_view kMark = "KADR:";
+    const std::string text = upper_ascii(line);
+    const std::size_t mark = text.find(kMark);
+    if (mark == std::string::npos) return false;
+    std::string_view rest = std::string_view(text).substr(mark + kMark.size());
+    rest = rest.substr(0, rest.find(')'));
+    skip_separators(rest);
+    if (take_word(rest) != "ALLOW") return false;
+    for (skip_separators(rest); !rest.empty(); skip_separators(rest)) {
+        std::string_view word = take_word(rest);
+        if (word.ends_with(':')) word.remove_suffix(1);
+        if (!is_code(word)) return false;
+        if (word == code) return true;
+    }
+    return false;
 }
 
 }  // namespace kadr

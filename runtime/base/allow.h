@@ -22,4 +22,8 @@ struct Allowance {
 /// blanks or commas; the first word that is no code begins the reason.
 Allowance allowed_codes(std::string_view comment);
 
+/// Whether a line of ISO-7bit text has the comment that allows a code: `(KADR: ALLOW K5973 WHY)` or
+/// `; kadr: allow K5973 why`. Letters may be of either case, for controls that have one only.
+bool iso_line_allows(std::string_view line, std::string_view code);
+
 }  // namespace kadr

@@ -151,6 +151,8 @@ void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Targ
         if (!lay_course(block, way, target)) return;
     }
     if (!check_arc_limits(block, arc, target)) return;
+    if (spindle_.has_cutting_speed) [[unlikely]]
+        watch_cutting_speed(block, position_.here[0], target.here[0]);
 
     Command& command = put(Op::Arc, block);
     command.to = target.base;

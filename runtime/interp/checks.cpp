@@ -71,6 +71,8 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
     }
     if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) {
         check_tool(block);
+        if (is_new_feed()) [[unlikely]]
+            watch_feed(block);
         return true;
     }
     if (modal_.feed_mode == FeedMode::PerRevolution) {

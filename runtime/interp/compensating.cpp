@@ -364,6 +364,7 @@ std::optional<std::int64_t> Executor::comp_offset() const {
 /// the plane changes the side. A lathe's tool is programmed by its tip.
 void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChange& change) {
     const double radius = tool_offsets_.radius(number) + extra_.radius + sum_offset(4);
+    watch_radius(block, number);
     const int tip = tool_offsets_.tip(number);
     const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;

@@ -498,9 +498,10 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
         case Operation::Negate:
             *a = was_whole ? Value::of(-x, nc::ValueType::Int) : Value::real(-x);
             return true;
-        case Operation::Sine: return real(*a, sine(x));
-        case Operation::Cosine: return real(*a, cosine(x));
+        case Operation::Sine: look_for_radians(operation, x); return real(*a, sine(x));
+        case Operation::Cosine: look_for_radians(operation, x); return real(*a, cosine(x));
         case Operation::Tangent:
+            look_for_radians(operation, x);
             if (cosine(x) == 0) return out_of_range();
             return real(*a, sine(x) / cosine(x));
         case Operation::Arcsine:

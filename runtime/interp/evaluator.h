@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "interp/contour_table.h"
@@ -72,6 +73,15 @@ class Evaluator {
     /// decimals  to which the function round goes; -1: to whole numbers
     Outcome run(const nc::ControlLine& line, const nc::Expression& expression, Value& out,
                 int decimals = -1);
+    /// Where the latest run has taken radians for degrees, and the word of the function that did.
+    struct Radians {
+        nc::Span place;
+        nc::Operation operation{};
+        double angle = 0;
+    };
+    /// What it has found since it was asked last.
+    std::optional<Radians> take_radians() { return std::exchange(radians_, std::nullopt); }
+    bool has_radians() const { return radians_.has_value(); }
     /// Why it came to no value.
     const nc::LineFault& fault() const { return fault_; }
     /// Whether two values are equal, as `==` has it; none: they cannot be compared, `fault` says
@@ -133,6 +143,7 @@ class Evaluator {
     bool bits(nc::Operation operation, Value& a, const Value& b);
     bool function(nc::Operation operation, Value* a, int decimals);
     bool text_function(nc::Operation operation, Value* a, int count);
+    void look_for_radians(nc::Operation operation, double angle);
     bool arc_function(nc::Operation operation, Value* a);
     bool axis_function(nc::Operation operation, Value* a);
     bool plane_rotation(Value* a);
@@ -166,6 +177,7 @@ class Evaluator {
     std::deque<ControlFrame> frames_;
     nc::LineFault fault_;
     nc::Span place_;
+    std::optional<Radians> radians_;
     nc::Operation operation_{};  // that runs, for messages
     bool is_later_ = false;
 };

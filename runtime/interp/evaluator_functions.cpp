@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "base/danger_limits.h"
 #include "base/diagnostics/control.h"
 #include "interp/control_functions.h"
 #include "interp/evaluator.h"
@@ -12,6 +14,18 @@
 namespace kadr::interp {
 
 using nc::Operation;
+
+/// An angle of which the control thinks in degrees, and that is a part of pi.
+void Evaluator::look_for_radians(Operation operation, double angle) {
+    constexpr double kPi = std::numbers::pi;
+    constexpr std::array kParts = {kPi / 6,     kPi / 4, kPi / 3,     kPi / 2, 2 * kPi / 3,
+                                   3 * kPi / 4, kPi,     3 * kPi / 2, 2 * kPi};
+    const double amount = std::fabs(angle);
+    if (amount < kParts.front() - 1 || amount > kParts.back() + 1) return;
+    for (const double part : kParts) {
+        if (std::fabs(amount - part) < danger::kRadianMatch) radians_ = {place_, operation, angle};
+    }
+}
 
 bool Evaluator::question(Operation operation, Value* a) {
     if (!a->is_text())

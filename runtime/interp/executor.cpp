@@ -287,6 +287,7 @@ Command& Executor::behind_corners() {
 }
 
 Command& Executor::put(Op op, const Block& block) {
+    if (path::is_motion(op)) dangers_.begin_motion(op, position_.base);
     const bool waits = is_in_spline() && op != Op::Spline && !puts_span_;
     Command& command = waits                  ? said_in_spline_.next()
                        : corners_.is_active() ? corners_.next()

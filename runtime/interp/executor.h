@@ -13,7 +13,7 @@
 // program), contours.cpp (contours that become tables), splines.cpp, through_splines.cpp,
 // spline_neighbours.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves),
 // arc_threads.cpp (threads along arcs), numbered_spindles.cpp (several spindles), rare_words.cpp
-// and data_input.cpp (rarer words).
+// and data_input.cpp (rarer words), dangers.cpp (what no control minds and no spindle stands).
 #pragma once
 
 #include <array>
@@ -29,6 +29,7 @@
 #include "interp/compensation.h"
 #include "interp/corners.h"
 #include "interp/cycle_run.h"
+#include "interp/dangers.h"
 #include "interp/frames.h"
 #include "interp/interpreter.h"
 #include "interp/output.h"
@@ -634,6 +635,16 @@ class Executor {
     bool check_box(const nc::Block& block, const path::Box& box);
     void report_limit(const nc::Block& block, Axis axis, double at);
 
+    // dangers.cpp: what every control takes, and no spindle
+    bool is_new_feed() const {
+        return modal_.feed != dangers_.feed || modal_.feed_mode != dangers_.feed_mode;
+    }
+    void watch_feed(const nc::Block& block);
+    void watch_cutting_speed(const nc::Block& block, double from, double to);
+    void watch_length(const nc::Block& block, Axis axis);
+    void watch_change(const nc::Block& block);
+    void watch_radius(const nc::Block& block, std::int64_t number);
+
     // cycles.cpp
     void call_cycle(const nc::Block& block, const Actions& actions);
     void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
@@ -829,6 +840,7 @@ class Executor {
     AxisMask unplaced_ = 0;  // axes that want a place behind the end of a rotation
 
     ToldOnce told_;
+    Dangers dangers_;
 
     AxisData axes_;
     AxisValues length_shift_{};  // machine position − base position: the tool length in force

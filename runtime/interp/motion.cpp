@@ -248,6 +248,8 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     if (op == Op::Probe && !check_probe(block)) return;
     if (op == Op::Rapid) check_rapid(block, target);
     if (tool_.has_changed) activate_length(block, target.moved);
+    if (spindle_.has_cutting_speed && op != Op::Probe) [[unlikely]]
+        watch_cutting_speed(block, position_.here[0], target.here[0]);
     if (course_ &&
         !lay_course(block, straight_way(linear(position_.base), linear(target.base)), target))
         return;

@@ -71,6 +71,8 @@ bool Executor::move_plainly(const Block& block) {
         command.to[i] = position_.base[i] = to[i];
         position_.here[i] = position_.programmed[i] = block.values[i] * axes_.word_scale[i];
     }
+    if (spindle_.has_cutting_speed && (block.given & bit(nc::Slot::X)) != 0) [[unlikely]]
+        watch_cutting_speed(block, before[0] - shift[0], position_.here[0]);
     if (is_elsewhere) came_from_ = before;
     return true;
 }

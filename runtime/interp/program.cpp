@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/diagnostics/control.h"
+#include "base/diagnostics/danger.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/named_shape.h"
@@ -725,11 +726,24 @@ Program::State::Done Program::State::fail(CompiledLine& line, ProgramMap::Fault 
 Program::State::Done Program::State::evaluate(CompiledLine& line, const nc::Expression& expression,
                                               Value& out, int decimals) {
     switch (evaluator.run(line.line, expression, out, decimals)) {
-        case Evaluator::Outcome::Done: return Done::Nothing;
+        case Evaluator::Outcome::Done:
+            if (evaluator.has_radians()) [[unlikely]]
+                warn_of_radians(line);
+            return Done::Nothing;
         case Evaluator::Outcome::Later: return Done::Wait;
         case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
     }
     return Done::Nothing;
+}
+
+/// Said once a run: what thinks in radians does so everywhere.
+void Program::State::warn_of_radians(const CompiledLine& line) {
+    const auto found = evaluator.take_radians();
+    if (!found || said_radians) return;
+    said_radians = true;
+    sink.report(diag::RadiansInText, lines.place(line.text, line.place.line.line, found->place))
+        .arg(variables.word_of(found->operation))
+        .arg(round_to(found->angle, 6));
 }
 
 Program::State::Done Program::State::truth(CompiledLine& line, const nc::Expression& expression,

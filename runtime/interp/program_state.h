@@ -226,6 +226,7 @@ struct Program::State {
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_ends;         // likewise
     std::set<std::pair<const ProgramUnit*, LineTarget>> said_twice;
     bool said_separate = false;      // that axes move each by itself
+    bool said_radians = false;       // … and that an angle is one in radians
     bool has_visible_fault = false;  // that blocks of this batch stand behind
     bool was_stopped = false;        // by who looks on, or because its time is over
     std::uint32_t steps = 0;
@@ -334,6 +335,7 @@ struct Program::State {
                                         std::span<const std::int64_t> indices, const Value& value);
     Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
     bool resolve(CompiledLine& line, const nc::JumpTarget& target, LineTarget& out, Done& done);
+    void warn_of_radians(const CompiledLine& line);
     void warn_of_twin(const CompiledLine& line, const nc::Span& span, const LineTarget& target,
                       const Place& found);
     Done go(CompiledLine& line, const Place& target, const nc::Span& span);

@@ -109,7 +109,8 @@ void Executor::change_tool(const Block& block) {
         report(diag::CompToolChange, block);
         return;
     }
-    if (tool_.selected != tool_.current) {
+    if (is_other) {
+        watch_change(block);
         tool_.current = tool_.selected;
         tool_.edge = 1;
         extra_ = {};
@@ -124,7 +125,9 @@ void Executor::change_tool(const Block& block) {
     // What the block says of the edge itself is said.
     if (rules_.tool_change_activates_length && block.find(Function::ToolEdge) == nullptr)
         tool_.source = Tool::Source::Edge;
-    tool_.has_changed |= tool_.source == Tool::Source::Edge;
+    // A length by number stays that of its offset; that it is another tool's now is looked at.
+    tool_.has_changed |=
+        tool_.source == Tool::Source::Edge || (is_other && tool_.source == Tool::Source::Offset);
     take_tooth_feed();
 }
 

@@ -85,7 +85,10 @@ void Executor::check_length_known(const Block& block) {
 /// returns  how far the tip goes by it while the axes stand, in the base system, mm
 Vec3 Executor::activate_length(const Block& block, AxisMask moved) {
     const Axis axis = wanted_length_axis();
-    if ((moved & bit(axis)) != 0) check_length_known(block);
+    if ((moved & bit(axis)) != 0) {
+        check_length_known(block);
+        watch_length(block, axis);
+    }
     const Vec3 wanted = wanted_lengths();
     Vec3 lengths = tool_.lengths;
     AxisMask changed = 0;

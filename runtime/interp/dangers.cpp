@@ -1,0 +1,150 @@
+// dangers.cpp — what every control executes without a word, and what spoils a spindle.
+//
+// Each `watch_…` looks at one thing where it begins to act, says what is wrong with it, and changes
+// nothing. Thresholds are rows of danger_limits.def, messages of diagnostics/danger.def.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "base/danger_limits.h"
+#include "base/diagnostics/danger.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Slot;
+using nc::SlotMask;
+using path::FeedMode;
+using path::Vec3;
+
+namespace {
+
+constexpr SlotMask kRotarySlots = bit(Slot::A) | bit(Slot::B) | bit(Slot::C);
+
+/// Whether only rotary axes move: F is in degrees then.
+bool only_turns_axes(const Block& block) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    return targets != 0 && (targets & ~kRotarySlots) == 0;
+}
+
+constexpr int kShownDecimals = 4;
+
+}  // namespace
+
+/// The feed of a cut with a turning spindle, where it is another one than that of the cut before.
+void Executor::watch_feed(const Block& block) {
+    if (only_turns_axes(block) || is_scanning_) return;
+    dangers_.feed = modal_.feed;
+    dangers_.feed_mode = modal_.feed_mode;
+    const auto at_feed = [&](const DiagnosticRow& row) {
+        return block.has(Slot::Feed) ? report(row, block, Slot::Feed) : report(row, block);
+    };
+    const double most = mm_min_from_feed(machine_.max_feed);
+    double per_minute = 0;  // 0: it is not known
+    switch (modal_.feed_mode) {
+        case FeedMode::PerRevolution:
+            if (modal_.feed > danger::kMostTurnFeed) {
+                if (dangers_.is_new(modal_.feed))
+                    at_feed(diag::TurnFeedTooGreat).arg(modal_.feed).arg(danger::kMostTurnFeed);
+                return;
+            }
+            if (!spindle_.has_cutting_speed) per_minute = modal_.feed * spindle_.speed;
+            break;
+        case FeedMode::PerMinute:
+            if (modal_.feed < danger::kLeastFeed) {
+                if (dangers_.is_new(modal_.feed)) at_feed(diag::FeedTooSmall).arg(modal_.feed);
+                return;
+            }
+            per_minute = modal_.feed;
+            break;
+        case FeedMode::InverseTime: return;
+    }
+    const bool is_too_fast = most > 0 && per_minute > most * (1 + 1e-9);
+    if (is_too_fast && dangers_.is_new(modal_.feed))
+        at_feed(diag::FeedAboveMachine).arg(round_to(per_minute, kShownDecimals)).arg(most);
+}
+
+/// A motion to this X, a radius in the programmed system, under constant cutting speed.
+void Executor::watch_cutting_speed(const Block& block, double from, double to) {
+    if (dangers_.told_speed || highest_speed() > 0 || contour_) return;
+    if (spindle_.mode != path::SpindleMode::Cw && spindle_.mode != path::SpindleMode::Ccw) return;
+    const double radius = from * to < 0 ? 0 : std::abs(to);
+    const double most = rpm_from_speed(machine_.max_speed_of(spindle_.number));
+    const double mm_min = 1000 * spindle_.cutting_speed;
+    const double wanted = mm_min / (2 * std::numbers::pi * radius);
+    const bool is_in_centre = !std::isfinite(wanted);
+    if (!(mm_min > 0) || (!is_in_centre && !(most > 0 && wanted > most))) return;
+    dangers_.told_speed = true;
+    const std::string shown =
+        is_in_centre ? "infinitely many" : std::to_string(std::llround(wanted));
+    (block.has(Slot::X) ? report(diag::NoSpeedLimit, block, Slot::X)
+                        : report(diag::NoSpeedLimit, block))
+        .arg(shown);
+}
+
+/// A motion along the axis of the tool's length while another one is to act than before.
+void Executor::watch_length(const Block& block, Axis axis) {
+    const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    const bool is_same_length = number == dangers_.length;
+    if (is_same_length && tool_.current == dangers_.tool) return;
+    dangers_.length = number;
+    dangers_.tool = tool_.current;
+    const Slot word = nc::slot_of(axis);
+    const SlotMask distances = modal_.is_incremental ? ~block.absolute : block.incremental;
+    if (!is_same_length && block.has(word) && (distances & bit(word)) != 0 && !cycle_.blocks)
+        report(diag::IncrementTakesLength, block, word)
+            .arg(tool_.current != 0 ? tool_.current : ToolOffsets::tool_of(number));
+    const bool is_by_number = tool_.source == Tool::Source::Offset && number != 0;
+    if (!is_by_number || tool_.current == 0 || number == tool_.current || is_lathe_) return;
+    Function said = Function::None;
+    for (const Function own :
+         {Function::LengthOffset, Function::LengthCompOn, Function::LengthCompMinus})
+        if (said == Function::None && block.find(own) != nullptr) said = own;
+    (said != Function::None ? report(diag::OtherToolsLength, block, said)
+                            : report(diag::OtherToolsLength, block))
+        .arg(number)
+        .arg(tool_.current);
+}
+
+/// The radius of an offset is about to act beside a contour. Shops number the offsets of radii as
+/// they like, so only that of another tool of the machine is one.
+void Executor::watch_radius(const Block& block, std::int64_t number) {
+    const bool is_by_number = tool_.radius_offset != 0 && number == tool_.radius_offset;
+    if (!is_by_number || tool_.current == 0 || number == tool_.current || is_lathe_) return;
+    const bool is_of_length = tool_.source == Tool::Source::Offset && number == tool_.offset;
+    const bool is_other_tool = std::ranges::any_of(
+        machine_.tools, [&](const auto& tool) { return tool.number == number; });
+    const bool is_told =
+        std::ranges::find(dangers_.told_radii, number) != dangers_.told_radii.end();
+    if (is_of_length || !is_other_tool || is_told) return;
+    dangers_.told_radii.push_back(number);
+    const bool is_said_here = block.find(Function::RadiusOffset) != nullptr;
+    (is_said_here ? report(diag::OtherToolsRadius, block, Function::RadiusOffset)
+                  : report(diag::OtherToolsRadius, block, comp_.side))
+        .arg(number)
+        .arg(tool_.current);
+}
+
+/// Another tool is about to come.
+void Executor::watch_change(const Block& block) {
+    if (!dangers_.has_moved || dangers_.is_at_rapid || contour_ || is_transformed()) return;
+    if (is_lathe_) {
+        report(diag::ChangeInCut, block).arg("where the last cut has ended");
+        return;
+    }
+    const auto axis = static_cast<Eigen::Index>(index(path::axes_of(modal_.plane).normal));
+    const double height = position_.base[static_cast<std::size_t>(axis)];
+    const double below = dangers_.rapid_end[axis] - height;
+    if (!dangers_.has_rapid_end || below <= danger::kRetractSlack) return;
+    report(diag::ChangeInCut, block)
+        .arg("in the cut, " + format_shortest(round_to(below, kShownDecimals)) +
+             " mm below the last retract");
+}
+
+}  // namespace kadr::interp
