@@ -92,4 +92,26 @@ std::optional<PlanePoint> center_of_radius(const PlanePoint& start, const PlaneP
                       start[1] + dy / 2 + side * height * dx};
 }
 
+double radius_miss(const ArcPoints& arc, const PlanePoint& center) {
+    return std::fabs(std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]) -
+                     std::hypot(arc.end[0] - center[0], arc.end[1] - center[1]));
+}
+
+RadiusArc radius_arc(const ArcPoints& points, double radius, int places, bool is_clockwise,
+                     double scale) {
+    const double slack = kHalfTurnSlack * scale;
+    RadiusArc arc{points, {}, {}};
+    const double rounded = round_to(radius, places);
+    arc.exact = center_of_radius(points.start, points.end, radius, is_clockwise, slack);
+    arc.reached =
+        center_of_radius(points.text_start, points.text_end, rounded, is_clockwise, slack);
+    if (!arc.exact || !arc.reached) return arc;
+    const auto apart = [](const PlanePoint& a, const PlanePoint& b) {
+        return std::hypot(a[0] - b[0], a[1] - b[1]);
+    };
+    arc.fits = apart(*arc.exact, *arc.reached) <= 5 * std::pow(10.0, -places) &&
+               apart(points.text_start, points.text_end) <= 2 * std::fabs(rounded);
+    return arc;
+}
+
 }  // namespace kadr::nc

@@ -45,4 +45,21 @@ std::optional<PlanePoint> center_of_radius(const PlanePoint& start, const PlaneP
 double sweep_angle(const PlanePoint& start, const PlanePoint& end, const PlanePoint& center,
                    bool is_clockwise);
 
+/// By how much the ends of an arc differ in their distance from its centre, as meant.
+double radius_miss(const ArcPoints& arc, const PlanePoint& center);
+
+/// An arc by its radius: the centre as meant and as the control makes it of the rounded words.
+struct RadiusArc {
+    ArcPoints points;
+    std::optional<PlanePoint> exact;
+    std::optional<PlanePoint> reached;
+    bool fits = false;  // the rounding leaves the centre where it is
+};
+
+/// The arc between the points by a radius that is written with `places` decimals.
+///
+/// scale  units of the text in a millimetre
+RadiusArc radius_arc(const ArcPoints& points, double radius, int places, bool is_clockwise,
+                     double scale);
+
 }  // namespace kadr::nc

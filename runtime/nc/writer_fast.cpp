@@ -10,12 +10,6 @@
 
 namespace kadr::nc {
 
-namespace {
-
-constexpr double kSame = 1e-9;  // mm or deg, as in writer_positions.cpp
-
-}  // namespace
-
 void BlockWriter::prepare_fast() {
     for (const Function motion : {Function::Rapid, Function::Line}) {
         const auto& forms = tables_.forms_of[static_cast<std::size_t>(motion)];

@@ -10,6 +10,13 @@
 
 namespace kadr::nc {
 
+/// mm or deg; far below any increment, above rounding noise.
+inline constexpr double kSame = 1e-9;
+
+constexpr Slot center_slot(std::size_t axis) {
+    return static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
+}
+
 constexpr std::size_t index_of(Group group) { return static_cast<std::size_t>(group); }
 
 /// Position of the axes, twice: as the program means it, and as the rounded words of the text add
