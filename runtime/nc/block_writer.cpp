@@ -58,13 +58,13 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
     counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
     counts_all_axes_ = dialect.has_rule("feed_of_all_axes");
     shifts_center_ = dialect.has_rule("arc_error", "shift_center");
+    arc_tolerance_ = dialect.rule_number("arc_tolerance");
+    arc_tolerance_factor_ = dialect.rule_number("arc_tolerance_factor");
     scale_replaces_ = dialect.has_rule("scale_replaces");
     changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
-    if (const auto most = dialect.rule_number("most_message"); most && *most > 0)
-        most_message_ = static_cast<std::size_t>(*most);
+    most_message_ = static_cast<std::size_t>(std::max(0.0, dialect.rule_number("most_message")));
     idle_is_alarm_ = dialect.has_rule("comp_more_empty_is_alarm");
-    if (idle_is_alarm_ || dialect.has_rule("comp_more_empty_is_alarm", "no"))
-        most_idle_ = dialect.rule_number("comp_empty_blocks").value_or(-1);
+    most_idle_ = static_cast<int>(dialect.rule_number("comp_empty_blocks"));
     begin({});
     prepare_fast();
 }
@@ -118,7 +118,7 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     switch (block.kind) {
         case Block::Kind::Nc:
             if (!write_fast(block, out)) write_long(block, out);
-            if (most_idle_ >= 0) count_idle(block, before);
+            if (most_idle_ >= 0 && (idle_.is_begun || is_compensated())) count_idle(block, before);
             break;
         case Block::Kind::Comment: write_comment(block, out); break;
         case Block::Kind::Raw:
@@ -243,7 +243,7 @@ bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
     if (!is_arc(effective_motion(block))) return split_turns(block, out);
     const ModalFunctions meant = modal_.meant;
     follow_modal(block, modal_.meant);
-    if (split_turns(block, out) || straighten(block, out) || (!is_halved_ && halve(block, out)))
+    if (split_turns(block, out) || straighten(block, out) || (!is_part_ && split_arc(block, out)))
         return true;
     modal_.meant = meant;
     return false;

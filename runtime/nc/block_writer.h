@@ -224,10 +224,26 @@ class BlockWriter {
     bool split_turns(const Block& block, std::string& out);
     bool is_distance(const Block& block, std::size_t axis) const;
     bool is_chord_known(const Block& block, const WrittenPosition& start) const;
-    double center_drift(const Block& block, const ArcPoints& arc, const PlanePoint& center) const;
-    bool halve(const Block& block, std::string& out);
-    void write_halves(const Block& block, const PlanePoint& center, const ArcPoints& arc,
-                      double sweep, std::string& out);
+    /// An arc before its words are made: in its plane, on the part, in the text's units.
+    struct PlannedArc {
+        ArcPoints points;
+        PlanePoint center;  // as meant
+        double sweep = 0;   // as meant, rad, above 0
+        bool is_clockwise = false;
+        std::array<double, 2> part = {1, 1};  // what coordinates are multiplied with
+    };
+    std::optional<PlannedArc> planned_arc(const Block& block) const;
+    std::optional<PlannedArc> planned_arc(const Block& block, double x_part) const;
+    double end_increment() const;
+    CenterGrid center_grid(const Block& block) const;
+    double text_error(const Block& block, const PlannedArc& arc) const;
+    bool split_arc(const Block& block, std::string& out);
+    void write_parts(const Block& block, const PlannedArc& arc, std::span<const double> ends,
+                     std::string& out);
+    bool is_compensated() const {
+        const Function side = modal_.text_of(Group::RadiusComp);
+        return side == Function::RadiusCompLeft || side == Function::RadiusCompRight;
+    }
     bool straighten(const Block& block, std::string& out);
     bool vanishes(const Block& block) const;
     bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
@@ -330,7 +346,9 @@ class BlockWriter {
     bool counts_feed_along_arc_ = false;            // F of a helix, in the text
     bool counts_all_axes_ = false;                  // in F of a straight block, in the text
     bool shifts_center_ = false;                    // the control, of an arc that does not close
-    bool is_halved_ = false;                        // the blocks are halves of an arc
+    double arc_tolerance_ = 0;                      // of the control, mm
+    double arc_tolerance_factor_ = 0;               // … and part of the radius
+    bool is_part_ = false;                          // the blocks are parts of an arc
     bool scale_replaces_ = false;                   // a second scale ends the first
     std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
     bool changer_moves_plane_ = false;              // a tool change ends elsewhere in X and Y

@@ -1,17 +1,18 @@
 #include "nc/dialect.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/driver.h"
+#include "base/numbers.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "nc/check.h"
 #include "nc/load.h"
 #include "nc/refusals.h"
+#include "nc/rule_defaults.h"
 
 namespace kadr::nc {
 
@@ -35,26 +36,24 @@ std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
 
 std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
 
+std::string_view Dialect::rule(std::string_view name) const {
+    const auto& settings = tables_->rule_settings;
+    const auto set = std::ranges::find(settings, name, &RuleSetting::name);
+    return set != settings.end() ? std::string_view(set->value) : rule_default(name);
+}
+
 bool Dialect::has_rule(std::string_view name, std::string_view value) const {
-    bool is_set = false;
-    for (const RuleSetting& rule : tables_->rule_settings) {
-        if (rule.name == name) is_set = rule.value == value;
-    }
-    return is_set;
+    return rule(name) == value;
 }
 
-std::optional<int> Dialect::rule_number(std::string_view name) const {
-    std::optional<int> number;
-    for (const RuleSetting& rule : tables_->rule_settings) {
-        if (rule.name != name) continue;
-        int value = 0;
-        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), value);
-        number = value;
-    }
-    return number;
+double Dialect::rule_number(std::string_view name) const {
+    const std::string_view text = rule(name);
+    return parse_decimal(text.data(), text.data() + text.size()).value;
 }
 
-int Dialect::first_work_offset() const { return rule_number("default_work_offset").value_or(0); }
+int Dialect::first_work_offset() const {
+    return static_cast<int>(rule_number("default_work_offset"));
+}
 
 Function Dialect::first_motion() const {
     const Function function = tables_->power_on[static_cast<std::size_t>(Group::Motion)];

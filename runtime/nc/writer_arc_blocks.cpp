@@ -1,13 +1,41 @@
 // Arcs that need other blocks than their own: several turns, almost half a turn, too small an arc.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <span>
 
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "nc/block_writer.h"
 
 namespace kadr::nc {
+
+namespace {
+
+/// Leaves in the part those functions of the block that act in it: what stops is the last one's.
+void keep_functions_of_part(const Block& block, bool is_first, bool is_last, Block& part) {
+    part.arguments = block.arguments;
+    part.argument_count = block.argument_count;
+    part.function_count = 0;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Function function = block.functions[i].function;
+        const bool is_behind = stops_program(function) || function == Function::ExactStopOnce;
+        if (is_behind ? is_last : is_first)
+            part.functions[part.function_count++] = block.functions[i];
+    }
+}
+
+/// Whether the block says how the tool stands: that cannot be shared out among parts.
+bool has_direction(const Block& block) {
+    return std::any_of(block.functions.begin(), block.functions.begin() + block.function_count,
+                       [](const Invocation& invocation) {
+                           return invocation.function >= Function::ToolVector &&
+                                  invocation.function <= Function::ToolSpin;
+                       });
+}
+
+}  // namespace
 
 /// Whether the points of a helix are known so far that its turns can be shared out; says so if not.
 bool BlockWriter::are_turns_known(const Block& block) {
@@ -26,169 +54,232 @@ bool BlockWriter::are_turns_known(const Block& block) {
     return true;
 }
 
-/// Whether rounding takes an arc away: its end falls on its start, which a control would take for a
-/// full circle, or it is smaller than two increments, so that its rounded words say any angle. An
-/// arc of more than half a turn is one that a full circle stands for well.
-bool BlockWriter::vanishes(const Block& block) const {
+/// The arc of the block as it is meant and as the text has its ends, with the plane and the
+/// dimensions that are in force; none if it is no arc whose points and centre are known.
+std::optional<BlockWriter::PlannedArc> BlockWriter::planned_arc(const Block& block) const {
+    const bool may_be_diameter = plane_axes()[1] == kX && !knows_diameter();
+    std::optional<PlannedArc> arc = planned_arc(block, on_part(kX));
+    if (!arc || !may_be_diameter || block.has(Slot::Radius)) return arc;
+    // Where no word says what X is, the circle on which start and end lie does.
+    std::optional<PlannedArc> other = planned_arc(block, 0.5);
+    const bool is_other =
+        other && is_on_circle(other->points, other->center) &&
+        radius_miss(other->points, other->center) < radius_miss(arc->points, arc->center);
+    return is_other ? other : arc;
+}
+
+/// x_part   what a coordinate of X is multiplied with
+std::optional<BlockWriter::PlannedArc> BlockWriter::planned_arc(const Block& block,
+                                                                double x_part) const {
     const Function motion = effective_motion(block);
-    if (!is_arc(motion) || modal_.meant[static_cast<std::size_t>(Group::Plane)] == Function::None)
-        return false;
-    if (block.has(Slot::Turns) && std::lround(block.at(Slot::Turns)) != 0) return false;
-    if (!block.has(Slot::Radius) && (block.given & kCenterSlots) == 0) return false;
+    if (!is_arc(motion) || modal_.meant[index_of(Group::Plane)] == Function::None)
+        return std::nullopt;
+    if (!block.has(Slot::Radius) && (block.given & kCenterSlots) == 0) return std::nullopt;
     const std::array<std::size_t, 3> axes = plane_axes();
     const WrittenPosition& start = modal_.position;
-    const bool is_incremental =
-        modal_.meant[static_cast<std::size_t>(Group::Distance)] == Function::Incremental;
-    PlanePoint from{};
-    PlanePoint to{};
-    bool is_same = true;  // in the text
-    double increment = 0;
+    if (!is_chord_known(block, start)) return std::nullopt;
+    PlannedArc arc;
+    arc.is_clockwise = motion == Function::ArcCw;
+    ArcPoints& points = arc.points;
+    std::array<bool, 2> is_center_absolute{};
     for (std::size_t i = 0; i < 2; ++i) {
         const auto slot = static_cast<Slot>(axes[i]);
-        if (!is_known(axes[i])) return false;
-        const bool is_distance = (block.incremental & bit(slot)) != 0 ||
-                                 (is_incremental && (block.absolute & bit(slot)) == 0);
-        from[i] = start.meant[axes[i]];
-        to[i] = !block.has(slot) ? from[i]
-                : is_distance    ? from[i] + block.at(slot)
-                                 : block.at(slot);
-        const double text_from = round_to(to_text(slot, start.text[axes[i]]), decimals(slot));
-        const double text_to = round_to(to_text(slot, to[i]), decimals(slot));
-        is_same = is_same && text_from == text_to;
-        increment = std::max(increment, std::pow(10.0, -decimals(slot)) / to_text(slot, 1));
-        from[i] *= on_part(axes[i]);
-        to[i] *= on_part(axes[i]);
+        const Slot center = center_slot(axes[i]);
+        is_center_absolute[i] = (block.absolute & block.given & bit(center)) != 0;
+        if (!has_address(slot) || (is_center_absolute[i] && !is_known(axes[i])))
+            return std::nullopt;
+        const double scale = to_text(slot, 1);
+        const double part = axes[i] == kX ? x_part : 1;
+        arc.part[i] = part;
+        const double begin = start.meant[axes[i]];
+        const double end = !block.has(slot)              ? begin
+                           : is_distance(block, axes[i]) ? begin + block.at(slot)
+                                                         : block.at(slot);
+        points.start[i] = begin * scale * part;
+        points.end[i] = end * scale * part;
+        points.text_start[i] = start.text[axes[i]] * scale * part;
+        points.text_end[i] =
+            block.has(slot) ? round_to(end * scale, decimals(slot)) * part : points.text_start[i];
+        const double said = block.has(center) ? block.at(center) * scale : 0;
+        arc.center[i] = is_center_absolute[i] ? said : points.start[i] + said;
     }
-    const double chord = std::hypot(to[0] - from[0], to[1] - from[1]);
-    if (chord < kSame) {  // a full circle is meant, or nothing
-        const PlanePoint center = meant_center(block, from, to);
-        const double radius = std::hypot(from[0] - center[0], from[1] - center[1]);
+    if (block.has(Slot::Radius)) {
+        const double scale = to_text(static_cast<Slot>(axes[0]), 1);
+        const auto center =
+            center_of_radius(points.start, points.end, block.at(Slot::Radius) * scale,
+                             arc.is_clockwise, kHalfTurnSlack * scale);
+        if (!center) return std::nullopt;
+        arc.center = *center;
+    }
+    arc.sweep = sweep_angle(points.start, points.end, arc.center, arc.is_clockwise);
+    return arc;
+}
+
+/// By how much the control's path leaves the arc if the block is written in one piece, in the
+/// text's units; infinity if it is another one.
+double BlockWriter::text_error(const Block& block, const PlannedArc& arc) const {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const double scale = to_text(static_cast<Slot>(axes[0]), 1);
+    const bool has_centers = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
+    if (block.has(Slot::Radius) && axes[1] == kX && !knows_diameter()) return 0;  // place_radius
+    if (block.has(Slot::Radius) && has_address(Slot::Radius)) {
+        const RadiusArc by_radius = radius_arc(arc.points, block.at(Slot::Radius) * scale,
+                                               decimals(Slot::Radius), arc.is_clockwise, scale);
+        if (by_radius.fits) return 0;
+        if (!has_centers) {
+            if (!by_radius.reached) return std::numeric_limits<double>::infinity();
+            const TracedArc traced =
+                traced_arc(arc.points, *by_radius.reached, arc.is_clockwise, false);
+            return path_error(arc.points, arc.center, arc.sweep, arc.is_clockwise, traced,
+                              end_increment());
+        }
+    }
+    if (!has_centers) return 0;  // what cannot be said has its message
+    const CenterGrid grid = center_grid(block);
+    const PlanePoint words = center_words(arc.points, arc.center, grid);
+    PlanePoint center = words;
+    if (!grid.is_absolute) {
+        for (std::size_t i = 0; i < 2; ++i) center[i] += arc.points.text_start[i];
+    }
+    const TracedArc traced = traced_arc(arc.points, center, arc.is_clockwise, shifts_center_);
+    return path_error(arc.points, arc.center, arc.sweep, arc.is_clockwise, traced,
+                      grid.increment());
+}
+
+/// Whether rounding takes an arc away: its end falls on its start or beside it, which a control
+/// would take for a full circle, or it is smaller than two increments, so that its rounded words
+/// say any angle. An arc of more than half a turn is one that a full circle stands for well.
+bool BlockWriter::vanishes(const Block& block) const {
+    if (block.has(Slot::Turns) && std::lround(block.at(Slot::Turns)) != 0) return false;
+    const std::optional<PlannedArc> arc = planned_arc(block);
+    if (!arc) return false;
+    const auto& [start, end, text_start, text_end] = arc->points;
+    const double increment = end_increment();
+    const double chord = std::hypot(end[0] - start[0], end[1] - start[1]);
+    const double radius = std::hypot(start[0] - arc->center[0], start[1] - arc->center[1]);
+    if (chord < kSame)  // a full circle is meant, or nothing
         return !block.has(Slot::Radius) && radius > kSame && radius < increment / 2;
-    }
-    const bool is_cw = motion == Function::ArcCw;
-    if (block.has(Slot::Radius) && !center_of_radius(from, to, block.at(Slot::Radius), is_cw)) {
-        return false;
-    }
-    const PlanePoint center = meant_center(block, from, to);
-    const double radius = std::hypot(from[0] - center[0], from[1] - center[1]);
     // Neither an arc whose radius does not span its chord nor one whose end is off its circle.
     if (chord > 2 * radius + increment) return false;
     if (radius < 2 * increment) return true;
-    if (!is_same) return false;
-    const double sweep = sweep_angle(from, to, center, is_cw);
-    return sweep < std::numbers::pi;
+    constexpr double kNear = 4;  // increments; no rounding turns longer chords round
+    const double text_chord = std::hypot(text_end[0] - text_start[0], text_end[1] - text_start[1]);
+    if (arc->sweep >= std::numbers::pi || text_chord > kNear * increment) return false;
+    return text_chord < increment / 4 || std::isinf(text_error(block, *arc));
 }
 
-/// By how much the control's centre lies beside the one that is meant, where it moves it onto the
-/// bisector of the rounded ends at the radius of the start, in the text's units: close to half a
-/// turn the rounding of a word moves it by many times as much.
-///
-/// source       S 4.2
-double BlockWriter::center_drift(const Block& block, const ArcPoints& arc,
-                                 const PlanePoint& center) const {
-    const int places = decimals(center_slot(plane_axes()[0]));
-    const PlanePoint words = center_words(arc, center, places, {false, false}, false);
-    const PlanePoint reached = {arc.text_start[0] + words[0], arc.text_start[1] + words[1]};
-    const double radius = std::hypot(words[0], words[1]);
-    const PlanePoint half = {(arc.text_end[0] - arc.text_start[0]) / 2,
-                             (arc.text_end[1] - arc.text_start[1]) / 2};
-    const double half_chord = std::hypot(half[0], half[1]);
-    const double told = std::hypot(reached[0] - arc.text_start[0] - half[0],
-                                   reached[1] - arc.text_start[1] - half[1]);
-    const double height = std::sqrt(std::fmax(0.0, radius * radius - half_chord * half_chord));
-    return block.has(Slot::Turns) ? 0 : std::fabs(height - told);
-}
-
-/// Almost half a turn, where rounding moves the control's centre, is written as two arcs. True: it
-/// was one.
-bool BlockWriter::halve(const Block& block, std::string& out) {
-    const Function motion = effective_motion(block);
-    const std::array<std::size_t, 3> axes = plane_axes();
-    const WrittenPosition& start = modal_.position;
-    const bool is_said = block.has(Slot::Radius) || (block.given & kCenterSlots) != 0;
-    const bool has_centers = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
-    if (!shifts_center_ || !is_arc(motion) || !is_said || !has_centers ||
-        modal_.meant_of(Group::Plane) == Function::None || !is_known(axes[0]) || !is_known(axes[1]))
+/// Arcs that rounding spoils are written in two parts: almost a full circle, where the direction
+/// from end to start is noise of the rounding, and almost half a turn, where a control that moves
+/// the centre moves it far. True: it was one.
+bool BlockWriter::split_arc(const Block& block, std::string& out) {
+    const std::optional<PlannedArc> arc = planned_arc(block);
+    if (!arc) return false;
+    const auto& [start, end, text_start, text_end] = arc->points;
+    if (std::hypot(end[0] - start[0], end[1] - start[1]) < kSame) return false;
+    if (!is_on_circle(arc->points, arc->center)) return false;  // that has its message
+    const CenterGrid grid = center_grid(block);
+    // Two roundings, and what the program itself misses the circle by.
+    const double most =
+        grid.end_increment + std::pow(10.0, -grid.decimals) + radius_miss(arc->points, arc->center);
+    if (text_error(block, *arc) <= most) return false;
+    if (has_direction(block)) {
+        cannot_express(block,
+                       "an arc whose rounded words say another one, beside a direction of "
+                       "the tool");
         return false;
-    const auto end_of = [&](std::size_t axis) {
-        const auto slot = static_cast<Slot>(axis);
-        if (!block.has(slot)) return start.meant[axis];
-        return is_distance(block, axis) ? start.meant[axis] + block.at(slot) : block.at(slot);
-    };
-    ArcPoints arc{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double part = on_part(axes[i]);
-        const auto slot = static_cast<Slot>(axes[i]);
-        arc.start[i] = start.meant[axes[i]] * part;
-        arc.end[i] = end_of(axes[i]) * part;
-        const double scale = to_text(slot, 1);
-        arc.text_start[i] = start.text[axes[i]] * part;
-        arc.text_end[i] = round_to(end_of(axes[i]) * scale, decimals(slot)) / scale * part;
     }
-    const double chord = std::hypot(arc.end[0] - arc.start[0], arc.end[1] - arc.start[1]);
-    const bool is_cw = motion == Function::ArcCw;
-    const bool has_radius = block.has(Slot::Radius);
-    if (chord < kSame ||
-        (has_radius && !center_of_radius(arc.start, arc.end, block.at(Slot::Radius), is_cw)))
-        return false;
-    if (has_radius && has_address(Slot::Radius) &&
-        radius_arc(arc, block.at(Slot::Radius), decimals(Slot::Radius), is_cw, 1).fits)
-        return false;
-    const PlanePoint center = meant_center(block, arc.start, arc.end);
-    constexpr double kDrift = 0.005;  // mm
-    if (radius_miss(arc, center) > kDrift || center_drift(block, arc, center) <= kDrift)
-        return false;
-    const double sweep = sweep_angle(arc.start, arc.end, center, is_cw) * (is_cw ? -1 : 1);
-    write_halves(block, center, arc, sweep, out);
+    // No part is close to half a turn or to a full one, and by its radius none above a third.
+    const double sweep = arc->sweep;
+    constexpr double kThird = 2 * std::numbers::pi / 3;
+    const bool has_centers =
+        has_address(center_slot(plane_axes()[0])) && has_address(center_slot(plane_axes()[1]));
+    if (!has_centers && sweep > 2 * kThird) {
+        write_parts(block, *arc, std::array{1.0 / 3, 2.0 / 3, 1.0}, out);
+    } else {
+        constexpr double kAlmostFull = 5.5;  // rad
+        write_parts(block, *arc, std::array{sweep < kAlmostFull ? 0.5 : 1.0 / 3, 1.0}, out);
+    }
     return true;
 }
 
-void BlockWriter::write_halves(const Block& block, const PlanePoint& center, const ArcPoints& arc,
-                               double sweep, std::string& out) {
+/// Writes the arc in parts that end at these shares of its angle, the last one at 1. What stops or
+/// ends the program comes behind the last part, other functions before the first; additional turns
+/// come first, as everywhere.
+void BlockWriter::write_parts(const Block& block, const PlannedArc& arc,
+                              std::span<const double> ends, std::string& out) {
     const std::array<std::size_t, 3> axes = plane_axes();
     const WrittenPosition begin = modal_.position;
-    const double c = std::cos(sweep / 2);
-    const double s = std::sin(sweep / 2);
-    const PlanePoint out_of = {arc.start[0] - center[0], arc.start[1] - center[1]};
-    const PlanePoint middle = {center[0] + c * out_of[0] - s * out_of[1],
-                               center[1] + s * out_of[0] + c * out_of[1]};
-    Block first = block;
-    first.given &= ~(kCenterSlots | bit(Slot::Radius));
-    Block second;
-    second.source = block.source;
-    second.skip = block.skip;
-    second.motion = block.motion;
-    second.feed_along_arc = block.feed_along_arc;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto slot = static_cast<Slot>(axes[i]);
-        const double part = on_part(axes[i]);
-        const bool is_way = is_distance(block, axes[i]);
-        first.set(slot, (middle[i] - (is_way ? arc.start[i] : 0)) / part);
-        second.set(slot, (arc.end[i] - (is_way ? middle[i] : 0)) / part);
-        first.set(center_slot(axes[i]), center[i] - arc.start[i]);
-        second.set(center_slot(axes[i]), center[i] - middle[i]);
+    const double turns = block.has(Slot::Turns) ? std::nearbyint(block.at(Slot::Turns)) : 0;
+    const double total = 2 * std::numbers::pi * turns + arc.sweep;
+    const bool by_radius = block.has(Slot::Radius) && !has_address(center_slot(axes[0]));
+    const double radius = std::fabs(block.has(Slot::Radius) ? block.at(Slot::Radius) : 0);
+    const auto radius_at = [&](const PlanePoint& point) {
+        return std::hypot(point[0] - arc.center[0], point[1] - arc.center[1]);
+    };
+    const double first_radius = radius_at(arc.points.start);
+    const double last_radius = radius_at(arc.points.end);
+    const double first_angle =
+        std::atan2(arc.points.start[1] - arc.center[1], arc.points.start[0] - arc.center[0]);
+    const double direction = arc.is_clockwise ? -1 : 1;
+    const bool shares_time = modal_.meant_of(Group::FeedMode) == Function::FeedInverseTime &&
+                             (block.has(Slot::Feed) || modal_.has_meant_feed);
+    const double feed = block.has(Slot::Feed) ? block.at(Slot::Feed) : modal_.meant_feed;
+
+    PlanePoint from = arc.points.start;
+    double share_before = 0;  // of the whole angle
+    is_part_ = true;
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+        const bool is_first = n == 0;
+        const bool is_last = n + 1 == ends.size();
+        Block part;
+        if (is_first) {
+            part = block;
+            part.given &= ~(kTargetSlots | kCenterSlots | bit(Slot::Radius));
+        } else {
+            part.source = block.source;
+            part.skip = block.skip;
+            part.skip_also = block.skip_also;
+            part.motion = block.motion;
+            part.feed_along_arc = block.feed_along_arc;
+        }
+        keep_functions_of_part(block, is_first, is_last, part);
+        const SlotMask said = block.given & kTargetSlots;
+        part.incremental = block.incremental & said;
+        part.absolute = block.absolute & said;
+        const double angle = first_angle + direction * arc.sweep * ends[n];
+        const double at = std::lerp(first_radius, last_radius, ends[n]);
+        const PlanePoint to = is_last ? arc.points.end
+                                      : PlanePoint{arc.center[0] + at * std::cos(angle),
+                                                   arc.center[1] + at * std::sin(angle)};
+        const double share = (2 * std::numbers::pi * turns + arc.sweep * ends[n]) / total;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto slot = static_cast<Slot>(axes[i]);
+            const double scale = to_text(slot, 1);
+            const double base = is_distance(block, axes[i]) ? from[i] : 0;
+            if (block.has(slot) || !is_last || to[i] != arc.points.start[i])
+                part.set(slot, (to[i] - base) / scale / arc.part[i]);
+            if (!by_radius) part.set(center_slot(axes[i]), (arc.center[i] - from[i]) / scale);
+        }
+        if (by_radius) part.set(Slot::Radius, radius);
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            const auto slot = static_cast<Slot>(axis);
+            if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
+            const bool is_way = is_distance(block, axis);
+            const double way = block.at(slot) - (is_way ? 0 : begin.meant[axis]);
+            part.set(slot, is_way    ? way * (share - share_before)
+                           : is_last ? block.at(slot)
+                                     : begin.meant[axis] + way * share);
+        }
+        // Under inverse time the time of the block is shared out by the angle.
+        if (shares_time) part.set(Slot::Feed, feed / (share - share_before));
+        write_block(part, out);
+        from = to;
+        share_before = share;
     }
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        const auto slot = static_cast<Slot>(axis);
-        if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
-        const bool is_way = is_distance(block, axis);
-        const double way = block.at(slot) - (is_way ? 0 : begin.meant[axis]);
-        first.set(slot, is_way ? way / 2 : begin.meant[axis] + way / 2);
-        second.set(slot, is_way ? way / 2 : block.at(slot));
-    }
-    const SlotMask said = block.given & kTargetSlots;
-    first.incremental = block.incremental & said;
-    first.absolute = block.absolute & said;
-    second.incremental = first.incremental;
-    second.absolute = first.absolute;
-    if (modal_.units.inverse_time && block.has(Slot::Feed)) {
-        first.set(Slot::Feed, 2 * block.at(Slot::Feed));
-        second.set(Slot::Feed, 2 * block.at(Slot::Feed));
-    }
-    is_halved_ = true;
-    write_block(first, out);
-    write_block(second, out);
-    is_halved_ = false;
+    is_part_ = false;
+    if (!shares_time) return;
+    modal_.meant_feed = feed;
+    modal_.feed_is_other = true;
 }
 
 /// An arc that the control cannot tell from its chord is written as that. True: it was one.
@@ -238,7 +329,8 @@ bool BlockWriter::split_turns(const Block& block, std::string& out) {
     std::array<double, kAxes> end{};
     for (std::size_t axis = 0; axis < kAxes; ++axis) end[axis] = end_of(axis);
     // Under inverse time the time of the block is shared out by the angle.
-    const bool shares_time = modal_.units.inverse_time && block.has(Slot::Feed);
+    const bool shares_time =
+        modal_.meant_of(Group::FeedMode) == Function::FeedInverseTime && block.has(Slot::Feed);
     const double inverse_time = shares_time ? block.at(Slot::Feed) * total : 0;
     if (shares_time) last.set(Slot::Feed, inverse_time / sweep);
     for (int turn = 1; turn <= turns; ++turn) {

@@ -12,8 +12,6 @@ namespace kadr::nc {
 
 namespace {
 
-constexpr std::size_t kX = 0;
-
 /// The points with one coordinate halved.
 ArcPoints halved(ArcPoints arc, std::size_t coordinate) {
     for (PlanePoint* point : {&arc.start, &arc.end, &arc.text_start, &arc.text_end})
@@ -82,13 +80,12 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
     }
 }
 
-/// Whether the end lies on the circle of the start as well as controls want it.
+/// Whether the end lies on the circle of the start as well as the control wants it.
 bool BlockWriter::is_on_circle(const ArcPoints& arc, const PlanePoint& center) const {
-    constexpr double kMiss = 0.01;        // mm
-    constexpr double kMissShare = 0.001;  // of the radius
     const double mm = to_text(static_cast<Slot>(plane_axes()[0]), 1);
     const double radius = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
-    return radius_miss(arc, center) <= std::max(kMiss * mm, kMissShare * radius);
+    return radius_miss(arc, center) <=
+           std::max(arc_tolerance_ * mm, arc_tolerance_factor_ * radius);
 }
 
 /// A length of the text, in the text's unit, for a message.
@@ -122,6 +119,10 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
             .arg(std::string(kAxisNames[axes[0]]) + std::string(kAxisNames[axes[1]]));
         return;
     }
+    const bool lacks_word = std::ranges::any_of(std::span(axes).first<2>(), [&](auto axis) {
+        return block.has(center_slot(axis)) && !has_address(center_slot(axis));
+    });
+    if (lacks_word) return cannot_express(block, "an arc centre");
     // A coordinate and a distance cannot be compared without the position.
     const bool is_comparable = std::ranges::all_of(std::span(axes).first<2>(), [&](auto axis) {
         return (start.known >> axis & 1u) != 0 ||
@@ -165,15 +166,13 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     // Where X is a diameter, controls do not agree on what a coordinate of the centre is.
     const bool is_turned = on_part(axes[0]) != 1 || on_part(axes[1]) != 1;
     const bool writes_absolute = is_absolute && tables_.rules.has_modes && !is_turned;
-    const int places = decimals(center_slot(axes[0]));
-    const PlanePoint words = center_words(arc, center, places, fixed_zero, writes_absolute);
+    CenterGrid grid = center_grid(block);
+    grid.fixed_zero = fixed_zero;
+    grid.is_absolute = writes_absolute;
+    const PlanePoint words = center_words(arc, center, grid);
     for (std::size_t i = 0; i < 2; ++i) {
         const Slot slot = center_slot(axes[i]);
         if (fixed_zero[i]) continue;
-        if (!has_address(slot)) {
-            cannot_express(block, "an arc centre");
-            return;
-        }
         targets.written |= bit(slot);
         double number = words[i];
         if (writes_absolute && (coordinates & bit(slot)) == 0) number -= arc.text_start[i];
@@ -181,6 +180,25 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
             targets.wrapped_absolute |= bit(slot);
         targets.number[static_cast<std::size_t>(slot)] = number;
     }
+}
+
+/// The increment of start and end, in the text's units: the coarser one of the plane's axes.
+double BlockWriter::end_increment() const {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const auto decimals_of = [&](std::size_t i) { return decimals(static_cast<Slot>(axes[i])); };
+    return std::pow(10.0, -std::min(decimals_of(0), decimals_of(1)));
+}
+
+/// What the words of the block's centre can say; the control has one of the two.
+CenterGrid BlockWriter::center_grid(const Block& block) const {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const Slot first = center_slot(axes[has_address(center_slot(axes[0])) ? 0 : 1]);
+    CenterGrid grid{decimals(first), end_increment(), {}, is_coordinate_center(first)};
+    const bool has_all = grid.is_absolute || block.has(Slot::Radius);
+    for (std::size_t i = 0; i < 2; ++i)
+        grid.fixed_zero[i] = !has_all && !block.has(center_slot(axes[i]));
+    grid.most_misfit = arc_tolerance_ * to_text(static_cast<Slot>(axes[0]), 1);
+    return grid;
 }
 
 /// Whether the letter of a centre counts as axis words do, and those are coordinates now.
@@ -194,8 +212,7 @@ bool BlockWriter::is_coordinate_center(Slot slot) const {
 void BlockWriter::place_center_as_coordinates(const Block& block, const WrittenPosition& start,
                                               const PlanePoint& center, Targets& targets) {
     const std::array<std::size_t, 3> axes = plane_axes();
-    const int places = decimals(center_slot(axes[0]));
-    const PlanePoint words = center_words(arc_points(start), center, places, {false, false}, true);
+    const PlanePoint words = center_words(arc_points(start), center, center_grid(block));
     for (std::size_t i = 0; i < 2; ++i) {
         const Slot slot = center_slot(axes[i]);
         if (!has_address(slot)) return cannot_express(block, "an arc centre");
@@ -264,10 +281,18 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     const double scale = to_text(static_cast<Slot>(axes[0]), 1);
     const double radius = block.at(Slot::Radius) * scale;
     const bool has_word = has_address(Slot::Radius);
+    const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
+    if (!has_word && !has_center) {
+        cannot_express(block, "an arc by its radius");
+        return true;
+    }
     const int places = decimals(has_word ? Slot::Radius : center_slot(axes[0]));
     const bool is_cw = effective_motion(block) == Function::ArcCw;
     RadiusArc arc = radius_arc(arc_points(start), radius, places, is_cw, scale);
-    if (axes[1] == kX && !arc.fits && !knows_diameter()) {  // on a lathe X is a diameter
+    // On a lathe X is a diameter. While nothing says whether it is, the centre cannot stand for a
+    // radius that rounding moves a little.
+    if (axes[1] == kX && !knows_diameter()) arc.fits = arc.fits_fairly;
+    if (axes[1] == kX && !arc.fits && !knows_diameter()) {
         const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw, scale);
         if (arc.exact && other.exact && is_chord_known(block, start)) {
             // Almost half a turn by the one reading: only its centre says it, and that of the other
@@ -277,10 +302,9 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
                            "whether X is a diameter (`DIAMON`, `DIAMOF`),");
             return true;
         }
-        if (other.fits || (!arc.exact && other.exact)) arc = other;
+        if (other.fits_fairly || (!arc.exact && other.exact)) arc = other;
     }
-    const auto& [points, exact, reached, fits] = arc;
-    const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
+    const auto& [points, exact, reached, fits, fits_fairly] = arc;
     // Without a position of start and end nothing can be converted; the control judges.
     const bool is_comparable = is_chord_known(block, start);
     if (is_comparable && !exact && !reached) {
@@ -308,8 +332,7 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
         place_center_as_coordinates(block, start, *exact, targets);
         return true;
     }
-    const int finest = decimals(center_slot(axes[0]));
-    const PlanePoint words = center_words(points, *exact, finest, {false, false}, false);
+    const PlanePoint words = center_words(points, *exact, center_grid(block));
     for (std::size_t i = 0; i < 2; ++i) {
         targets.written |= bit(center_slot(axes[i]));
         targets.number[static_cast<std::size_t>(center_slot(axes[i]))] = words[i];

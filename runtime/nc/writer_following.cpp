@@ -175,7 +175,6 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
 
 /// X means something else from here on: where the tool stands has another number.
 void BlockWriter::change_diameter(Function before) {
-    constexpr auto kX = static_cast<std::size_t>(Slot::X);
     const Function now = modal_.text_of(Group::Diameter);
     if (before == Function::None || now == Function::None) {
         modal_.position.known &= ~bit(Slot::X);

@@ -10,15 +10,6 @@
 
 namespace kadr::nc {
 
-namespace {
-
-bool stops_program(Function function) {
-    return function == Function::Stop || function == Function::OptionalStop ||
-           function == Function::End || function == Function::EndRewind;
-}
-
-}  // namespace
-
 void BlockWriter::collect_slots(const Block& block, const Targets& targets, Items& items) {
     const SlotMask scalars = bit(Slot::Turns) | bit(Slot::Feed) | bit(Slot::Speed) | kReadSlots;
     for (const Slot slot : tables_.slot_order) {
@@ -570,6 +561,8 @@ void BlockWriter::append_factor(const Block& block, double number, bool in_thous
 void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targets,
                               std::string& out) {
     const bool by_letter = (targets.by_letter & bit(slot)) != 0;
+    if (!by_letter && !has_address(slot))
+        return cannot_express(block, '`' + std::string(slot_name(slot)) + '`');
     const Address& address =
         by_letter ? tables_.addresses[tables_.incremental_address[static_cast<std::size_t>(slot)]]
                   : address_of(slot);

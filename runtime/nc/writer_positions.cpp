@@ -10,8 +10,17 @@
 
 namespace kadr::nc {
 
+/// The address that writes the slot. Of a slot without one, what calculations need to go on: the
+/// word itself is never written (`append_slot`).
 const Address& BlockWriter::address_of(Slot slot) const {
-    return tables_.addresses[tables_.slot_address[static_cast<std::size_t>(slot)]];
+    static const Address kNone = [] {
+        Address none;
+        none.dimension = Dimension::Length;
+        return none;
+    }();
+    return has_address(slot)
+               ? tables_.addresses[tables_.slot_address[static_cast<std::size_t>(slot)]]
+               : kNone;
 }
 
 bool BlockWriter::has_address(Slot slot) const {

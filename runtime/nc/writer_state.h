@@ -13,8 +13,16 @@ namespace kadr::nc {
 /// mm or deg; far below any increment, above rounding noise.
 inline constexpr double kSame = 1e-9;
 
+inline constexpr std::size_t kX = 0;
+
 constexpr Slot center_slot(std::size_t axis) {
     return static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
+}
+
+/// What acts behind the motion of its block.
+constexpr bool stops_program(Function function) {
+    return function == Function::Stop || function == Function::OptionalStop ||
+           function == Function::End || function == Function::EndRewind;
 }
 
 constexpr std::size_t index_of(Group group) { return static_cast<std::size_t>(group); }
