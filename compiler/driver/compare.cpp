@@ -121,6 +121,16 @@ std::string point_text(const path::Vec3& point) {
                        format_shortest(round_to(point.z(), 4)));
 }
 
+/// "239.5 rpm", "120 m/min, counter-clockwise", "it stands".
+std::string spindle_text(const motion::Spindle& spindle) {
+    if (!spindle.is_turning) return "it stands";
+    const std::string speed =
+        spindle.holds_cutting_speed
+            ? format_shortest(round_to(spindle.cutting_speed * 60 / 1000, 3)) + " m/min"
+            : format_shortest(round_to(spindle.speed * 60, 3)) + " rpm";
+    return speed + (spindle.is_counterclockwise ? ", counter-clockwise" : "");
+}
+
 std::string comparison_text(const Comparison& result, const std::array<Side*, 2>& sides,
                             double tolerance) {
     std::string out;
@@ -129,8 +139,14 @@ std::string comparison_text(const Comparison& result, const std::array<Side*, 2>
             duration_text(side->totals().time), side->totals().length);
     }
     const auto tell = [&](const ComparedPlace& place) {
-        put(out, "    {:<24}{}\n    {:<24}{}\n", sides[0]->place(place.first_line),
-            point_text(place.first), sides[1]->place(place.second_line), point_text(place.second));
+        const bool by_spindle = result.parting == Parting::Spindle;
+        const auto behind = [&](const motion::Spindle& spindle) {
+            return by_spindle ? "   " + spindle_text(spindle) : std::string();
+        };
+        put(out, "    {:<24}{}{}\n    {:<24}{}{}\n", sides[0]->place(place.first_line),
+            point_text(place.first), behind(result.first_spindle),
+            sides[1]->place(place.second_line), point_text(place.second),
+            behind(result.second_spindle));
     };
     if (result.parting) {
         put(out, "\n  not the same motion: {}, after {} stretches alike\n",

@@ -14,13 +14,16 @@ namespace {
 using path::Vec3;
 
 constexpr std::size_t kBatch = 32;
-constexpr double kStep = 0.1;        // mm along the way between two looks
-constexpr double kParts = 4;         // looks at every piece, however short
-constexpr double kNothing = 1e-9;    // mm: rounding of lengths
-constexpr double kStanding = 1e-6;   // of a tip's way, of that of the place that touches
-constexpr double kSameTime = 1e-6;   // s
-constexpr double kSameAngle = 1e-4;  // rad, 0.006 deg; mm of a parallel axis
-constexpr double kSameRate = 1e-3;   // of a pitch, of a speed: what rounded words leave
+constexpr double kStep = 0.1;               // mm along the way between two looks
+constexpr double kParts = 4;                // looks at every piece, however short
+constexpr double kNothing = 1e-9;           // mm: rounding of lengths
+constexpr double kStanding = 1e-6;          // of a tip's way, of that of the place that touches
+constexpr double kSameTime = 1e-6;          // s
+constexpr double kSameAngle = 1e-4;         // rad, 0.006 deg; mm of a parallel axis
+constexpr double kSameRate = 1e-3;          // of a pitch, of a speed: what rounded words leave
+constexpr double kRoundedTurns = 0.5 / 60;  // rev/s: S in whole revolutions
+constexpr double kRoundedCuts = 0.5 * 1000.0 / 60;  // mm/s: S in whole metres
+constexpr double kRoundedShare = 0.1;               // … which a text says no worse than that
 
 /// A motion, and how far along it the walk has come.
 class Walker {
@@ -126,6 +129,13 @@ bool is_same_rate(double a, double b) {
     return std::abs(a - b) <= kSameRate * std::max(std::abs(a), std::abs(b));
 }
 
+/// Whether two speeds are one but for the rounding of S.
+bool is_same_speed(double a, double b, double rounding) {
+    const double apart = std::abs(a - b);
+    return is_same_rate(a, b) ||
+           apart <= std::min(rounding * (1 + 1e-9), kRoundedShare * std::max(a, b));
+}
+
 /// mm of way for each turn of the spindle.
 double pitch_of(const Segment& piece) {
     return piece.spindle.speed > 0 ? piece.feed / piece.spindle.speed : 0;
@@ -141,7 +151,8 @@ class Walk {
         while (!first_.is_over() && !second_.is_over() && !result_.parting) {
             const Segment& a = first_.segment();
             const Segment& b = second_.segment();
-            if (a.kind != b.kind) part(Parting::Kind);
+            if (a.kind != b.kind && (awaits_mark(a, b) || awaits_mark(b, a))) meet_threads();
+            else if (a.kind != b.kind) part(Parting::Kind);
             else if (is_motion(a.kind)) walk_stretch(a.kind);
             else stand(a, b);
         }
@@ -164,9 +175,35 @@ class Walk {
 
     void stand(const Segment& a, const Segment& b) {
         if (is_external(a.kind) && !mark_alike(a, b)) return part(Parting::Marks);
-        if (std::abs(a.duration - b.duration) > kSameTime) return part(Parting::Standing);
-        first_.next();
-        second_.next();
+        if (std::abs(a.duration - b.duration) <= kSameTime) {
+            first_.next();
+            second_.next();
+            return;
+        }
+        if (a.kind == SegmentKind::Wait) return meet_threads();
+        part(Parting::Standing);
+    }
+
+    /// Whether the one waits while the other cuts its thread: its spindle was at the mark.
+    static bool awaits_mark(const Segment& wait, const Segment& thread) {
+        return wait.kind == SegmentKind::Wait && thread.is_thread;
+    }
+
+    /// How long a thread waits for the mark of the spindle hangs on all that came before: any time
+    /// up to a turn is the same wait. No other one is.
+    void meet_threads() {
+        const ComparedPlace here = place();
+        bool is_mark = true;
+        for (Walker* walker : {&first_, &second_}) {
+            if (walker->segment().kind != SegmentKind::Wait) continue;
+            const double speed = walker->segment().spindle.speed;
+            is_mark &= speed > 0 && walker->segment().duration * speed <= 1 + 1e-6;
+            walker->next();
+            is_mark &= !walker->is_over() && walker->segment().is_thread;
+        }
+        if (is_mark) return;
+        result_.parting = Parting::Standing;
+        result_.parted = here;
     }
 
     /// Whether a module goes the same way, by its start, its middle and its end.
@@ -234,6 +271,16 @@ class Walk {
                std::min(first_.rest(), second_.rest()) <= tolerance_;
     }
 
+    /// Whether one is as good as at the end of its piece, so that the other may be in the next one:
+    /// what belongs to a piece is not compared there.
+    bool is_between_pieces() const {
+        const auto is_at_end = [&](const Walker& walker) {
+            constexpr double kShare = 0.125;  // of the piece, so that a short one is compared, too
+            return walker.rest() <= std::min(tolerance_, kShare * walker.length());
+        };
+        return is_at_end(first_) || is_at_end(second_);
+    }
+
     /// By how much the second is ahead of the first along the way, mm.
     double look() {
         if (is_between_systems()) return 0;
@@ -249,8 +296,8 @@ class Walk {
         }
         if (distance > tolerance_) part(Parting::Way);
         else if (!do_followers_agree()) part(Parting::Followers);
-        else if (first_.segment().kind == SegmentKind::Feed) compare_cuts();
-        compare_feeds();
+        else if (first_.segment().kind == SegmentKind::Feed && !is_between_pieces()) compare_cuts();
+        if (!is_between_pieces()) compare_feeds();
         return leads ? ahead : 0;
     }
 
@@ -270,10 +317,14 @@ class Walk {
         const Spindle& t = b.spindle;
         const bool turns_alike =
             s.is_turning == t.is_turning && s.holds_cutting_speed == t.holds_cutting_speed &&
-            (!s.is_turning ||
-             (s.is_counterclockwise == t.is_counterclockwise && is_same_rate(s.speed, t.speed) &&
-              is_same_rate(s.cutting_speed, t.cutting_speed)));
-        if (!turns_alike) return part(Parting::Spindle);
+            (!s.is_turning || (s.is_counterclockwise == t.is_counterclockwise &&
+                               is_same_speed(s.speed, t.speed, kRoundedTurns) &&
+                               is_same_speed(s.cutting_speed, t.cutting_speed, kRoundedCuts)));
+        if (!turns_alike) {
+            result_.first_spindle = s;
+            result_.second_spindle = t;
+            return part(Parting::Spindle);
+        }
         const bool are_threads = a.is_thread && b.is_thread;
         if (a.is_thread != b.is_thread || (are_threads && !is_same_rate(pitch_of(a), pitch_of(b))))
             part(Parting::Pitch);

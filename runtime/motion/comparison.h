@@ -9,6 +9,7 @@
 
 #include "base/stream.h"
 #include "motion/segment.h"
+#include "motion/spindle.h"
 #include "path/vec3.h"
 
 namespace kadr::motion {
@@ -44,6 +45,8 @@ struct Comparison {
     ComparedPlace fastest;           // … there
     std::optional<Parting> parting;  // they go different ways from here on
     ComparedPlace parted;
+    Spindle first_spindle;  // where they part by it
+    Spindle second_spindle;
 };
 
 /// Walks both to the end, or to where they part.

@@ -132,6 +132,57 @@ TEST(Comparison, TellsWhyTheyPart) {
     EXPECT_EQ(compared(thread, other).parting, Parting::Pitch);
 }
 
+// S in whole revolutions: 239.5 is written 240. What is more than that parts, and both are told.
+TEST(Comparison, RoundedSpeedsAreOne) {
+    std::vector<Command> first = with_spindle({line_to({10, 0, 0}, kFeed)});
+    std::vector<Command> second = first;
+    first[0].speed = 239.5;
+    second[0].speed = 240;
+    EXPECT_FALSE(compared(first, second).parting);
+    second[0].speed = 240.1;
+    const Comparison result = compared(first, second);
+    EXPECT_EQ(result.parting, Parting::Spindle);
+    EXPECT_NEAR(result.first_spindle.speed * 60, 239.5, 1e-9);
+    EXPECT_NEAR(result.second_spindle.speed * 60, 240.1, 1e-9);
+    // Half a revolution is much of one and a half.
+    first[0].speed = 1.5;
+    second[0].speed = 2;
+    EXPECT_EQ(compared(first, second).parting, Parting::Spindle);
+}
+
+// How long a thread waits for the spindle's mark hangs on the micrometres before it.
+TEST(Comparison, WaitsForTheSpindlesMarkAreOne) {
+    const auto with_thread = [](double x) {
+        std::vector<Command> all =
+            with_spindle({line_to({x, 0, 0}, kFeed), line_to({100, 0, 0}, kFeed)});
+        all[2].op = Op::Thread;
+        all[2].feed_mode = path::FeedMode::PerRevolution;
+        all[2].feed = 1.5;
+        return all;
+    };
+    const Comparison result = compared(with_thread(60), with_thread(60.001));
+    EXPECT_FALSE(result.parting) << static_cast<int>(result.parting.value_or(Parting::Way));
+    // A dwell there is one still.
+    std::vector<Command> dwells = with_thread(60);
+    Command dwell;
+    dwell.op = Op::Dwell;
+    dwell.time = 1;
+    dwells.insert(dwells.begin() + 2, dwell);
+    EXPECT_TRUE(compared(with_thread(60), dwells).parting);
+}
+
+// Where a piece ends a nanometre later, the next one's feed is not that of the same place.
+TEST(Comparison, FeedsOfACommonEndAreThoseOfOnePiece) {
+    const auto with_end = [](double x) {
+        return with_spindle({line_to({x, 0, 0}, 100), line_to({40, 0, 0}, 400)});
+    };
+    for (const auto& [a, b] : {std::pair{20.0, 20.0000001}, std::pair{20.0000001, 20.0}}) {
+        const Comparison result = compared(with_end(a), with_end(b));
+        EXPECT_FALSE(result.parting);
+        EXPECT_EQ(result.greatest_feed_share, 0);
+    }
+}
+
 TEST(Comparison, FeedsAreToldAndDoNotPart) {
     std::vector<Command> slower = quarter();
     slower.back().feed = 0.9 * kFeed;
