@@ -74,13 +74,22 @@ std::vector<std::string> module_names(const std::vector<std::string>& folders) {
 SourceWords words_of(Session& session, FileId file) {
     const syntax::SourceHeader header = syntax::scan_header(session.sources().text(file));
     const auto place = [file](const std::string& name, std::uint32_t at) {
-        if (name.empty()) return SourceRange{};
-        return SourceRange{file, at, at + static_cast<std::uint32_t>(name.size())};
+        if (at == 0) return SourceRange{};
+        // Of an empty text between quotes, the quotes.
+        const auto end = at + static_cast<std::uint32_t>(name.size());
+        return name.empty() ? SourceRange{file, at - 1, at + 1} : SourceRange{file, at, end};
     };
+    // A file is looked for beside the source, as an imported one is.
+    std::string dialect = header.dialect_at == 0 ? kDefaultDialect : header.dialect;
+    const bool is_path = dialect.find('/') != std::string::npos || dialect.ends_with(".xml");
+    if (is_path && fs::path(dialect).is_relative()) {
+        const fs::path folder = fs::path(std::string(session.sources().name(file))).parent_path();
+        dialect = (folder / dialect).lexically_normal().string();
+        if (dialect.find('/') == std::string::npos) dialect = "./" + dialect;
+    }
     return {session.keywords(header.language.empty() ? kDefaultLanguage : header.language,
                              place(header.language, header.language_at)),
-            session.dialect(header.dialect.empty() ? kDefaultDialect : header.dialect,
-                            place(header.dialect, header.dialect_at))};
+            session.dialect(dialect, place(header.dialect, header.dialect_at))};
 }
 
 std::vector<std::string> Modules::folders_for(FileId from) const {

@@ -43,6 +43,16 @@ std::string_view take_word(std::string_view& text) {
     return word;
 }
 
+/// Takes a text between quotes off the front: the name of a file may hold any character. One that
+/// does not end in its line is none.
+std::string_view take_text(std::string_view& text) {
+    const std::size_t end = text.find_first_of("\"\n", 1);
+    if (end == std::string_view::npos || text[end] == '\n') return text.substr(0, 0);
+    const std::string_view inside = text.substr(1, end - 1);
+    text.remove_prefix(end + 1);
+    return inside;
+}
+
 }  // namespace
 
 SourceHeader scan_header(std::string_view text) {
@@ -55,12 +65,10 @@ SourceHeader scan_header(std::string_view text) {
         if (keyword.empty()) break;
         skip_blanks(text);
         const bool is_quoted = text.starts_with('"');
-        if (is_quoted) text.remove_prefix(1);
-        const auto at = static_cast<std::uint32_t>(text.data() - begin);
-        const std::string_view value = take_word(text);
-        if (is_quoted && text.starts_with('"')) text.remove_prefix(1);
+        const auto at = static_cast<std::uint32_t>(text.data() - begin) + (is_quoted ? 1u : 0u);
+        const std::string_view value = is_quoted ? take_text(text) : take_word(text);
         skip_blanks(text);
-        if (value.empty() || !text.starts_with(';')) break;
+        if ((value.empty() && !is_quoted) || !text.starts_with(';')) break;
         text.remove_prefix(1);
         if (is_one_of(keyword, kLanguageLexemes)) {
             header.language = value;

@@ -329,6 +329,30 @@ TEST_F(CommandLine, AHeaderTellsControlsOfOneSuffixApart) {
     }
 }
 
+// `dialect "./shop.xml";` is read beside its source, wherever the command stands, or refused there.
+TEST_F(CommandLine, ASourceMayNameADialectFile) {
+    save("shop.xml",
+         "<dialect name=\"shop\" extends=\"fanuc\" title=\"t\" "
+         "suffix=\"nc\"><doc>d</doc></dialect>");
+    const std::string source = "program p() { tool(1); G0 X10. Y0. Z5.; M30; }\n";
+    save("by_file.kadr", "dialect \"./shop.xml\";\nlanguage en;\n" + source);
+    save("no_file.kadr", "dialect \"./none.xml\";\n" + source);
+    save("empty.kadr", "dialect \"\";\n" + source);
+    const ProcessResult read = kadr({"check", file("by_file.kadr")});
+    EXPECT_EQ(read.status, 0) << read.err;
+    // A number without a point is a FANUC's matter, which the file extends.
+    save("by_file.kadr", "dialect \"shop.xml\";\nprogram p() { tool(1); G0 X10 Y0. Z5.; M30; }\n");
+    const ProcessResult point = kadr({"check", file("by_file.kadr")});
+    EXPECT_EQ(point.status, 1);
+    EXPECT_NE(point.err.find("K4115"), std::string::npos) << point.err;
+    for (const char* name : {"no_file.kadr", "empty.kadr"}) {
+        const ProcessResult refused = kadr({"check", file(name)});
+        EXPECT_EQ(refused.status, 1) << name;
+        EXPECT_NE(refused.err.find(std::string(name) + ":1:"), std::string::npos) << refused.err;
+        EXPECT_NE(refused.err.find("K4001"), std::string::npos) << refused.err;
+    }
+}
+
 TEST_F(CommandLine, UnwritableOutputsAreRefused) {
     const ProcessResult result = kadr({"expand", file("square.kadr"), "-o", file("missing/a.nc")});
     EXPECT_EQ(result.status, 2);

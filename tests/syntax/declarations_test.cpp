@@ -112,6 +112,10 @@ TEST(Declarations, Header) {
              {"// a part\n/* of\n two */ язык ru ; dialect fanuc;", "ru", "fanuc"},
              {"dialect \"fanuc-lathe\";", "", "fanuc-lathe"},
              {"dialect fanuc-lathe;", "", "fanuc-lathe"},
+             // A text may be the name of a file, and what stands behind it is not lost.
+             {"dialect \"./my haas.xml\"; language ru;", "ru", "./my haas.xml"},
+             {"dialect \"\"; language ru;", "ru", ""},
+             {"dialect \"a\nb\"; language ru;", "", ""},
              {"units mm; мова uk;", "uk", ""},
              {"import a.b; language ru;", "ru", ""},
              {"program p() { } language ru;", "", ""},
