@@ -76,7 +76,7 @@ bool read(std::string_view text, MissingEnd& value) {
 
 constexpr RuleInfo kRules[] = {
 #define KADR_RULE(type, field, standard, values, meaning, source) {#field, values, meaning, source},
-#include "nc/rules.def"
+#include "interp/rules.def"
 #undef KADR_RULE
 };
 
@@ -87,7 +87,7 @@ std::span<const RuleInfo> all_rules() { return kRules; }
 bool set_rule(Rules& rules, std::string_view name, std::string_view value) {
 #define KADR_RULE(type, field, standard, values, meaning, source) \
     if (name == #field) return read(value, rules.field);
-#include "nc/rules.def"
+#include "interp/rules.def"
 #undef KADR_RULE
     return false;
 }

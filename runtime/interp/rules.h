@@ -40,7 +40,7 @@ enum class PolePassage : std::uint8_t { Alarm, Turn };
 
 struct Rules {
 #define KADR_RULE(type, field, standard, values, meaning, source) type field = standard;
-#include "nc/rules.def"
+#include "interp/rules.def"
 #undef KADR_RULE
 };
 

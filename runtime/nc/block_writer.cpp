@@ -10,6 +10,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "nc/comment_text.h"
+#include "nc/rule_defaults.h"
 
 namespace kadr::nc {
 
@@ -58,13 +59,13 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
     counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
     counts_all_axes_ = dialect.has_rule("feed_of_all_axes");
     shifts_center_ = dialect.has_rule("arc_error", "shift_center");
-    arc_tolerance_ = dialect.rule_number("arc_tolerance");
-    arc_tolerance_factor_ = dialect.rule_number("arc_tolerance_factor");
+    arc_tolerance_ = rule_value(dialect, "arc_tolerance");
+    arc_tolerance_factor_ = rule_value(dialect, "arc_tolerance_factor");
     scale_replaces_ = dialect.has_rule("scale_replaces");
     changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
-    most_message_ = static_cast<std::size_t>(std::max(0.0, dialect.rule_number("most_message")));
+    most_message_ = static_cast<std::size_t>(std::max(0.0, rule_value(dialect, "most_message")));
     idle_is_alarm_ = dialect.has_rule("comp_more_empty_is_alarm");
-    most_idle_ = static_cast<int>(dialect.rule_number("comp_empty_blocks"));
+    most_idle_ = static_cast<int>(rule_value(dialect, "comp_empty_blocks"));
     begin({});
     prepare_fast();
 }

@@ -311,6 +311,12 @@ class BlockWriter {
         if (last != ' ' && last != '\n' && last != '/') out += ' ';
     }
 
+    // What rounding costs
+    void check_rounding(const Block& block, double number, int places, Dimension dimension,
+                        std::string_view name);
+    void note_turn(const Block& block, const Invocation& invocation, double angle_deg, int places);
+    void check_turn(const Block& block);
+
     // Messages
     SourceRange place(const Block& block) const;
     SourceRange word_place(const Block& block, std::string_view address) const;

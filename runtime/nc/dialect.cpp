@@ -6,7 +6,6 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/driver.h"
-#include "base/numbers.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "nc/check.h"
@@ -36,24 +35,15 @@ std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
 
 std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
 
-std::string_view Dialect::rule(std::string_view name) const {
-    const auto& settings = tables_->rule_settings;
-    const auto set = std::ranges::find(settings, name, &RuleSetting::name);
-    return set != settings.end() ? std::string_view(set->value) : rule_default(name);
-}
-
 bool Dialect::has_rule(std::string_view name, std::string_view value) const {
-    return rule(name) == value;
+    return rule_text(rules(), name) == value;
 }
 
-double Dialect::rule_number(std::string_view name) const {
-    const std::string_view text = rule(name);
-    return parse_decimal(text.data(), text.data() + text.size()).value;
+std::optional<int> Dialect::rule_number(std::string_view name) const {
+    return static_cast<int>(rule_value(*this, name));
 }
 
-int Dialect::first_work_offset() const {
-    return static_cast<int>(rule_number("default_work_offset"));
-}
+int Dialect::first_work_offset() const { return rule_number("default_work_offset").value_or(0); }
 
 Function Dialect::first_motion() const {
     const Function function = tables_->power_on[static_cast<std::size_t>(Group::Motion)];

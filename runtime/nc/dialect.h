@@ -62,7 +62,7 @@ struct AlarmText {
 };
 
 /// A switch of the interpreter that the file sets: `<rule name="arc_tolerance" value="0.01"/>`.
-/// Which there are, and what they mean, is the interpreter's table (nc/rules.def).
+/// Which there are, and what they mean, is the interpreter's table (interp/rules.def).
 struct RuleSetting {
     std::string name;
     std::string value;
@@ -119,12 +119,10 @@ class Dialect {
     std::optional<AlarmText> alarm(const DiagnosticRow& row, std::string_view detail = {}) const;
     /// Switches of the interpreter, in the order of the files: what extends comes last and wins.
     std::span<const RuleSetting> rules() const;
-    /// The value of a switch as the files would say it, its default where they do not.
-    std::string_view rule(std::string_view name) const;
-    /// Whether the switch has the value, set by the files or by default.
+    /// Whether the files set this switch to the value.
     bool has_rule(std::string_view name, std::string_view value = "yes") const;
-    /// The value of a switch that is a number.
-    double rule_number(std::string_view name) const;
+    /// The whole number to which the files set a rule; nothing if they do not.
+    std::optional<int> rule_number(std::string_view name) const;
     /// The work offset that acts where a program begins, before it says one; 0: none.
     int first_work_offset() const;
     /// The motion that is modal where a program begins, before it says one.

@@ -65,6 +65,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             break;
         case Function::RotateOff:
             modal_.rotation = Activity::No;
+            modal_.turn = {};
             modal_.position.known &= ~modal_.turned;
             break;
         case Function::Scale:
@@ -142,10 +143,10 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             defer_length(block, invocation);
             modal_.position.forget();
             break;
+        case Function::TiltOff: modal_.tilt = {}; [[fallthrough]];
         case Function::Tilt:
         case Function::TiltEuler:
         case Function::TiltAlign:
-        case Function::TiltOff:
         case Function::WorkOffset:
         case Function::WorkOffsetData:
         case Function::ToolSelect: modal_.position.forget(); break;

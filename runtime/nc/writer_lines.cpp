@@ -423,6 +423,10 @@ void BlockWriter::append_word(const Block& block, const FormWord& word,
     }
 }
 
+/// Decimals of an angle among the arguments of a call: they are real numbers, and an angle of
+/// thousandths moves a point that is far from its centre.
+constexpr int kArgumentAngleDecimals = 9;
+
 void BlockWriter::append_call(const Block& block, const FormWord& word,
                               const Invocation* invocation, std::string& out) {
     blank(out);
@@ -430,6 +434,8 @@ void BlockWriter::append_call(const Block& block, const FormWord& word,
     out += '(';
     std::size_t last = 0;  // past the last argument that is not empty
     const NumberFormat format = argument_format(tables_);
+    NumberFormat angles = format;
+    angles.decimals = std::max(format.decimals, kArgumentAngleDecimals);
     for (std::size_t i = 0; i < word.arguments.size(); ++i) {
         const FormWord& argument = word.arguments[i];
         if (i > 0) out += ',';
@@ -449,7 +455,9 @@ void BlockWriter::append_call(const Block& block, const FormWord& word,
         } else if (argument.adds) {
             out += '0';
         } else if (argument.kind == FormWord::Kind::Value && (is_given || argument.has_default)) {
-            append_parameter(block, argument, invocation, format, word.text, out);
+            const bool is_angle = argument.dimension == Dimension::Angle;
+            append_parameter(block, argument, invocation, is_angle ? angles : format, word.text,
+                             out);
         }
         if (out.size() != before) last = out.size();
     }
@@ -499,10 +507,13 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
         if (fault != NumberFault::None) number_fault(block, fault, said, word.dimension, name);
         return;
     }
-    const NumberFault fault =
-        word.is_lead ? append_number(out, number, lead_format(format), word.dimension, modal_.units)
-                     : append_number(out, number, format, word.dimension, modal_.units);
+    const NumberFormat own = word.is_lead ? lead_format(format) : format;
+    const NumberFault fault = append_number(out, number, own, word.dimension, modal_.units);
     if (fault != NumberFault::None) number_fault(block, fault, said, word.dimension, name);
+    const int places = text_decimals(own, word.dimension, modal_.units);
+    check_rounding(block, number, places, word.dimension, name);
+    if (word.dimension == Dimension::Angle && invocation != nullptr)
+        note_turn(block, *invocation, number, places);
 }
 
 /// A whole number without a point: so many increments, or a number in two parts, the first of two
@@ -542,7 +553,7 @@ void BlockWriter::append_whole(const Block& block, const FormWord& word, double 
 void BlockWriter::append_factor(const Block& block, double number, bool in_thousandths,
                                 const NumberFormat& address, std::string_view name,
                                 std::string& out) {
-    constexpr int kDecimals = 6;
+    constexpr int kDecimals = 9;     // a factor is a real number on the controls that take one
     constexpr double kNoise = 1e-6;  // of a product with 1000
     NumberFormat format;
     format.allows_minus = address.allows_minus;
@@ -561,11 +572,10 @@ void BlockWriter::append_factor(const Block& block, double number, bool in_thous
 void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targets,
                               std::string& out) {
     const bool by_letter = (targets.by_letter & bit(slot)) != 0;
-    if (!by_letter && !has_address(slot))
-        return cannot_express(block, '`' + std::string(slot_name(slot)) + '`');
-    const Address& address =
-        by_letter ? tables_.addresses[tables_.incremental_address[static_cast<std::size_t>(slot)]]
-                  : address_of(slot);
+    const auto at = static_cast<std::size_t>(slot);
+    const AddressId id = by_letter ? tables_.incremental_address[at] : tables_.slot_address[at];
+    if (id == kNoAddress) return cannot_express(block, '`' + std::string(slot_name(slot)) + '`');
+    const Address& address = tables_.addresses[id];
     double number = 0;
     if ((targets.written & bit(slot)) != 0) {
         number = targets.number[static_cast<std::size_t>(slot)];
@@ -591,6 +601,10 @@ void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targ
     if (is_absolute || is_incremental) out += ')';
     if (fault != NumberFault::None)
         number_fault(block, fault, number, address.dimension, address.name);
+    check_rounding(block, number,
+                   text_decimals(is_lead ? lead_format(address.format) : address.format,
+                                 address.dimension, modal_.units),
+                   address.dimension, address.name);
     if (slot == Slot::Feed) {
         modal_.feed = {true, round_to(number, decimals(slot))};
         modal_.feed_is_other = targets.feed_factor != 1;

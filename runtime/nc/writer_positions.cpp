@@ -66,6 +66,7 @@ void BlockWriter::place_targets(const Block& block, Targets& targets) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (block.has(static_cast<Slot>(axis))) place_target(block, axis, targets);
     }
+    if (modal_.turn.miss > 0 || modal_.tilt.miss > 0) check_turn(block);
 }
 
 void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& targets) {

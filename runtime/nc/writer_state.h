@@ -64,6 +64,13 @@ inline constexpr GroupMask kSaidAgain =
 /// Additional turns of a helix, as the interpreter takes them.
 inline constexpr double kMostTurns = 999;
 
+/// How much the angle of a frame in the text misses the one that is meant, at most.
+struct TurnMiss {
+    double miss = 0;  // rad
+    std::array<double, 3> center{};
+    SourceId source;  // the statement that says it
+};
+
 struct WriterModal {
     ModalFunctions meant{};  // as the blocks say; None: not known
     ModalFunctions text{};   // as the control has it
@@ -85,6 +92,8 @@ struct WriterModal {
     Activity rotation = Activity::No;
     Activity mirror = Activity::No;
     Activity scale = Activity::No;
+    TurnMiss turn;                              // of the rotation
+    TurnMiss tilt;                              // of the tilted plane
     std::array<double, 3> factors = {1, 1, 1};  // of the scale, X Y Z
     SlotMask turned = 0;                        // axes on which a rotation or mirroring acts
     std::array<Standing, 3> shift{};            // arguments of a function that remembers them

@@ -1,6 +1,7 @@
 // Spindle, tools, stops, skip levels, limits of a run, rules and alarms of a dialect.
 #include "bench.h"
 #include "interp/rules.h"
+#include "nc/rule_defaults.h"
 
 namespace kadr::interp {
 namespace {
@@ -266,6 +267,20 @@ TEST(Rules, EveryRuleCanBeSetAndRefusesNonsense) {
     EXPECT_EQ(rules.arc_error, ArcError::ShiftCenter);
     EXPECT_FALSE(set_rule(rules, "work_offsets", "1.5"));
     EXPECT_FALSE(set_rule(rules, "no_such_rule", "1"));
+}
+
+// Rooms below the interpreter ask a dialect for rules by name: with the same defaults.
+TEST(Rules, DefaultsOfOtherRoomsAreThoseOfTheTable) {
+    for (const nc::RuleDefault& row : nc::rule_defaults()) {
+        SCOPED_TRACE(row.name);
+        Rules rules;
+        EXPECT_TRUE(set_rule(rules, row.name, row.text));
+        const Rules standard;
+#define KADR_RULE(type, field, value, values, meaning, source) \
+    EXPECT_TRUE(rules.field == standard.field) << #field;
+#include "interp/rules.def"
+#undef KADR_RULE
+    }
 }
 
 TEST(Rules, AMistakeInTheDialectIsReported) {

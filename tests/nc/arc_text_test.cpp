@@ -250,7 +250,8 @@ std::string difference(const std::vector<Motion>& motions, const Meant& meant, S
                         : is_coarse                         ? 3.2 * increment
                                     : control.increment + control.center_increment;
     if (error > most * 1.001) return "leaves the circle by " + std::to_string(1000 * error) + " um";
-    const double angle = 8 * increment / meant.radius;
+    // By radius alone three parts have three roundings.
+    const double angle = (control.has_centers ? 8 : 24) * increment / meant.radius;
     if (std::abs(swept - meant.sweep) > angle)
         return "turns " + std::to_string(swept) + " instead of " + std::to_string(meant.sweep);
     if (lift > round + 2 * std::abs(meant.height) * angle / meant.sweep) return "another helix";
@@ -344,7 +345,8 @@ void check_arcs(const Dialect& dialect, const Control& metric, int count) {
             control.center_increment = 25.4 * metric.center_increment / metric.inch_center_ratio;
         }
         Meant meant;
-        const std::size_t third = control.is_lathe ? 1 : random() % 3;
+        std::size_t third = control.is_lathe ? 1 : random() % 3;
+        if (!control.has_centers && third == 1) third = 2;  // nothing says what X is there
         meant.axes = {(third + 1) % 3, (third + 2) % 3, third};
         constexpr std::array kRadii = {0.05, 0.4, 3.0, 12.7, 50.0, 300.0, 2500.0};
         meant.radius = kRadii[random() % kRadii.size()] * (0.8 + 0.4 * share(random));

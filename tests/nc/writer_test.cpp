@@ -164,6 +164,33 @@ TEST(Writer, NumbersFollowTheControl) {
                              });
 }
 
+// A feed or a speed that rounding makes another one: a warning above a hundredth, an error above a
+// tenth.
+TEST(Writer, RoundingThatIsAnotherNumber) {
+    EXPECT_EQ(write("fanuc", "S1.5 M3").codes, "K4240");
+    EXPECT_EQ(write("fanuc", "S30.4 M3").codes, "K4241");
+    EXPECT_EQ(write("fanuc", "S239.5 M3").codes, "");
+    EXPECT_EQ(write("fanuc", "G1 X1 F0.0016").codes, "K4240");
+    EXPECT_EQ(write("fanuc", "G1 X1 F0.0306").codes, "K4241");
+    EXPECT_EQ(write("fanuc", "G1 X1 F0.0996").codes, "");
+    EXPECT_EQ(write("sinumerik", "S1.5 M3\nG1 X1 F0.0016").codes, "");
+}
+
+// An angle that the control cannot say so finely is an error where it takes the tool more than half
+// an increment beside its place, as far as that is from the centre of the rotation.
+TEST(Writer, AnglesThatAreTooFine) {
+    const std::string rotated = "G0 X0 Y0\nrotate(12.3456789)\n";
+    EXPECT_EQ(write("fanuc", rotated + "X900 Y0\nX900 Y900").codes, "K4242");
+    EXPECT_EQ(write("fanuc", rotated + "X50 Y0").codes, "");
+    EXPECT_EQ(write("fanuc", "rotate(angle: 12.3456789, x: 900, y: 900)\nX950 Y900").codes, "");
+    EXPECT_EQ(write("fanuc", "rotate(12.346)\nX900 Y900").codes, "");
+    EXPECT_EQ(write("fanuc", "rotate(0.0004)\nX900 Y900").codes, "K4242");
+    EXPECT_EQ(write("fanuc", rotated + "rotate_off()\nX900 Y900").codes, "");
+    EXPECT_EQ(write("fanuc", "tilt_euler(a: 0, b: 12.3456789, c: 0)\nX900 Y900 Z0").codes, "K4243");
+    EXPECT_EQ(write("sinumerik", rotated + "X900 Y900").text,
+              "G0 X0 Y0\nAROT RPL=12.3456789\nX900 Y900\n");
+}
+
 TEST(Writer, Inches) {
     EXPECT_EQ(write("fanuc", "G1 X25.4 F254", {}, true).text, "G01 X1. F10.\n");
     EXPECT_EQ(write("sinumerik", "G1 X25.4 F254", {}, true).text, "G1 X1 F10\n");

@@ -1,0 +1,152 @@
+// A dialect that extends a shipped one and removes an address or a command: what the control lacks
+// is a message, wherever a program wants it. The blocks are those of whole parts, read from their
+// texts; each removal writes and reads a part of them, and arcs of every kind.
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "base/text.h"
+#include "nc/tables.h"
+#include "nc/writer.h"
+#include "tests/common/scratch.h"
+#include "tests/nc/nc_testing.h"
+
+namespace kadr::nc {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::shipped;
+
+struct Part {
+    std::string text;
+    std::vector<Block> blocks;
+};
+
+/// The parts of the golden texts for a dialect, and what they have not.
+std::vector<Part> parts_for(const std::string& dialect) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(KADR_ROOT "/tests/golden/texts")) {
+        if (entry.path().filename().string().ends_with('.' + dialect + ".txt"))
+            files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    constexpr std::size_t kMostBytes = 6000;  // of a part: the rest is more of the same
+    std::vector<Part> parts;
+    for (const fs::path& file : files) {
+        std::string text = read_file(file.string()).value_or("");
+        if (text.size() > kMostBytes) text.resize(text.rfind('\n', kMostBytes) + 1);
+        parts.push_back({text, testing::read_blocks(shipped(dialect), text).blocks});
+    }
+    Part arcs;
+    for (const char* statement : {"G0 X0 Y0 Z0",
+                                  "G2 X5 Y5 I5 J0 F100",
+                                  "G3 X9 Y2 CR=20",
+                                  "G3 X9 Y2 Z-4 I-3 J1 TURN=2",
+                                  "G18",
+                                  "G2 X4 Z-2 I2 K3",
+                                  "G3 X4 Z4 CR=-9",
+                                  "G19",
+                                  "G2 Y4 Z2 J2 K3",
+                                  "G3 Y4 Z9 CR=9",
+                                  "G17",
+                                  "G91",
+                                  "G2 X1 Y1 I1 J0",
+                                  "G90",
+                                  "G2 X=AC(5) Y=AC(5) I=AC(1) J=AC(1)",
+                                  "G33 Z-20 K2",
+                                  "G41",
+                                  "G42",
+                                  "G40",
+                                  "S100 M3",
+                                  "G4 P1",
+                                  "M30"}) {
+        arcs.blocks.push_back(testing::source_block(shipped("iso"), statement));
+    }
+    parts.push_back(std::move(arcs));
+    return parts;
+}
+
+/// Writes and reads the parts with the dialect. What cannot be written is told, and what is written
+/// is read again.
+void try_parts(const Dialect& dialect, std::span<const Part> parts) {
+    static std::size_t turn = 0;  // which part comes next
+    constexpr std::size_t kAtOnce = 4;
+    for (std::size_t i = 0; i < std::min(kAtOnce, parts.size()); ++i) {
+        const Part& part = i == 0 ? parts.back() : parts[turn++ % parts.size()];
+        testing::read_blocks(dialect, part.text);
+        DiagnosticList sink;
+        Writer writer(dialect, {}, sink);
+        std::string text;
+        writer.begin({"part", 1, "", false}, text);
+        for (const Block& block : part.blocks) writer.write(block, text);
+        writer.end(text);
+        const bool has_error =
+            std::any_of(sink.all().begin(), sink.all().end(),
+                        [](const Diagnostic& one) { return one.row->severity == Severity::Error; });
+        EXPECT_EQ(writer.failed(), has_error) << testing::codes(sink);
+    }
+}
+
+void try_without(const std::string& base, const char* kind, const std::string& name,
+                 std::span<const Part> parts) {
+    SCOPED_TRACE(base + " without " + name);
+    const std::string path = kadr::testing::scratch("reduced.xml");
+    std::ofstream(path) << "<dialect name=\"reduced\" extends=\"" << base
+                        << "\" title=\"t\" suffix=\"t\"><doc>d</doc><remove " << kind << "=\""
+                        << name << "\"/></dialect>";
+    Sources sources;
+    DiagnosticList sink;
+    const auto dialect = load_dialect(path, testing::dialect_folders(), sources, sink);
+    if (dialect) try_parts(*dialect, parts);
+    else EXPECT_FALSE(sink.all().empty());
+}
+
+class Removed : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Removed, EachAddress) {
+    const std::vector<Part> parts = parts_for(GetParam());
+    for (const Address& address : shipped(GetParam()).tables().addresses) {
+        if (!address.name.empty() && address.name.find_first_of("()<>&\" ") == std::string::npos)
+            try_without(GetParam(), "addresses", address.name, parts);
+    }
+}
+
+TEST_P(Removed, EachCommand) {
+    const std::vector<Part> parts = parts_for(GetParam());
+    const auto& tables = shipped(GetParam()).tables();
+    for (std::size_t i = 1; i < tables.forms_of.size(); ++i) {
+        const auto function = static_cast<Function>(i);
+        if (!tables.forms_of[i].empty())
+            try_without(GetParam(), "commands", std::string(info(function).name), parts);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dialects, Removed,
+                         ::testing::Values("iso", "sinumerik", "fanuc", "fanuc-lathe", "axioma"),
+                         [](const auto& dialect) {
+                             std::string name = dialect.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
+
+// The example of the fault: an arc by its centre on a control without centres.
+TEST(RemovedWords, CentresAreNamed) {
+    const std::string path = kadr::testing::scratch("no-centres.xml");
+    std::ofstream(path) << "<dialect name=\"no-centres\" extends=\"iso\" title=\"t\" suffix=\"t\">"
+                           "<doc>d</doc><remove addresses=\"I J K\"/></dialect>";
+    Sources sources;
+    DiagnosticList sink;
+    const auto dialect = load_dialect(path, testing::dialect_folders(), sources, sink);
+    ASSERT_TRUE(dialect) << testing::rendered(sink, sources);
+    Writer writer(*dialect, {}, sink);
+    std::string text;
+    writer.begin({"part", 1, "", false}, text);
+    for (const char* statement : {"G0 X0 Y0 Z0", "G2 X5 Y5 I5 J0 F100"})
+        writer.write(testing::source_block(shipped("iso"), statement), text);
+    ASSERT_EQ(testing::codes(sink), "K4201");
+    EXPECT_EQ(sink.all()[0].message(), "no-centres cannot express an arc centre");
+}
+
+}  // namespace
+}  // namespace kadr::nc
