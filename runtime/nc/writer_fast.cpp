@@ -51,7 +51,7 @@ bool BlockWriter::is_fast(const Block& block) const {
     if (((block.incremental | block.absolute) & block.given) != 0) return false;
     if (!block.comment.empty() || !pending_.empty() || modal_.waiting_edge != 0 ||
         modal_.is_length_due || modal_.units.inverse_time || modal_.feed_is_other ||
-        modal_.doubtful != 0)
+        modal_.doubtful != 0 || modal_.turn.miss > 0 || modal_.tilt.miss > 0)
         return false;
     const Function motion = effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;
