@@ -15,6 +15,7 @@
 #include "machine/machine.h"
 #include "nc/check.h"
 #include "nc/command_names.h"
+#include "nc/lint.h"
 
 namespace kadr::driver {
 
@@ -92,6 +93,16 @@ void mark_unknown(Session& session, const std::string& name, const Summaries& su
     if (!is_file && std::ranges::none_of(summaries, has_name)) session.mark_usage();
 }
 
+/// One after the other as their lines stand in the files, whoever found them.
+void say_in_order(const DiagnosticList& found, DiagnosticSink& sink) {
+    std::vector<Diagnostic> all = found.all();
+    std::ranges::stable_sort(all, [](const Diagnostic& a, const Diagnostic& b) {
+        if (a.range.file != b.range.file) return a.range.file.index < b.range.file.index;
+        return a.range.begin < b.range.begin;
+    });
+    for (Diagnostic& one : all) sink.take(std::move(one));
+}
+
 }  // namespace
 
 Reply explain_message(Session& session, std::string_view code) {
@@ -129,14 +140,19 @@ Reply list_dialects(Session& session) {
 
 Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
-    const nc::InspectedDialect inspected = nc::inspect_dialect(
-        name_or_file, session.share().dialects, session.sources(), session.messages());
+    DiagnosticList found;
+    const nc::InspectedDialect inspected =
+        nc::inspect_dialect(name_or_file, session.share().dialects, session.sources(), found);
+    if (inspected.dialect) {
+        (void)interp::rules_of(*inspected.dialect, found);
+        nc::check_sense(inspected.root, *inspected.dialect, found);
+    }
+    say_in_order(found, session.messages());
     if (!inspected.dialect) {
         mark_unknown(session, name_or_file, nc::list_dialects(session.share().dialects));
         return {session.status(), {}};
     }
     const nc::Dialect& dialect = *inspected.dialect;
-    (void)interp::rules_of(dialect, session.messages());
     if (inspected.has_mistakes) {
         // What is tried out would only tell the same mistakes again.
         return {session.status(),

@@ -10,6 +10,8 @@
 
 #include <unistd.h>
 
+#include "base/utf8.h"
+
 namespace kadr {
 
 std::size_t count_code_points(std::string_view text) {
@@ -76,6 +78,15 @@ constexpr LetterRow kRows[] = {{U'a', U'z', 0x20, 0},
                                {0x450, 0x45F, 0x50, 0}};
 
 }  // namespace
+
+std::size_t find_malformed(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = well_formed_length(text.substr(at));
+        if (length == 0) return at;
+        at += length;
+    }
+    return std::string_view::npos;
+}
 
 char32_t first_code_point(std::string_view text) {
     const std::size_t length = well_formed_length(text);

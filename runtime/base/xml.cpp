@@ -9,6 +9,7 @@
 #include "base/assert.h"
 #include "base/diagnostics/xml.h"
 #include "base/text.h"
+#include "base/utf8.h"
 
 namespace kadr {
 
@@ -166,7 +167,28 @@ std::optional<pugi::xml_node> only_element(const pugi::xml_document& document,
     return root;
 }
 
+/// What the declaration says that the text is not: files are read as UTF-8, whatever they claim.
+std::optional<Fault> fault_of_encoding(std::string_view text) {
+    if (const std::size_t at = find_malformed(text); at != std::string_view::npos)
+        return Fault{at, at + 1, "this byte is no UTF-8; the file must be stored as UTF-8"};
+    if (!text.starts_with("<?xml")) return std::nullopt;
+    constexpr std::string_view kAttribute = "encoding=";
+    const std::string_view head = text.substr(0, text.find("?>"));
+    const std::size_t name = head.find(kAttribute);
+    if (name == std::string_view::npos) return std::nullopt;
+    const std::size_t begin = name + kAttribute.size() + 1;
+    const std::size_t end = std::min(head.find_first_of("\"'", begin), head.size());
+    const std::string said = upper_ascii(head.substr(std::min(begin, end), end - begin));
+    if (said == "UTF-8" || said == "UTF8" || said == "US-ASCII" || said == "ASCII")
+        return std::nullopt;
+    return Fault{begin, end, "the file says that it is " + said + ", and is read as UTF-8"};
+}
+
 std::optional<XmlElement> parse(FileId file, std::string_view text, Fault& fault) {
+    if (const auto encoding = fault_of_encoding(text)) {
+        fault = *encoding;
+        return std::nullopt;
+    }
     pugi::xml_document document;
     // As a fragment, the library keeps what stands beside the outermost element.
     const pugi::xml_parse_result parsed = document.load_buffer(

@@ -239,6 +239,7 @@ Program::State::Done Program::State::first_time(Block& out) {
         return Done::Nothing;
     }
     lines.begin(frame->here.line);
+    text = lines.without_head(text);
     const bool is_plain = modal_calls.empty() || !takes_blocks();
     if (is_plain && lines.read_plain(text, out)) return finish_first(Done::Block, text, next, out);
     scratch.text = text;

@@ -12,9 +12,10 @@ namespace kadr::interp {
 
 namespace {
 
+/// No rule is below zero: tolerances, counts and numbers of offsets.
 bool read(std::string_view text, double& value) {
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
-    if (text.empty() || number.end != text.data() + text.size()) return false;
+    if (text.empty() || number.end != text.data() + text.size() || number.value < 0) return false;
     value = number.value;
     return true;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/xml.h"
 #include "nc/block.h"
 #include "nc/dialect.h"
 #include "nc/refusals.h"
@@ -18,6 +19,7 @@ namespace kadr::nc {
 struct InspectedDialect {
     std::optional<Dialect> dialect;  // nothing: there is no such file, or it cannot be read at all
     bool has_mistakes = true;        // reported; then the dialect is good for looking on only
+    XmlElement root;                 // what stands in the file itself, if there is a dialect
 };
 
 /// Loads a dialect as `load_dialect` does, but gives it with its mistakes, for further checks.

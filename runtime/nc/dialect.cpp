@@ -248,6 +248,8 @@ class ChainLoader {
         return load_file(*file, *path, tables);
     }
     bool has_mistakes() const { return has_mistakes_; }
+    /// Of the file that was asked for; those that it extends are applied before it.
+    XmlElement root() && { return std::move(root_); }
 
   private:
     bool load_file(FileId file, const std::string& path, DialectTables& tables) {
@@ -268,6 +270,7 @@ class ChainLoader {
         tables.title = root->find("title")->value;
         tables.suffix = root->find("suffix")->value;
         if (!apply_dialect(*root, tables, kind_, sink_)) has_mistakes_ = true;
+        root_ = std::move(*root);
         return true;
     }
 
@@ -282,6 +285,7 @@ class ChainLoader {
     Sources& sources_;
     DiagnosticSink& sink_;
     std::vector<std::string> chain_;
+    XmlElement root_;
     bool has_mistakes_ = false;
 };
 
@@ -299,7 +303,8 @@ InspectedDialect inspect(MachineKind kind, const std::string& name_or_file,
     ChainLoader chain(kind, with_own, sources, sink);
     if (!chain.load(name_or_file, {}, *tables)) return {};
     const bool is_whole = finish_tables(*tables, sink);
-    return {Dialect(std::move(tables)), chain.has_mistakes() || !is_whole};
+    const bool has_mistakes = chain.has_mistakes() || !is_whole;
+    return {Dialect(std::move(tables)), has_mistakes, std::move(chain).root()};
 }
 
 }  // namespace

@@ -449,7 +449,10 @@ bool ExpressionCompiler::take_reference(Reference& out) {
     const std::size_t begin = at_;
     out.indices.first = static_cast<std::uint32_t>(out_.code.size());
     const Word word = words_.word_at(at_);
-    const bool is_fine = take_own_name(out) || (!fault_ && take_family(word, out)) ||
+    const Word whole = whole_name(word);
+    const bool is_spelled_out = whole.text.size() > word.text.size();
+    const bool is_fine = (is_spelled_out && take_named(whole, out)) ||
+                         (!fault_ && take_own_name(out)) || (!fault_ && take_family(word, out)) ||
                          (!fault_ && take_named(word, out)) || (!fault_ && take_symbol(word, out));
     const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
     if (!is_fine && !fault_ && is_sign) return fail_here(diag::ExpressionSyntax);
@@ -522,6 +525,16 @@ bool ExpressionCompiler::fail_unsupported(const VariableRange& range, std::size_
     const std::string written(line_.substr(span.begin, span.end - span.begin));
     fault_ = LineFault{&diag::IsoNotSupported, span, {'`' + written + "` (" + range.meaning + ')'}};
     return false;
+}
+
+Word ExpressionCompiler::whole_name(Word word) const {
+    if (!language_.has_names_with_signs) return word;
+    for (const VariableForm& form : language_.variables) {
+        if (form.has_signs && form.closing.empty() && !form.is_family &&
+            form.name.size() > word.text.size() && words_.starts_with(at_, form.name))
+            word.text = line_.substr(at_, form.name.size());
+    }
+    return word;
 }
 
 /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`

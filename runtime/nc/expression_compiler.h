@@ -100,6 +100,9 @@ class ExpressionCompiler {
     bool place_in_family(const VariableForm& form, std::size_t family, std::int64_t number,
                          std::size_t begin, Instruction& load);
     bool fail_unsupported(const VariableRange& range, std::size_t begin);
+    /// The word, or all of a name with signs that is declared letter by letter: `#<_feed>` beside
+    /// the family `#<_{name}>`.
+    Word whole_name(Word word) const;
     /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
     bool take_named(const Word& word, Reference& out);
     /// `#<depth>`

@@ -19,6 +19,7 @@ class Finisher {
         index_forms();
         index_codes();
         index_slots();
+        note_kinds_of_names();
         index_power_on();
         for (const Form& form : tables_.forms) check_parameters(form);
         check_conflicts();
@@ -155,6 +156,14 @@ class Finisher {
         std::stable_sort(tables_.slot_order.begin(), tables_.slot_order.end(),
                          [&](Slot a, Slot b) { return order_of(a) < order_of(b); });
     }
+    /// Asked once a line; walking all names there would cost more than reading it.
+    void note_kinds_of_names() {
+        for (const auto& [name, id] : tables_.names) {
+            tables_.has_names |= name.size() > 1 && name != "()" && name[0] != ',';
+            tables_.has_comma_words |= name.size() == 2 && name[0] == ',';
+        }
+    }
+
     int order_of(Slot slot) const {
         return tables_.addresses[tables_.slot_address[static_cast<std::size_t>(slot)]].order;
     }

@@ -75,6 +75,7 @@ class LineParser {
             if (at_ < line_.size()) {
                 word.kind = FormWord::Kind::Value;
                 if (!parse_placeholder(word)) return false;
+                if (is_text(word)) return fail("a verbatim form holds numbers, and this is a text");
             }
             words.push_back(std::move(word));
         }
@@ -90,10 +91,14 @@ class LineParser {
         at_ = brace;
         if (!parse_placeholder(word)) return false;
         if (at_ != line_.size()) return fail("nothing may follow the text");
-        return true;
+        return is_text(word) || fail("a comment keeps a text, and no number: it would be lost");
     }
 
   private:
+    bool is_text(const FormWord& word) const {
+        return word.parameter >= 0 && word.dimension == Dimension::Text;
+    }
+
     bool fail(const std::string& why) {
         sink_.report(diag::DialectBadForm, range_).arg(line_).arg(why);
         return false;

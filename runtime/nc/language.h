@@ -159,6 +159,7 @@ struct VariableForm {
     std::string name;           // the letters before the number or the indices
     std::string closing;        // stands behind a name of the program's own; empty: it has none
     bool is_family = false;     // a number stands behind the name, or an index in brackets
+    bool has_signs = false;     // the name is more than a word: `#<_feed>`
     bool has_namesake = false;  // of two names alike one has indices
     std::vector<IndexHole> indices;
     std::vector<VariableRange> ranges;  // of a family by number; a named variable has one
@@ -248,8 +249,9 @@ struct Language {
     std::vector<CodeList> code_lists;
     CallLanguage calls;
     // Made when it is loaded.
-    bool has_axes = false;           // values may be axes
-    bool has_label_numbers = false;  // targets are what the statement Label says
+    bool has_axes = false;              // values may be axes
+    bool has_names_with_signs = false;  // `#<_feed>`, spelled out
+    bool has_label_numbers = false;     // targets are what the statement Label says
     std::uint32_t global_slots = 0;
     std::uint32_t local_slots = 0;
     int lowest_level = 0;              // of the operators: the number of the weakest

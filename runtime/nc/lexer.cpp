@@ -24,10 +24,6 @@ class Lexer {
         : tables_(tables), rules_(tables.rules), line_(line), out_(out), compiler_(compiler) {
         open_ = tables.comment.open;
         while (open_.ends_with(' ')) open_.remove_suffix(1);
-        for (const auto& [name, id] : tables.names) {
-            has_names_ |= name.size() > 1 && name != "()" && name[0] != ',';
-            has_comma_words_ |= name.size() == 2 && name[0] == ',';
-        }
     }
 
     std::optional<LineFault> run() {
@@ -241,7 +237,7 @@ class Lexer {
         if (c == rules_.end_sign && c != '\0') return take_end();
         if (c == '/' && rules_.has_several_skips) return take_skip_of_rest();
         is_behind_computed_ = false;
-        if (c == ',' && has_comma_words_) return take_comma_word();
+        if (c == ',' && tables_.has_comma_words) return take_comma_word();
         if (c == '[' && compiler_ != nullptr) return fail_here(diag::IsoSyntax);
         if ((c == '#' || c == '[' || c == '$') && compiler_ == nullptr) {
             return fail(diag::IsoNotSupported, at_, at_ + 1,
@@ -249,7 +245,7 @@ class Lexer {
         }
         if (!is_letter(c) && c != '_') return fail_here(diag::IsoSyntax);
         const char next = peek(1);
-        const bool is_name = has_names_ && (is_letter(next) || next == '_' || c == '_');
+        const bool is_name = tables_.has_names && (is_letter(next) || next == '_' || c == '_');
         is_name ? take_name() : take_letter();
     }
 
@@ -565,8 +561,8 @@ class Lexer {
     /// variables with such names.
     bool is_declared_name() const {
         std::size_t end = 0;
-        return has_names_ && compiler_ != nullptr && is_letter(peek()) && is_digit(peek(1)) &&
-               extended_at(at_, end) != kNoAddress;
+        return tables_.has_names && compiler_ != nullptr && is_letter(peek()) &&
+               is_digit(peek(1)) && extended_at(at_, end) != kNoAddress;
     }
 
     /// `X1=0`
@@ -656,7 +652,7 @@ class Lexer {
 
     /// `1.5EX-3`
     bool take_exponent(Decimal& decimal) {
-        if (!has_names_ || peek() != 'E' || peek(1) != 'X') return true;
+        if (!tables_.has_names || peek() != 'E' || peek(1) != 'X') return true;
         const std::size_t begin = at_;
         at_ += 2;
         const bool is_minus = peek() == '-';
@@ -993,8 +989,6 @@ class Lexer {
     ValueCompiler* compiler_;
     std::string_view open_;
     std::string compact_;
-    bool has_names_ = false;
-    bool has_comma_words_ = false;  // `,C`
     bool is_behind_statement_ = false;
     bool is_behind_computed_ = false;  // the piece before is a word that is worked out
     std::size_t at_ = 0;

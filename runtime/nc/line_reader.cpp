@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "base/powers.h"
 #include "base/text.h"
+#include "nc/head_words.h"
 #include "nc/letters.h"
 
 namespace kadr::nc {
@@ -65,11 +66,7 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
             return line.starts_with(front) && !goes_on;
         });
     if (!is_header) return LineKind::Words;
-    if (!text_->has_content) {
-        if (auto program =
-                program_of_header(tables_.language.calls, line, tables_.rules.ignores_case))
-            text_->program = std::move(*program);
-    }
+    if (!text_->has_content) note_program(line);
     if (text_->has_content &&
         program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)) {
         text_->has_ended = true;
@@ -80,6 +77,22 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
     // Where a mark ends the text, another program may begin before it.
     text_->has_ended = !ends.empty();
     return text_->has_ended ? LineKind::Nothing : LineKind::Misplaced;
+}
+
+void LineReader::note_program(std::string_view line) {
+    if (auto program = program_of_header(tables_.language.calls, line, tables_.rules.ignores_case))
+        text_->program = std::move(*program);
+}
+
+std::string_view LineReader::without_head(std::string_view line) {
+    if (text_->has_content || line.empty()) return line;
+    const std::size_t words = words_behind_head(tables_, line);
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (words == std::string_view::npos || has_wrong_number(line.substr(begin))) return line;
+    note_program(line);
+    head_line_ = line;
+    std::fill_n(head_line_.begin(), words, ' ');
+    return head_line_;
 }
 
 /// Whether the line names the program by a number that the control does not have.
@@ -144,6 +157,7 @@ bool LineReader::read_known(std::string_view line, Block& block) {
 
 bool LineReader::read(std::string_view line, std::uint64_t number, Block& block) {
     begin(number);
+    line = without_head(line);
     if (read_plain(line, block)) return true;
     if (!has_words(line)) return false;
     if (read_slow(line, block)) {

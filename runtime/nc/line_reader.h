@@ -68,6 +68,9 @@ class LineReader {
 
     // The same in steps, for who knows more kinds of lines.
     void begin(std::uint64_t number) { line_number_ = number; }
+    /// The line with blanks in place of a program's head that words stand behind: `O0001 G20`. Any
+    /// other line as it is. The text lives until the next head.
+    std::string_view without_head(std::string_view line);
     /// Plain codes and numbers behind letters: nearly every block. The block is empty before. Gives
     /// up, without a word, on anything that needs a second look.
     bool read_plain(std::string_view line, Block& block);
@@ -154,6 +157,7 @@ class LineReader {
     bool check_code_points(std::string_view line);
     Span span_of_form(const Form& form, std::string_view line) const;
     LineKind kind_of(std::string_view line);
+    void note_program(std::string_view line);
     bool has_wrong_number(std::string_view line) const;
     bool are_of_motions(const Address& address);
     void prepare(std::size_t letter);
@@ -179,6 +183,7 @@ class LineReader {
     bool feed_stays_metric_ = false;
     bool feed_is_time_ = false;   // … of a block, s
     bool feed_is_pitch_ = false;  // of threads, with the digits of a pitch
+    std::string head_line_;       // what without_head gives
     std::uint64_t line_number_ = 0;
     bool failed_ = false;
     std::uint64_t first_fault_ = 0;

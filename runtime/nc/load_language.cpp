@@ -196,6 +196,10 @@ class LanguageLoader {
         const std::size_t end = std::min(text.find_first_of("{["), text.size());
         form.name = text.substr(0, end);
         if (form.name.empty()) return false;
+        form.has_signs = std::ranges::any_of(form.name, [](char c) {
+            return !is_name_char(c) && c != '#' && c != '$' &&
+                   std::isdigit(static_cast<unsigned char>(c)) == 0;
+        });
         text.remove_prefix(end);
         if (text.empty()) return true;
         if (text == "{n}") {
@@ -444,6 +448,9 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
         if (first < 128 && tables.rules.ignores_case)
             language.variable_starts.set(static_cast<unsigned char>(std::tolower(first)));
     }
+    language.has_names_with_signs = std::ranges::any_of(
+        language.variables,
+        [](const VariableForm& form) { return form.has_signs && form.closing.empty(); });
     language.has_label_numbers = false;
     for (const StatementForm& form : language.statements)
         language.has_label_numbers |= form.statement == Statement::Label;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/numbers.h"
+#include "base/text.h"
 #include "nc/load_parts.h"
 
 namespace kadr::nc {
@@ -18,6 +19,11 @@ std::string normal_word(std::string_view word) {
     std::string normal(word.substr(0, 1));
     append_shortest(normal, number.value);
     return normal;
+}
+
+/// A word as a line says it: in capital letters where both cases are one.
+std::string as_read(const DialectTables& tables, std::string_view word) {
+    return tables.rules.ignores_case ? upper_ascii(word) : std::string(word);
 }
 
 }  // namespace
@@ -73,15 +79,14 @@ void load_rule(const XmlElement& element, DialectTables& tables) {
 
 void load_unsupported(const XmlElement& element, DialectTables& tables) {
     const std::string& meaning = needed(element, "meaning").value;
-    for (const XmlWord& word : words_of(needed(element, "words"))) {
-        tables.unsupported.insert_or_assign(normal_word(word.text), meaning);
-    }
+    for (const XmlWord& word : words_of(needed(element, "words")))
+        tables.unsupported.insert_or_assign(normal_word(as_read(tables, word.text)), meaning);
 }
 
 void load_foreign(const XmlElement& element, DialectTables& tables) {
     const std::string& instead = needed(element, "instead").value;
     for (const XmlWord& word : words_of(needed(element, "words")))
-        tables.foreign.insert_or_assign(word.text, instead);
+        tables.foreign.insert_or_assign(as_read(tables, word.text), instead);
 }
 
 void load_passed(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
@@ -93,8 +98,9 @@ void load_passed(const XmlElement& element, DialectTables& tables, Attributes& a
     attributes.read_number(element, "least", passed.least);
     attributes.read_number(element, "most", passed.most);
     for (const XmlWord& word : words_of(needed(element, "words"))) {
-        tables.passed.insert_or_assign(word.text, passed);
-        tables.unsupported.erase(word.text);
+        const std::string name = as_read(tables, word.text);
+        tables.passed.insert_or_assign(name, passed);
+        tables.unsupported.erase(name);
     }
 }
 

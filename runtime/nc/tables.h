@@ -274,6 +274,15 @@ struct Deferred {
     std::string pattern;
 };
 
+/// Hashes a name whether a string or a part of a line holds it, so that a look-up copies nothing.
+struct NameHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view name) const {
+        return std::hash<std::string_view>{}(name);
+    }
+};
+using AddressNames = std::unordered_map<std::string, AddressId, NameHash, std::equal_to<>>;
+
 struct DialectTables {
     std::string name;
     std::string title;
@@ -307,8 +316,10 @@ struct DialectTables {
     Language language;
 
     // Made from the above when the file is loaded.
-    std::array<AddressId, 128> letters{};              // single-letter addresses; kNoAddress
-    std::unordered_map<std::string, AddressId> names;  // all addresses by name
+    std::array<AddressId, 128> letters{};  // single-letter addresses; kNoAddress
+    AddressNames names;                    // all addresses by name
+    bool has_names = false;                // of two letters and more (`CR`, `MSG`)
+    bool has_comma_words = false;          // `,C`
     std::vector<std::vector<std::uint16_t>>
         code_index;  // [address][number·10] → index + 1 into `codes`
     std::vector<Code> codes;
@@ -333,7 +344,7 @@ struct DialectTables {
             const auto letter = static_cast<unsigned char>(text[0]);
             return letter < 128 ? letters[letter] : kNoAddress;
         }
-        const auto found = names.find(std::string(text));
+        const auto found = names.find(text);
         return found == names.end() ? kNoAddress : found->second;
     }
     /// "`MCALL` (modal call)": a word of the control that Kadr does not read; empty for others.

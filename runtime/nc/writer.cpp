@@ -95,6 +95,22 @@ class Template {
 
 }  // namespace
 
+namespace {
+
+/// Whether no line in front of the first block says the units, and the control begins with others.
+bool needs_units(const DialectTables& tables, const ProgramInfo& program) {
+    const auto says_units = [](const std::string& line) {
+        return line.find("{units}") != std::string::npos;
+    };
+    if (std::ranges::any_of(tables.program.header, says_units) ||
+        std::ranges::any_of(tables.program.start, says_units))
+        return false;
+    const Function first = tables.power_on[static_cast<std::size_t>(Group::Units)];
+    return first != (program.is_inch ? Function::Inch : Function::Metric);
+}
+
+}  // namespace
+
 Writer::Writer(const Dialect& dialect, WriteOptions options, DiagnosticSink& sink)
     : state_(std::make_unique<State>(dialect, options, sink)) {}
 Writer::~Writer() = default;
@@ -112,6 +128,7 @@ void Writer::begin(const ProgramInfo& program, std::string& out) {
         if (!filled.empty()) s.blocks.write_line(filled, false, out);
     }
     s.start_lines.clear();
+    if (needs_units(s.tables, program)) s.start_lines.push_back(filler.fill("{units}"));
     for (const std::string& line : s.tables.program.start)
         s.start_lines.push_back(filler.fill(line));
     s.end_lines.clear();

@@ -16,6 +16,7 @@
 #include "nc/check.h"
 #include "nc/statement_holes.h"
 #include "nc/tables.h"
+#include "nc/writer.h"
 #include "tests/nc/nc_testing.h"
 
 namespace kadr::nc {
@@ -179,6 +180,30 @@ TEST(Load, WhatAFileSaysReplacesWhatItExtends) {
         if (rule.name == "arc_tolerance") tolerance += rule.value;
     }
     EXPECT_EQ(tolerance, "0.5");  // said once, whatever iso says
+}
+
+/// Lines in front of the first block that do not say the units: the writer says them, as it makes
+/// up for G90 and G94, where the control does not begin with them.
+TEST(Load, UnitsThatNoStartLineSaysAreWritten) {
+    Loaded loaded;
+    load(loaded, with("<program><header>%</header><start>G17 G40 G90</start><finish>M30</finish>"
+                      "<end>%</end><skipped>%</skipped></program>"));
+    ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
+    for (const bool is_inch : {false, true}) {
+        DiagnosticList sink;
+        Writer writer(*loaded.dialect, {}, sink);
+        std::string text;
+        writer.begin({"test", 1, "", is_inch}, text);
+        writer.write(testing::source_block(*loaded.dialect, "G1 X25.4 F254"), text);
+        writer.end(text);
+        EXPECT_EQ(codes(sink), "");
+        const auto read = testing::read_blocks(*loaded.dialect, text);
+        EXPECT_EQ(read.blocks.find("inch") != std::string::npos, is_inch) << text;
+        EXPECT_NE(read.blocks.find("X25.4"), std::string::npos) << text << read.blocks;
+        DiagnosticList frame;
+        check_frame(*loaded.dialect, frame);
+        EXPECT_EQ(codes(frame), "");
+    }
 }
 
 /// What is written must be read: with an address every inherited form goes that has it.
