@@ -87,8 +87,7 @@ class Solver {
         target_ = {target->values[0], target->values[1], target->values[2]};
         query_.start = position_of(*start).rotary;
         query_.rule = machine_.kinematics->rule;
-        if (machine_.kinematics->pole_tolerance > 0)
-            query_.pole_tolerance = machine_.kinematics->pole_tolerance;
+        query_.pole_tolerance = machine_.kinematics->pole_tolerance;
         query_.mode = job_.follows_vector ? machine::PathMode::Vector : machine::PathMode::Axis;
         set_limits();
         const Vec3 direction = query_.rotation * chain_.tool_direction;

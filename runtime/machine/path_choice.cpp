@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "machine/following.h"
+
 namespace kadr::machine {
 
 namespace {
@@ -119,7 +121,7 @@ class Choice {
         ends_at_pole_ = solutions[0].is_pole;
         if (starts_at_pole_ || ends_at_pole_ || query_.mode == PathMode::Axis) return;
         const PoleApproach approach = pole_approach(chain_, from, end_direction_);
-        const bool is_near = approach.distance < query_.pole_tolerance;
+        const bool is_near = approach.distance < std::max(query_.pole_tolerance, kPoleWidth);
         const double angle =
             std::atan2(from.cross(end_direction_).norm(), from.dot(end_direction_));
         const double margin = std::min(approach.fraction, 1 - approach.fraction) * angle;
