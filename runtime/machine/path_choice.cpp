@@ -105,11 +105,40 @@ class Choice {
         }
         if (found_.count == 0) return refusal_;
         PathEnd end = best(mode);
+        if (can_unwind(mode) && is_wound(end.rotary[kR1])) end = unwound(mode);
         end.passes_pole = mode == PathMode::Vector && passes_pole_;
         return end;
     }
 
   private:
+    /// Where the tool stands at the pole and is to follow a great circle, R1 turns to the direction
+    /// of its way at standstill, and any turn will do.
+    bool can_unwind(PathMode mode) const {
+        return mode == PathMode::Vector && chain_.orients() && starts_at_pole_ && !ends_at_pole_;
+    }
+
+    /// From the middle of what R1 may.
+    double off_middle(double first) const {
+        const Limits& limits = query_.limits[kR1];
+        return std::abs(first - (limits.lower + limits.upper) / 2);
+    }
+    /// Whether another turn of R1 is nearer to the middle. Without limits none is.
+    bool is_wound(double first) const {
+        const Limits& limits = query_.limits[kR1];
+        if (std::isinf(limits.lower) || std::isinf(limits.upper)) return false;
+        return off_middle(first) > kPi + kEqualWay;
+    }
+
+    /// The end from which R1 can go on farthest to either side.
+    PathEnd unwound(PathMode mode) const {
+        const Candidate* best = &found_.all[0];
+        for (std::size_t i = 1; i < found_.count; ++i) {
+            const Candidate& other = found_.all[i];
+            if (off_middle(other.rotary[kR1]) < off_middle(best->rotary[kR1])) best = &other;
+        }
+        return end_of(*best, mode, PathReason::OnlyOne);
+    }
+
     bool spins() const { return chain_.has(kPsi) && query_.fixes_spin; }
 
     /// Whether R1 may turn, or the configuration change, on the great circle.
@@ -274,7 +303,8 @@ class Choice {
         const Neighbours ways = neighbours(target, start, query_.limits[kR1]);
         if (!ways.below && !ways.above) return outside(CandidateFault::FirstOutside, kR1, target);
         const double shortest = std::abs(std::remainder(target - start, kTurn));
-        const bool admits_long = query_.rule != PathRule::Shortest && !follows;
+        const bool unwinds = follows && starts_at_pole_ && !ends_at_pole_;
+        const bool admits_long = unwinds || (query_.rule != PathRule::Shortest && !follows);
         bool was_added = false;
         for (const auto& way : {ways.above, ways.below}) {
             if (!way) continue;

@@ -115,7 +115,8 @@ std::vector<int> numbers_of(const std::string& program) {
 TEST_F(Chamfers, AreCutAsDeepOnEveryMachine) {
     const std::string program = KADR_ROOT "/examples/chamfers.mpf";
     const std::vector<int> numbers = numbers_of(read_file(program).value());
-    for (const char* machine : {"trunnion-ac", "trunnion-bc", "head-ab", "mixed-cb"}) {
+    for (const char* machine :
+         {"trunnion-ac", "trunnion-bc", "head-ab", "mixed-cb", "head-cb", "nutating"}) {
         SCOPED_TRACE(machine);
         const auto result = kadr(
             {"run", program, "-d", "sinumerik", "-m", machine, "--setpoints", file("part.csv")});
@@ -147,7 +148,8 @@ TEST_F(Chamfers, AreCutAsDeepOnEveryMachine) {
 TEST_F(Chamfers, CommandsAreTheSameOnEveryMachineButForRotaryAxes) {
     const std::string program = KADR_ROOT "/examples/chamfers.mpf";
     std::vector<std::vector<double>> first;
-    for (const char* machine : {"trunnion-ac", "trunnion-bc", "head-ab", "mixed-cb"}) {
+    for (const char* machine :
+         {"trunnion-ac", "trunnion-bc", "head-ab", "mixed-cb", "head-cb", "nutating"}) {
         SCOPED_TRACE(machine);
         const auto result = kadr(
             {"run", program, "-d", "sinumerik", "-m", machine, "--commands", file("part.jsonl")});
