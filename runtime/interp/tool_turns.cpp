@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
+#include "base/diagnostics/machine.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
@@ -37,6 +38,20 @@ constexpr double kSameDirection = 1e-12;
 constexpr double kSameStart = 1e-9;
 /// Ends that are off a cone by more are not on it, rad; by less its axis is corrected.
 constexpr double kOnCone = 0.1 * std::numbers::pi / 180;
+
+/// How far the tool leaves a plane at most while the rotary axes run evenly, rad.
+double angle_out_of(const Chain& chain, const Vec3& normal, const Vec3& from, const Vec3& to) {
+    // Even a whole turn of R1 goes in steps of some degrees, between which the angle hardly
+    // changes.
+    constexpr int kSteps = 256;
+    double most = 0;
+    for (int i = 1; i < kSteps; ++i) {
+        const double part = static_cast<double>(i) / kSteps;
+        const Vec3 tool = machine::tool_vector(chain, from + part * (to - from));
+        most = std::max(most, std::abs(normal.dot(tool)));
+    }
+    return std::asin(std::min(1.0, most));
+}
 
 std::string degrees(double angle) { return format_shortest(round_to(deg_from_rad(angle), 4)); }
 
@@ -214,6 +229,9 @@ bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
         return false;
     }
     put_joints(end->rotary, target);
+    if (is_plane && end->mode == machine::PathMode::Axis)
+        report(diag::PlaneLeft, block)
+            .arg(degrees(angle_out_of(chain, arc->axis, joints, end->rotary)));
     if (end->mode == machine::PathMode::Vector && arc->turn > kSameDirection) {
         next_turn_.turning = Turning::Cone;
         next_turn_.axis = arc->axis;
