@@ -4,10 +4,12 @@
 #include <charconv>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/diagnostics/expand.h"
 #include "driver/source_map.h"
+#include "nc/tables.h"
 
 namespace kadr::driver {
 
@@ -146,6 +148,19 @@ static bool ends_program(const nc::Block& block) {
            block.find(nc::Function::EndRewind) != nullptr;
 }
 
+/// Whether a function of the block is written letter by letter, in the control's own language.
+static bool has_phrase(const nc::DialectTables& tables, const nc::Block& block) {
+    return std::ranges::any_of(
+        std::span(block.functions).first(block.function_count), [&](const nc::Invocation& said) {
+            return std::ranges::any_of(tables.forms_of[static_cast<std::size_t>(said.function)],
+                                       [&](nc::FormId id) { return tables.forms[id].is_verbatim; });
+        });
+}
+
+bool GeneratedText::is_phrase(std::uint64_t line) const {
+    return std::ranges::binary_search(phrases_, line);
+}
+
 void GeneratedText::write_batch() {
     const std::size_t count = expander_.pull(batch_);
     if (count > 0) last_source_ = batch_[count - 1].source;
@@ -160,6 +175,10 @@ void GeneratedText::write_batch() {
         // What was modal already gets no line, and the line before belongs to another statement.
         if (writer_.lines() == before) continue;
         line_map_->add(first, writer_.lines(), batch_[i].source);
+        if (has_phrase(target_.tables(), batch_[i])) {
+            for (std::uint32_t line = first; line <= writer_.lines(); ++line)
+                phrases_.push_back(line);
+        }
         if (batch_[i].source.is_valid()) statement_lines_ += writer_.lines() + 1 - first;
         if (map_ != nullptr) map_block(i, first);
         if (call_map_) call_map_->add(first, writer_.lines(), expander_.trace(i));

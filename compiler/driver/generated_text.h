@@ -16,6 +16,7 @@
 #include "driver/output.h"
 #include "driver/program.h"
 #include "expand/expander.h"
+#include "nc/phrases.h"
 #include "nc/reader.h"
 #include "nc/writer.h"
 
@@ -29,7 +30,7 @@ struct Entry {
     std::function<bool(expand::Expander&)> start;
 };
 
-class GeneratedText final : public nc::TextSource {
+class GeneratedText final : public nc::TextSource, public nc::PhraseText {
   public:
     /// All references outlive the text. `map` gets a line for every block; null: no source map.
     /// `keeps_calls`: for `calls_behind`.
@@ -49,6 +50,7 @@ class GeneratedText final : public nc::TextSource {
     void warn_of_cuts(const Messages& messages);
 
     std::string_view next() override;
+    bool is_phrase(std::uint64_t line) const override;
 
     /// Gets every piece of the text as it is made. To be set before `start`.
     using Tap = std::function<void(std::string_view)>;
@@ -125,7 +127,8 @@ class GeneratedText final : public nc::TextSource {
     std::vector<nc::Block> batch_;
     std::string text_;
     std::string entry_;
-    std::uint64_t blocks_ = 0;  // written
+    std::uint64_t blocks_ = 0;            // written
+    std::vector<std::uint32_t> phrases_;  // lines, rising; few programs have any
     Deadline deadline_;
     bool is_late_ = false;
     SourceId last_source_;

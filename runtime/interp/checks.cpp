@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
+#include "interp/said_words.h"
 #include "path/helix.h"
 
 namespace kadr::interp {
@@ -39,7 +40,11 @@ bool Executor::check_axes(const Block& block, SlotMask targets) {
     }
     if (missing == 0) return true;
     const Slot slot = first_slot(missing);
-    report(diag::AxisMissing, block, slot).arg(kAxisNames[static_cast<std::size_t>(slot)]);
+    DiagnosticBuilder message = report(diag::AxisMissing, block, slot);
+    message.arg(kAxisNames[static_cast<std::size_t>(slot)]);
+    const std::string hint =
+        hint_at_comma(dialect_.tables(), static_cast<Axis>(slot), block.at(slot));
+    if (!hint.empty() && !cycle_.blocks) message.fix(hint);
     return false;
 }
 
@@ -54,7 +59,10 @@ bool Executor::check_rigid_tap(const Block& block, SlotMask targets) {
 bool Executor::check_feed(const Block& block, std::string_view what) {
     if (contour_) return true;  // no axis moves
     if (!modal_.has_feed) {
-        report(diag::FeedMissing, block).arg(what);
+        DiagnosticBuilder message = report(diag::FeedMissing, block);
+        message.arg(what);
+        const std::string hint = hint_at_bare_cycle(dialect_.tables(), places_, origin(block));
+        if (cycle_.blocks && !hint.empty()) message.fix(hint);
         return false;
     }
     if (!(modal_.feed > 0)) {

@@ -5,11 +5,13 @@
 
 #include <Eigen/Geometry>
 
+#include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
 #include "base/units.h"
 #include "interp/executor.h"
 #include "machine/kinematics.h"
+#include "nc/tables.h"
 
 namespace kadr::interp {
 
@@ -260,6 +262,18 @@ void Executor::begin_comp(const Block& block, Function side) {
     if (!comp_offset()) {
         report(diag::CompWithoutTool, block, comp_.side);
         return;
+    }
+    const bool has_number =
+        tool_.radius_offset != 0 || block.find(Function::RadiusOffset) != nullptr;
+    const auto& words_of_it =
+        dialect_.tables().forms_of[static_cast<std::size_t>(Function::RadiusOffset)];
+    if (rules_.comp_radius_by_offset && !has_number && !words_of_it.empty()) {
+        DiagnosticBuilder message = report(diag::CompWithoutOffset, block, comp_.side);
+        message.arg(word_of(block, comp_.side));
+        if (const Invocation* const length = block.find(Function::LengthOffset)) {
+            const std::string number = std::to_string(std::llround(block.argument(*length, 0)));
+            message.fix("`D" + number + "` calls the radius; `H` does where No.5001#2 is set");
+        }
     }
     comp_.acting = comp_.chosen();
     comp_.is_mirrored = frames_.is_mirrored(modal_.plane);

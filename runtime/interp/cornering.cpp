@@ -1,9 +1,11 @@
 // cornering.cpp — what switches chamfers and roundings, and what passes through them.
 #include <cmath>
 
+#include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
 #include "interp/executor.h"
+#include "interp/said_words.h"
 
 namespace kadr::interp {
 
@@ -235,6 +237,12 @@ void Executor::report_corner(const CornerMessage& message) {
     at.line = message.place.line;
     DiagnosticBuilder builder = report(*message.row, at);
     if (message.row == &diag::CornerReduced) builder.arg(message.made).arg(message.wanted);
+    if (message.row != &diag::CornerSign) return;
+    const std::string size = with_point(std::abs(message.wanted));
+    const std::string other =
+        message.made > 0 ? "`R" + with_point(-message.wanted) + '`' : "the other sign";
+    builder.fix(other + " goes on the other way, `," + (message.made > 0 ? "R" : "C") + size +
+                "` whichever way the next block goes");
 }
 
 }  // namespace kadr::interp

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/turned_command.h"
@@ -103,12 +104,15 @@ std::optional<CornerMessage> Corners::leave(const DiagnosticRow& why) {
 
 /// What waits goes on as it was programmed.
 CornerMessage Corners::end_with(const DiagnosticRow& row) {
+    // Of CornerSign: 1 of a corner R, 0 of a chamfer, and what was said.
+    const double is_round = held_wish_.kind == CornerWish::Kind::Round ? 1 : 0;
+    const CornerMessage message{&row, place_, is_round, held_wish_.size * held_wish_.sign};
     fresh_.clear();
     wish_ = {};
     waits_ = false;
     release();
     is_active_ = false;
-    return {&row, place_, 0, 0};
+    return message;
 }
 
 std::vector<Corners::Item> Corners::take_settled() {
@@ -249,7 +253,7 @@ Corners::Fault Corners::check_sides(const Command& next, const Element& a, const
     const double along = held_wish_.next == axes_.first ? way.x() : way.y();
     const double across = held_wish_.next == axes_.first ? way.y() : way.x();
     if (std::fabs(across) > path::kSamePoint) return &diag::CornerNotSquare;
-    return along * held_wish_.sign > 0 ? nullptr : &diag::CornerWithoutMotion;
+    return along * held_wish_.sign > 0 ? nullptr : &diag::CornerSign;
 }
 
 std::optional<CornerCut> Corners::cut(const Element& a, const Element& b, Fault& fault) {

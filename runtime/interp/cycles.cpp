@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/danger_limits.h"
+#include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/cycle_strokes.h"
 #include "interp/executor.h"
 #include "interp/named_shape.h"
+#include "interp/said_words.h"
 
 namespace kadr::interp {
 
@@ -598,7 +601,15 @@ bool Executor::complete_tap(const Block& block, ModalCycle& call) {
         return false;
     }
     const bool is_pitch = modal_.feed_mode == path::FeedMode::PerRevolution;
-    set_argument(call, pitch, is_pitch ? modal_.feed : modal_.feed / spindle_.speed);
+    const double turn = is_pitch ? modal_.feed : modal_.feed / spindle_.speed;
+    set_argument(call, pitch, turn);
+    // Told where the cycle is called, not at each of its holes.
+    if (!is_pitch && turn < danger::kLeastPitch && block.find(Function::Cycle) != nullptr) {
+        report(diag::TapPitchTiny, block, Function::Cycle)
+            .arg(round_to(turn, 6))
+            .arg("F" + format_shortest(round_to(modal_.feed, 6)))
+            .arg(round_to(spindle_.speed, 3));
+    }
     return true;
 }
 
@@ -608,7 +619,10 @@ bool Executor::complete_thread(const Block& block, ModalCycle& call) {
     const std::optional<std::size_t> lead = find_parameter(dialect_.cycles()[call.cycle], "lead");
     if (!lead || is_given(call, lead) || !rules_.thread_pitch_is_feed) return true;
     if (!modal_.has_feed || !(modal_.feed > 0)) {
-        report(diag::ThreadPitchMissing, block).arg(kAxisNames[index(Axis::Z)]);
+        DiagnosticBuilder message = report(diag::ThreadPitchMissing, block);
+        message.arg(kAxisNames[index(Axis::Z)]);
+        const std::string hint = hint_at_bare_cycle(dialect_.tables(), places_, block);
+        if (!hint.empty()) message.fix(hint);
         return false;
     }
     set_argument(call, lead, modal_.feed);

@@ -586,7 +586,11 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
         case Operation::ToAxis:
             return a->axis() ? true : fail(diag::AxisExpected, {std::string(kind_name(*a))});
         case Operation::AxisNumber: {
-            const auto axis = a->axis();
+            auto axis = a->axis();
+            // Where no value is an axis, its name is a number below 0.
+            if (!axis && a->is_number() && a->number < 0 &&
+                a->number >= -static_cast<double>(kAxes))
+                axis = static_cast<Axis>(std::llround(-a->number) - 1);
             if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
             const auto number = variables_.axis_number(*axis);
             if (!number)

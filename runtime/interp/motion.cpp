@@ -2,10 +2,15 @@
 #include <bit>
 #include <cmath>
 
+#include "base/danger_limits.h"
+#include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
+#include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
 #include "interp/linear.h"
+#include "interp/probed_place.h"
+#include "interp/said_words.h"
 
 namespace kadr::interp {
 
@@ -130,6 +135,23 @@ void Executor::move(const Block& block, const Actions& actions) {
         target.moved = static_cast<AxisMask>(target.moved | (axes_.present & kLinearXYZ));
         check_carried(block);
     }
+    if (is_lathe_ && (targets & bit(Slot::C)) != 0) {
+        constexpr auto kC = index(Axis::C);
+        const double turn = std::abs(target.here[kC] - position_.here[kC]);
+        const bool turns =
+            spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
+        const bool cuts = modal_.motion == Function::Line && (targets & kLinearXYZ) != 0;
+        // From zero, as where nobody has used C as an axis: a chamfer without its comma.
+        const bool is_tiny =
+            position_.here[kC] == 0 && turn > 0 && turn < danger::kLeastSpindleTurn;
+        const std::string hint = hint_at_comma(dialect_.tables(), Axis::C, block.at(Slot::C));
+        if (turns && cuts && is_tiny && !hint.empty() && !cycle_.blocks) {
+            report(diag::TinyRotation, block, Slot::C)
+                .arg("C" + format_shortest(round_to(block.at(Slot::C), 4)))
+                .arg(round_to(target.here[kC], 4))
+                .fix(hint);
+        }
+    }
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
     // At rapid a way to a place of the machine ends at rest on every control.
     const bool goes_to_machine = frames_off_ && modal_.motion == Function::Rapid;
@@ -142,6 +164,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.suspends_length) return move_without_length(block, target, exact_stop);
     if (actions.at_rapid) return line(block, target, Op::Rapid, true);
     if (actions.taps) return line(block, target, Op::Line, exact_stop);
+    if (actions.probes && arc_words != 0) warn_arc_word(block, arc_words);
     if (actions.probes) return line(block, target, Op::Probe, true);
     if (modal_.motion == Function::Thread || is_varying_thread(modal_.motion))
         return thread(block, target, actions);
@@ -266,13 +289,10 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
         put_positioning(command);
     if (op != Op::Rapid && may_count_degrees(block)) count_degrees(block, command);
     arrive(target);
-    if (op != Op::Probe) return;
-    probed_.emplace();
-    probed_->tip = position_.here;
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        probed_->head[i] = *place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));
-        probed_->machine[i] = *place_of(nc::Quantity::MachinePosition, static_cast<Axis>(i));
-    }
+    const auto place = [this](nc::Quantity quantity, Axis axis) {
+        return place_of(quantity, axis);
+    };
+    if (op == Op::Probe) probed_ = probed_place(position_.here, place);
 }
 
 }  // namespace kadr::interp

@@ -323,7 +323,7 @@ void Program::State::deliver(Block& block, std::string_view text_of_line, std::u
     if (block.kind == Block::Kind::Nc && !is_left_out(block)) ++blocks;
     if (block.number >= 0) variables.set_block_number(block.number);
     if (again && ++repeated > options.max_repeated) {
-        lines.report_fault(
+        lines.report_event(
             text_of_line,
             LineFault{&diag::RepeatedBlocks, {0, 1}, {std::to_string(options.max_repeated)}});
         has_ended = true;
@@ -356,6 +356,7 @@ void Program::State::end_after(Block& block) {
         return;
     }
     is_only_checking = true;
+    lines.finish_points();
     due.reset();
     if (frames.size() == 1) return;
     // Behind the main program's part that was executed there may be more of it.
@@ -398,7 +399,7 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
         if (last != first) fault = map().find({"", last}, Direction::Forward, begin, end);
     }
     if (fault != ProgramMap::Fault::None) {
-        lines.report_fault(text,
+        lines.report_event(text,
                            LineFault{&diag::ShapeBlockMissing, {0, 1}, {std::to_string(missing)}});
         has_ended = true;
         return;
@@ -538,8 +539,9 @@ void Program::State::compile(CompiledLine& line, Block& out) {
         if (lines.has_ended()) line.kind = CompiledLine::Kind::End;
         return;
     }
+    // Of anybody else's line only what it says counts: `#100=#5061` is an assignment.
     line.kind = CompiledLine::Kind::Known;
-    if (lines.knows(line.text, out)) return;
+    if (source().is_phrase(line.place.line.line) && lines.knows(line.text, out)) return;
     compile_language(line);
 }
 
@@ -625,6 +627,20 @@ Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Blo
     return Done::Block;
 }
 
+/// The axis that a value is, or that it counts where no value is an axis; nothing: there is none.
+static std::optional<Axis> axis_of(const ControlVariables& variables, const Value& value) {
+    if (value.axis() || !value.is_number()) return value.axis();
+    const auto has_number = [&](std::string_view name) {
+        const auto axis =
+            static_cast<Axis>(std::ranges::find(kAxisNames, name) - kAxisNames.begin());
+        const auto number = variables.axis_number(axis);
+        return number && static_cast<double>(*number) == value.number;
+    };
+    const auto found = std::ranges::find_if(kAxisNames, has_number);
+    if (found == kAxisNames.end()) return std::nullopt;
+    return static_cast<Axis>(found - kAxisNames.begin());
+}
+
 /// Words whose axis or spindle is a value get the address of that: `AX[AXA]=10` that of X,
 /// `ACC[AXA]=50` that of `ACC[X]`, `S[R1]=500` that of `S2`, or S where it is the first spindle.
 Program::State::Done Program::State::set_axes(CompiledLine& line) {
@@ -638,7 +654,11 @@ Program::State::Done Program::State::set_axes(CompiledLine& line) {
         const std::string said = words.normal(words.word_at(begin).text);
         const bool is_axis_word = computed.is_alone || said == language.axis_word;
         word.names_first = false;
-        if (!value.axis()) {
+        const std::optional<Axis> axis = is_axis_word ? axis_of(variables, value) : value.axis();
+        if (!axis && is_axis_word)
+            return fail(line, diag::AxisNameUnknown, computed.axis.span,
+                        {evaluator.written(value)});
+        if (!axis) {
             const auto number = std::llround(value.number);
             word.names_first = number == 1;
             word.address = tables.find_address(number == 1 ? said : said + std::to_string(number));
@@ -647,8 +667,8 @@ Program::State::Done Program::State::set_axes(CompiledLine& line) {
             if (word.address != nc::kNoAddress) continue;
             return fail(line, diag::SpindleMissing, computed.axis.span, {std::to_string(number)});
         }
-        const std::string axis(kAxisNames[index(*value.axis())]);
-        const std::string name = is_axis_word ? axis : said + '[' + axis + ']';
+        const std::string axis_name(kAxisNames[index(*axis)]);
+        const std::string name = is_axis_word ? axis_name : said + '[' + axis_name + ']';
         word.address = tables.find_address(name);
         if (word.address == nc::kNoAddress)
             return fail(line, diag::IsoUnknownWord, computed.axis.span, {name});
@@ -708,7 +728,7 @@ bool Program::State::set_code(nc::LexedLine& words, std::size_t place,
 // ------------------------------------------------------------------------------ faults
 
 Program::State::Done Program::State::fail(CompiledLine& line, const LineFault& fault) {
-    lines.report_fault(line.text, fault);
+    lines.report_event(line.text, fault);
     return Done::Nothing;
 }
 

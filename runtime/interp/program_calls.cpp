@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/diagnostics/control.h"
+#include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "interp/block_words.h"
 #include "interp/named_shape.h"
@@ -896,7 +897,25 @@ Program::State::Done Program::State::leave_program(CompiledLine& line,
     return Done::Nothing;
 }
 
-/// The main program is begun again, or ends.
+/// Whether a block with a number stands in the program from a place on.
+static bool has_number_behind(const nc::DialectTables& tables, nc::LineSource& source,
+                              const LinePosition& from) {
+    if (!source.seek(from.offset)) return false;
+    std::string_view line;
+    bool is_too_long = false;
+    while (source.next(line, is_too_long)) {
+        if (std::ranges::find(tables.program.end, line) != tables.program.end.end()) return false;
+        if (nc::program_of_header(tables.language.calls, line, tables.rules.ignores_case))
+            return false;
+        if (nc::front_of(tables, line).number >= 0) return true;
+    }
+    return false;
+}
+
+/// The main program is begun again, or ends: one whose last block begins it again never ends by
+/// itself, so it is executed once.
+///
+/// source  F 6.8
 Program::State::Done Program::State::return_in_main(CompiledLine& line,
                                                     const ControlStatement& statement,
                                                     const std::optional<LineTarget>& target,
@@ -912,10 +931,21 @@ Program::State::Done Program::State::return_in_main(CompiledLine& line,
             return fail(line, fault, diag::JumpTargetMissing, statement.span,
                         quoted("N" + std::to_string(target->number)));
         }
-    } else {
-        frame->text.has_content = false;
     }
-    return go(line, found, statement.span);
+    // A return to a block in front begins it again, too; one to a block behind is a jump. Where
+    // blocks with numbers stand behind, a jump may lead there and end the loop: it is one of the
+    // program's.
+    const bool is_jump = target && found.line.offset > frame->here.offset;
+    const bool is_skipped_at_will = line.line.words.skip >= 0;
+    if (is_jump || (!is_skipped_at_will && has_number_behind(tables, source(), line.place.next))) {
+        if (!target) frame->text.has_content = false;
+        return go(line, found, statement.span);
+    }
+    const nc::Span& span = statement.span;
+    sink.report(diag::MainBeginsAgain, lines.place(line.text, frame->here.line, span))
+        .arg(line.text.substr(span.begin, span.end - span.begin));
+    out.add(Function::End);
+    return Done::Block;
 }
 
 /// A return inside of a section that is repeated ends only that: on behind the repetition.

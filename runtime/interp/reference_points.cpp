@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
+#include "interp/probed_place.h"
 
 namespace kadr::interp {
 
@@ -78,7 +79,9 @@ void Executor::move_in_machine_coordinates(const Block& block) {
             .arg("a place in machine coordinates");
         return;
     }
-    if (rules_.machine_coordinates_need_absolute && modal_.is_incremental) {
+    // The skip function goes by distances as well, `G91 G53 G31 Z-5.`, and at its feed.
+    const bool probes = block.find(Function::Probe) != nullptr;
+    if (rules_.machine_coordinates_need_absolute && modal_.is_incremental && !probes) {
         report(diag::MachineCoordinatesIgnored, block, Function::MachineCoordinates);
         return;
     }
@@ -86,8 +89,9 @@ void Executor::move_in_machine_coordinates(const Block& block) {
         report(diag::ArcInMachineCoordinates, block, Function::MachineCoordinates);
         return;
     }
-    const bool is_rapid = rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid;
-    if (!is_rapid && !check_feed(block, "line")) return;
+    const bool is_rapid =
+        !probes && (rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid);
+    if (!is_rapid && !(probes ? check_probe(block) : check_feed(block, "line"))) return;
 
     const SlotMask targets = block.given & nc::kTargetSlots;
     const bool has_length = rules_.machine_coordinates_keep_length;
@@ -106,7 +110,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     target.here = frames_.from_base(target.base);
     if (!check_limits(block, target.base, target.moved)) return;
 
-    Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
+    Command& command = put(probes ? Op::Probe : is_rapid ? Op::Rapid : Op::Line, block);
     command.to = to;
     command.moved = target.moved;
     command.machine_coordinates = true;
@@ -114,6 +118,10 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     command.exact_stop = true;
     command.feed = is_rapid ? 0 : modal_.feed;
     arrive(target);
+    const auto place = [this](nc::Quantity quantity, Axis axis) {
+        return place_of(quantity, axis);
+    };
+    if (probes) probed_ = probed_place(position_.here, place);
 }
 
 /// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.

@@ -17,7 +17,7 @@ constexpr std::uint32_t kSeriesStep = 3;
 
 bool CallCompiler::is_at_end() {
     skip();
-    return at_ >= line_.size() || words_.is_comment(at_) || is_block_end(at_);
+    return words_.is_end(at_);
 }
 
 // ---------------------------------------------------------------- codes

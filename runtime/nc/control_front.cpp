@@ -26,7 +26,7 @@ class Front {
         at = take_number(at);
         at = take_label(at);
         front_.is_empty = says_nothing_from(at);
-        if (!front_.is_empty) find_statement(at);
+        if (!front_.is_empty) find_statement(words_.skip_comments(at));
         return front_;
     }
 
@@ -85,7 +85,7 @@ class Front {
             return token.kind == StatementToken::Kind::Hole &&
                    token.hole == StatementToken::Hole::Loop;
         });
-        if (has_loop) front_.loop = number_at_end();
+        if (has_loop) front_.loop = number_at_end(at);
     }
 
     /// `G98 L{from}`: the words of the pattern, then the label.
@@ -125,10 +125,7 @@ class Front {
                        token.hole != StatementToken::Hole::Jump || has_jump(at);
             });
     }
-    bool is_empty_from(std::size_t at) const {
-        at = words_.skip_blanks(at);
-        return at >= line_.size() || words_.is_comment(at);
-    }
+    bool is_empty_from(std::size_t at) const { return words_.is_end(words_.skip_blanks(at)); }
     bool has_jump(std::size_t at) const {
         return std::ranges::any_of(language_.statements, [&](const StatementForm& form) {
             return form.statement >= Statement::Jump && form.statement <= Statement::JumpToStart &&
@@ -150,13 +147,13 @@ class Front {
         return false;
     }
 
-    /// The number of the loop stands last.
-    int number_at_end() const {
-        std::size_t end = 0;
-        while (end < line_.size() && !words_.is_comment(end)) ++end;
-        end = words_.trim(0, end);
+    /// The number of the loop stands last of what the statement says, which begins at `first`.
+    int number_at_end(std::size_t first) const {
+        std::size_t end = first;
+        while (!words_.is_end(end)) ++end;
+        end = words_.trim(first, end);
         std::size_t begin = end;
-        while (begin > 0 && is_digit(line_[begin - 1])) --begin;
+        while (begin > first && is_digit(line_[begin - 1])) --begin;
         int number = 0;
         for (; begin < end && number < 100000; ++begin) number = number * 10 + (line_[begin] - '0');
         return number;

@@ -375,8 +375,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     /// Nothing but a comment behind the statement.
     bool is_finished() {
         skip();
-        if (is_inner_ || at_ >= line_.size() || words_.is_comment(at_) || is_block_end(at_))
-            return true;
+        if (is_inner_ || words_.is_end(at_)) return true;
         return fail_here(rules_.mixes_words ? diag::StatementSyntax : diag::MixedStatement);
     }
 
@@ -396,7 +395,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 
     bool begins_hole(const StatementToken& token) {
         using Hole = StatementToken::Hole;
-        if (at_ >= line_.size() || words_.is_comment(at_)) return false;
+        if (words_.is_end(at_)) return false;
         if (token.hole == Hole::To || token.hole == Hole::From) {
             // `P=3` behind a label is none.
             const Word word = words_.word_at(at_);
@@ -474,10 +473,10 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return is_row || fail(diag::IndexWrong, out.span);
     }
 
-    /// All up to the comment.
+    /// All up to the end of the block, or a comment.
     bool take_rest(std::string& out) {
         const std::size_t begin = at_;
-        while (at_ < line_.size() && !words_.is_comment(at_)) ++at_;
+        while (!words_.is_end(at_)) ++at_;
         const std::size_t end = words_.trim(begin, at_);
         out = line_.substr(begin, end - begin);
         return !out.empty();
@@ -726,7 +725,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     bool take_cases(const StatementToken* next, ControlStatement& out) {
         while (true) {
             skip();
-            if (at_ >= line_.size() || words_.is_comment(at_)) return !out.list.empty();
+            if (words_.is_end(at_)) return !out.list.empty();
             if (next != nullptr && words_.says(words_.word_at(at_), next->text)) return true;
             out.list.emplace_back();
             if (!take_operand(out.list.back()) || !take_inner(out, false)) return false;

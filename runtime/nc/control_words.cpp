@@ -47,6 +47,13 @@ bool ControlWords::is_comment(std::size_t at) const {
     return at < line_.size() && line_.substr(at).starts_with(comment_);
 }
 
+bool ControlWords::is_block_end(std::size_t at) const {
+    const char sign = tables_.rules.end_sign;
+    if (sign == '\0' || at >= line_.size() || line_[at] != sign) return false;
+    const std::size_t next = skip_blanks(at + 1);
+    return next >= line_.size() || is_comment(next);
+}
+
 Word ControlWords::word_at(std::size_t at) const {
     Word word{at, {}};
     if (at >= line_.size()) return word;

@@ -31,6 +31,13 @@ class ControlWords {
     char upper(char c) const;
     std::string normal(std::string_view text) const;
     bool is_comment(std::size_t at) const;
+    /// Whether the sign that ends a block stands here, and not an operator that looks like it:
+    /// nothing but a comment follows.
+    bool is_block_end(std::size_t at) const;
+    /// Whether nothing of the block stands here any more: the line, a comment or the sign ends it.
+    bool is_end(std::size_t at) const {
+        return at >= line_.size() || is_comment(at) || is_block_end(at);
+    }
     /// A name with its digits, on a control without blanks letters alone; `#` begins one too.
     Word word_at(std::size_t at) const;
     bool is_same(std::string_view a, std::string_view b) const;

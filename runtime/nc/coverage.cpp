@@ -39,7 +39,9 @@ std::vector<DialectEntry> entries_of(const Dialect& dialect) {
     const FileId own = tables.root.file;
     std::vector<DialectEntry> entries;
     for (const Form& form : tables.forms) {
-        if (form.is_read && form.unsupported.empty() && form.range.file == own)
+        // A phrase of Kadr's own is read by nobody but the run that has written it.
+        const bool is_read = form.is_read && !form.is_verbatim;
+        if (is_read && form.unsupported.empty() && form.range.file == own)
             entries.push_back({name_of(tables, form), &form});
     }
     const Language& language = tables.language;

@@ -118,15 +118,6 @@ bool ExpressionCompiler::take_stored(Expression& out) {
 
 // ---------------- operators
 
-/// Whether the sign that ends a block stands here, and not an operator that looks like it: nothing
-/// but a comment follows.
-bool ExpressionCompiler::is_block_end(std::size_t at) const {
-    const char sign = tables_.rules.end_sign;
-    if (sign == '\0' || at >= line_.size() || line_[at] != sign) return false;
-    const std::size_t next = words_.skip_blanks(at + 1);
-    return next >= line_.size() || words_.is_comment(next);
-}
-
 const OperatorForm* ExpressionCompiler::find_operator(std::size_t at, bool is_prefix) const {
     if (is_block_end(at)) return nullptr;
     const Word word = words_.word_at(at);
@@ -370,7 +361,10 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
     while (!takes_none || peek() != language_.close) {
         const bool is_reference = count < 32 && (found.references >> count & 1u) != 0;
         bool is_logical = false;
+        // Where no value is an axis, the name of one stands here alone: `AXNUM[X]`.
+        const bool is_axis = found.operation == Operation::AxisNumber && !language_.has_axes;
         if (is_reference ? !take_variable_itself()
+            : is_axis    ? !take_axis_index()
                          : !take_level(language_.lowest_level, is_logical))
             return false;
         const bool has_index = count < 32 && (found.indexed >> count & 1u) != 0;
@@ -693,7 +687,7 @@ bool ExpressionCompiler::take_index(const IndexHole& hole) {
     return take_level(language_.lowest_level, is_logical);
 }
 
-/// `X`, or where values may be axes one of them.
+/// `X`, or where values may be axes one of them; elsewhere the number of an axis.
 bool ExpressionCompiler::take_axis_index() {
     skip();
     const std::size_t begin = at_;
@@ -704,10 +698,9 @@ bool ExpressionCompiler::take_axis_index() {
         emit_axis(static_cast<Axis>(axis - kAxisNames.begin()), begin);
         return true;
     }
-    if (!language_.has_axes) return fail_here(diag::NameUnknown);
     bool is_logical = false;
     if (!take_level(language_.lowest_level, is_logical)) return false;
-    emit_operation(Operation::ToAxis, 1, begin);
+    if (language_.has_axes) emit_operation(Operation::ToAxis, 1, begin);
     return true;
 }
 

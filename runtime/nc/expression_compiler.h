@@ -59,7 +59,7 @@ class ExpressionCompiler {
     bool take_stored(Expression& out);
 
     // ------------------------------------------------------------ operators
-    bool is_block_end(std::size_t at) const;
+    bool is_block_end(std::size_t at) const { return words_.is_block_end(at); }
     const OperatorForm* find_operator(std::size_t at, bool is_prefix) const;
     /// Operators of this level and those that bind stronger, from left to right.
     bool take_level(int level, bool& is_logical);

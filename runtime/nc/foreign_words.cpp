@@ -33,15 +33,34 @@ std::string spelled(std::string_view word) {
     return out;
 }
 
-/// By the whole word, or by a front that the list ends with `*`: `CYCLE*`.
-const std::string* entry(const DialectTables& tables, std::string_view word) {
-    if (const auto found = tables.foreign.find(word); found != tables.foreign.end())
-        return &found->second;
+/// By the whole word, or by a front that the list ends with `*`: `CYCLE*`. Behind one letter only a
+/// number may stand: `L*` is `L100`, and no `LT` or `LENGTH`.
+///
+/// where  `@cycle`: what it is where a cycle acts
+const std::string* entry(const DialectTables& tables, std::string_view word,
+                         std::string_view where = {}) {
+    const auto find = [&](std::string key) -> const std::string* {
+        const auto found = tables.foreign.find(key.append(where));
+        return found == tables.foreign.end() ? nullptr : &found->second;
+    };
+    if (const std::string* const found = find(std::string(word))) return found;
     for (std::size_t front = word.size(); front > 0; --front) {
-        const auto found = tables.foreign.find(std::string(word.substr(0, front)) + '*');
-        if (found != tables.foreign.end()) return &found->second;
+        const bool is_number = std::ranges::all_of(word.substr(front), is_digit);
+        const std::string* const found = find(std::string(word.substr(0, front)) + '*');
+        if (found != nullptr && (front > 1 || is_number)) return found;
     }
     return nullptr;
+}
+
+/// Whether the control's own language has the word: an operator, a function, or a part of a
+/// statement. Where blanks do not count, letters may hold several: `LT`, `GOTO`.
+bool is_of_language(const Language& language, std::string_view word) {
+    const auto is_same = [word](std::string_view own) { return own == word; };
+    return std::ranges::any_of(language.operators, is_same, &OperatorForm::text) ||
+           std::ranges::any_of(language.functions, is_same, &FunctionForm::name) ||
+           std::ranges::any_of(language.statements, [&](const StatementForm& form) {
+               return std::ranges::any_of(form.tokens, is_same, &StatementToken::text);
+           });
 }
 
 /// Whether the control has the word after all, as a code or in a form: where a dialect extends
@@ -56,6 +75,12 @@ bool is_own(const DialectTables& tables, const std::string& word) {
             return own.kind == FormWord::Kind::Fixed && own.text == word;
         });
     });
+}
+
+/// Whether a word of the letter is a code; of a cycle's own code the interpreter tells.
+bool begins_code(const DialectTables& tables, char letter) {
+    const AddressId address = tables.find_address(upper_ascii(std::string_view(&letter, 1)));
+    return address != kNoAddress && tables.addresses[address].kind == Address::Kind::Code;
 }
 
 /// Whether a sign stands as people who come from other controls write it: a bracket behind a blank
@@ -101,9 +126,18 @@ std::string_view word_before(std::string_view line, std::size_t at) {
 }  // namespace
 
 std::string_view instead_of_foreign(const DialectTables& tables, std::string_view line,
-                                    const Span& fault) {
+                                    const Span& fault, const ForeignPlace& place) {
     if (tables.foreign.empty()) return {};
+    if (place.in_cycle && fault.begin < line.size() && !begins_code(tables, line[fault.begin])) {
+        const std::size_t end = end_of_word(line, fault.begin);
+        const std::string word = spelled(line.substr(fault.begin, end - fault.begin));
+        if (const std::string* found = entry(tables, word, "@cycle")) return *found;
+    }
+    // `POPEN` where programs have names: it was called, and there is none.
+    const bool is_word = fault.begin < line.size() && is_letter(line[fault.begin]);
+    if (place.is_executed && !is_word) return {};
     if (const std::string* found = entry_at(tables, line, fault.begin)) return *found;
+    if (place.is_executed) return {};
     for (std::size_t at = 0; at < line.size();) {
         if (line[at] == ';' || line[at] == '"' || line[at] == '(') break;
         if (!is_letter(line[at])) {
@@ -113,7 +147,8 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
         const std::size_t end = end_of_word(line, at);
         const std::string word = spelled(line.substr(at, end - at));
         const std::string* found = word.size() > 1 ? entry(tables, word) : nullptr;
-        if (found != nullptr && !is_own(tables, word)) return *found;
+        if (found != nullptr && !is_own(tables, word) && !is_of_language(tables.language, word))
+            return *found;
         at = end;
     }
     // `X=5`, where no value stands behind a sign: it is the mistake, and not the word.
@@ -124,8 +159,8 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
     // A word of the control's own that elsewhere has other words behind it: `G4 P100`, `M98 P100`.
     const std::string_view before = word_before(line, fault.begin);
     if (before.empty()) return {};
-    const auto place = static_cast<std::size_t>(before.data() - line.data());
-    const std::string* const found = entry_at(tables, line, place);
+    const auto begin = static_cast<std::size_t>(before.data() - line.data());
+    const std::string* const found = entry_at(tables, line, begin);
     return found != nullptr ? std::string_view(*found) : std::string_view();
 }
 

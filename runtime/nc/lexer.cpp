@@ -650,9 +650,10 @@ class Lexer {
         return true;
     }
 
-    /// `1.5EX-3`
+    /// `1.5EX-3`, on controls whose words are told apart by blanks.
     bool take_exponent(Decimal& decimal) {
-        if (!tables_.has_names || peek() != 'E' || peek(1) != 'X') return true;
+        if (!tables_.has_names || rules_.blanks_inside_words || peek() != 'E' || peek(1) != 'X')
+            return true;
         const std::size_t begin = at_;
         at_ += 2;
         const bool is_minus = peek() == '-';

@@ -61,6 +61,7 @@ void LineReader::prepare(std::size_t letter) {
         fast.format = &address.format;
         fast.dimension = address.dimension;
         fast.is_literal = is_literal(address.format);
+        fast.is_position = counts_increments(address);
         if (address.is_block_number) {
             fast.kind = FastLetter::Kind::Number;
         } else if (address.kind == Address::Kind::Code) {
@@ -75,7 +76,7 @@ void LineReader::prepare(std::size_t letter) {
 }
 
 /// Gives up on anything that needs a second look; the slow way reads the line again from its start.
-bool LineReader::read_fast(std::string_view line, Block& block) const {
+bool LineReader::read_fast(std::string_view line, Block& block) {
     const char* p = line.data();
     const char* const end = p + line.size();
     std::uint32_t groups = 0;
@@ -104,6 +105,10 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
                 if (decimal.end == p) return false;
                 const bool is_minus = *p == '-';
                 p = decimal.end;
+                if (fast.is_position) {
+                    if (!decimal.has_point && points_.is_open() && decimal.value != 0) return false;
+                    if (decimal.has_point) points_.note_point();
+                }
                 meaning = read_meaning(decimal, *fast.format, fast.dimension, units_);
                 if (check_read(decimal, is_minus, meaning, *fast.format, fast.dimension, units_) !=
                     NumberFault::None)

@@ -146,7 +146,19 @@ std::string LineReader::word_text(std::string_view line, std::size_t word) const
     return std::string(line.substr(span.begin, span.end - span.begin));
 }
 
-void LineReader::report(std::string_view line, const LineFault& fault) {
+/// Whether a cycle acts, or the line that is read calls one.
+bool LineReader::is_in_cycle() const {
+    if (modal_[static_cast<std::size_t>(Group::CycleMode)] == Function::Cycle) return true;
+    return lexed_ != nullptr && std::ranges::any_of(lexed_->words, [&](const GivenWord& word) {
+               const Code* code =
+                   word.is_known ? tables_.find_code(word.address, word.number) : nullptr;
+               return code != nullptr && std::ranges::any_of(code->forms, [&](FormId id) {
+                          return tables_.forms[id].function == Function::Cycle;
+                      });
+           });
+}
+
+void LineReader::report(std::string_view line, const LineFault& fault, FaultOf of) {
     note_fault();
     DiagnosticBuilder builder = sink_.report(*fault.row, place(line, line_number_, fault.span));
     std::string detail;
@@ -156,7 +168,8 @@ void LineReader::report(std::string_view line, const LineFault& fault) {
     }
     if (const auto alarm = dialect_.alarm(*fault.row, detail))
         builder.alarm(alarm->number, alarm->text);
-    const std::string_view instead = instead_of_foreign(tables_, line, fault.span);
+    const std::string_view instead =
+        instead_of_foreign(tables_, line, fault.span, {is_in_cycle(), of == FaultOf::Execution});
     const std::size_t at = fault.span.begin;
     const bool is_small = !tables_.rules.ignores_case && at < line.size() && is_lower(line[at]);
     if (!instead.empty()) builder.fix(std::string(instead));

@@ -459,6 +459,10 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
     if (!check_code_points(line)) return false;
     if (const auto fault =
             match_words(tables_, lexed_->words, lexed_->arguments, modal_, block, match_)) {
+        if (pass_beside(*fault, line)) {
+            block.reset();
+            return fill(line, block, known, compiled);
+        }
         report(line, *fault);
         return false;
     }
@@ -475,6 +479,45 @@ void LineReader::say_passed(const LexedLine& words, std::string_view line) {
         builder.arg(line.substr(span.begin, span.end - span.begin)).arg(passed.word->meaning);
         write_notes(builder);
     }
+}
+
+/// Passes over a word that no form takes because it belongs to another one of the block, as P does
+/// to the function of the machine in `M59 P10`; false: it belongs to none.
+bool LineReader::pass_beside(const MatchFault& fault, std::string_view line) {
+    if (fault.kind != MatchFault::Kind::Unused && fault.kind != MatchFault::Kind::Value)
+        return false;
+    GivenWord& word = lexed_->words[fault.word];
+    const std::string front = tables_.addresses[word.address].name + '@';
+    const auto first = tables_.passed.lower_bound(front);
+    if (first == tables_.passed.end() || !first->first.starts_with(front)) return false;
+    const PassedWord* found = nullptr;
+    for (const GivenWord& other : lexed_->words) {
+        const Address& address = tables_.addresses[other.address];
+        std::string name = address.name;
+        if (address.kind == Address::Kind::Code) {
+            const Code* const code =
+                other.is_known ? tables_.find_code(other.address, other.number) : nullptr;
+            const Function said = code == nullptr ? Function::MachineFunction
+                                                  : tables_.forms[code->forms[0]].function;
+            name = info(said).name;
+        }
+        const auto rule = tables_.passed.find(front + name);
+        if (&other != &word && rule != tables_.passed.end() && found == nullptr)
+            found = &rule->second;
+    }
+    // What is said of several words is said once.
+    for (auto same = first; found != nullptr && same->first.starts_with(front); ++same) {
+        if (same->second.meaning != found->meaning) continue;
+        found = &same->second;
+        break;
+    }
+    if (found == nullptr) return false;
+    word.is_left_out = true;
+    const auto is_known = [found](const LexedLine::Passed& passed) { return passed.word == found; };
+    if (std::ranges::none_of(lexed_->passed, is_known))
+        lexed_->passed.push_back({lexed_->spans[fault.word], found});
+    say_passed(*lexed_, line);
+    return true;
 }
 
 /// Puts the numbers where they belong. The block's own changes of units act in it already.
@@ -526,16 +569,24 @@ Span LineReader::span_of_form(const Form& form, std::string_view line) const {
     return {0, static_cast<std::uint32_t>(line.size())};
 }
 
-/// Codes that have no decimals stand without a point. Notes the M code on the way.
+/// Codes that have no decimals stand without a point; none has a sign, or begins with the point.
+/// Notes the M code on the way.
 bool LineReader::check_code_points(std::string_view line) {
     for (std::size_t i = 0; i < lexed_->words.size(); ++i) {
         const GivenWord& word = lexed_->words[i];
         const Address& address = tables_.addresses[word.address];
         if (address.kind != Address::Kind::Code || word.is_left_out) continue;
         if (word.is_known && address.name == "M") machine_code_ = word.number;
-        const bool has_point = !word.is_computed && lexed_->decimals[i].has_point;
-        if (address.format.point != PointRule::Never || !has_point) continue;
-        report(line, LineFault{&diag::IsoPointNotAllowed, lexed_->spans[i], {word_text(line, i)}});
+        if (!word.is_known || word.is_computed) continue;
+        const std::string text = word_text(line, i);
+        const std::size_t first = text.find_first_not_of(" \t", address.name.size());
+        const bool has_sign = first != text.npos && (text[first] == '-' || text[first] == '+');
+        const bool has_point =
+            lexed_->decimals[i].has_point && (address.format.point == PointRule::Never ||
+                                              (first != text.npos && text[first] == '.'));
+        if (!has_sign && !has_point) continue;
+        const DiagnosticRow& row = has_sign ? diag::IsoMinusNotAllowed : diag::IsoPointNotAllowed;
+        report(line, LineFault{&row, lexed_->spans[i], {text}});
         return false;
     }
     return true;
@@ -588,6 +639,7 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
         return false;
     }
     if (invocation == nullptr) {
+        if (points_.is_open()) watch_point(claim, line);
         const double scale = text_scale(claim.dimension, units_, true);
         const auto slot = static_cast<Slot>(claim.place);
         const bool is_time = feed_is_time_ && slot == Slot::Feed && units_.inverse_time;
@@ -617,8 +669,12 @@ bool LineReader::apply_whole(const Claim& claim, Block& block, std::string_view 
         decimal.value = std::round(decimal.value);
         decimal.has_point = false;
     }
+    const GivenWord& word = lexed_->words[claim.word];
+    const int most_digits = tables_.addresses[word.address].format.max_digits;
+    const bool is_long = !word.is_computed && most_digits != 0 && decimal.digits > most_digits;
     const DiagnosticRow* fault = decimal.has_point           ? &diag::IsoPointNotAllowed
                                  : lexed_->minus[claim.word] ? &diag::IsoMinusNotAllowed
+                                 : is_long                   ? &diag::IsoTooManyDigits
                                                              : nullptr;
     if (fault != nullptr) {
         report(line, LineFault{fault, lexed_->spans[claim.word], {word_text(line, claim.word)}});

@@ -14,6 +14,7 @@
 #include "nc/control_line.h"
 #include "nc/lexer.h"
 #include "nc/number_text.h"
+#include "nc/point_watch.h"
 
 namespace kadr::nc {
 
@@ -25,7 +26,8 @@ struct FastLetter {
     AddressId address = kNoAddress;
     Dimension dimension = Dimension::Number;
     const NumberFormat* format = nullptr;
-    bool is_literal = false;  // a number means what it says, and the control takes every one
+    bool is_position = false;  // where a number without a point counts in increments
+    bool is_literal = false;   // a number means what it says, and the control takes every one
 };
 
 /// What a computed value of a line has come to; in the order of ControlLine::computed.
@@ -91,7 +93,12 @@ class LineReader {
                     Block& block, MatchedLine* known = nullptr);
     /// The decimals to which the control rounds a value of the line.
     int value_decimals(const ControlLine& line, std::size_t computed) const;
+    /// The line is not written as the control wants it.
     void report_fault(std::string_view line, const LineFault& fault) { report(line, fault); }
+    /// What came up while the line was executed; how it is written is right.
+    void report_event(std::string_view line, const LineFault& fault) {
+        report(line, fault, FaultOf::Execution);
+    }
     void report_too_long(std::string_view line, std::uint64_t number);
     /// An alarm that somebody else has reported came up in this line.
     void note_fault() {
@@ -114,6 +121,9 @@ class LineReader {
     /// had said it, and follows it.
     void restore(const ModalFunctions& wanted, Block& block);
 
+    /// The program is at its end: positions that all have no decimal point are told.
+    void finish_points();
+
     /// Each word of a line that has no effect here is said once.
     void say_passed(const LexedLine& words, std::string_view line);
 
@@ -135,8 +145,14 @@ class LineReader {
     const DialectTables& tables() const { return tables_; }
 
   private:
+    bool pass_beside(const MatchFault& fault, std::string_view line);
+    void watch_point(const Claim& claim, std::string_view line);
+    static bool counts_increments(const Address& address) {
+        return address.slot >= 0 && (kTargetSlots & bit(static_cast<Slot>(address.slot))) != 0 &&
+               address.format.increment > 0 && address.format.increment < 1;
+    }
     bool read_slow(std::string_view line, Block& block);
-    bool read_fast(std::string_view line, Block& block) const;
+    bool read_fast(std::string_view line, Block& block);
     bool match_verbatim(const Form& form, std::string_view text, Block& block) const;
     bool read_verbatim(std::string_view line, Block& block) const;
     bool fill(std::string_view line, Block& block, MatchedLine* known = nullptr,
@@ -163,7 +179,9 @@ class LineReader {
     void prepare(std::size_t letter);
     void follow(const Block& block);
     void follow_units();
-    void report(std::string_view line, const LineFault& fault);
+    enum class FaultOf : std::uint8_t { Writing, Execution };
+    void report(std::string_view line, const LineFault& fault, FaultOf of = FaultOf::Writing);
+    bool is_in_cycle() const;
     void report(std::string_view line, const MatchFault& fault);
     bool is_polynomial(FormId form) const;
     void take_argument_fault(const MatchFault& fault, LineFault& out) const;
@@ -190,6 +208,7 @@ class LineReader {
     LexedLine* lexed_ = nullptr;  // of the line that is read
     LexedLine own_lexed_;
     Match match_;
+    PointWatch points_;
     std::vector<FormId> last_forms_;  // of each group of the dialect
     FormId last_cycle_ = kNoForm;
     double machine_code_ = 0;

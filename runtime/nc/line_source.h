@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "nc/phrases.h"
 #include "nc/reader.h"
 
 namespace kadr::nc {
@@ -13,7 +14,8 @@ namespace kadr::nc {
 class LineSource {
   public:
     /// longest  bytes of a line that are kept
-    LineSource(TextSource& source, std::size_t longest) : source_(source), longest_(longest) {}
+    LineSource(TextSource& source, std::size_t longest)
+        : source_(source), phrases_(dynamic_cast<const PhraseText*>(&source)), longest_(longest) {}
 
     /// The next line without its end; false at the end of the text. `is_too_long`: only the front
     /// of the line is kept.
@@ -50,12 +52,17 @@ class LineSource {
     std::uint64_t offset() const { return base_ + at_; }
     /// The next line is the one that begins there; false if the text cannot be read again.
     bool seek(std::uint64_t offset);
+    /// Whether Kadr itself has written the line to say one of its functions.
+    bool is_phrase(std::uint64_t line) const {
+        return phrases_ != nullptr && phrases_->is_phrase(line);
+    }
 
   private:
     bool next_at_edge(std::string_view& line, bool& is_too_long);
     bool take(std::string_view& line, bool& is_too_long);
 
     TextSource& source_;
+    const PhraseText* phrases_;  // the source, if it is one
     std::size_t longest_;
     std::string_view piece_;
     std::uint64_t base_ = 0;  // where the piece begins
@@ -64,12 +71,16 @@ class LineSource {
 };
 
 /// A text that cannot be read again, kept so that it can; until it is too long.
-class KeptText final : public TextSource {
+class KeptText final : public TextSource, public PhraseText {
   public:
-    KeptText(TextSource& source, std::size_t most) : source_(source), most_(most) {}
+    KeptText(TextSource& source, std::size_t most)
+        : source_(source), phrases_(dynamic_cast<const PhraseText*>(&source)), most_(most) {}
 
     std::string_view next() override;
     bool seek(std::uint64_t offset) override;
+    bool is_phrase(std::uint64_t line) const override {
+        return phrases_ != nullptr && phrases_->is_phrase(line);
+    }
     /// From here on all is kept, however long; false: the beginning is gone already.
     bool keep_all() {
         if (!is_lost_) most_ = ~std::size_t{0};
@@ -78,6 +89,7 @@ class KeptText final : public TextSource {
 
   private:
     TextSource& source_;
+    const PhraseText* phrases_;  // the source, if it is one
     std::size_t most_;
     std::string text_;
     std::size_t at_ = 0;  // in the text that is kept

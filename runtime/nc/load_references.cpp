@@ -85,8 +85,26 @@ void load_unsupported(const XmlElement& element, DialectTables& tables) {
 
 void load_foreign(const XmlElement& element, DialectTables& tables) {
     const std::string& instead = needed(element, "instead").value;
+    const XmlAttribute* const during = element.find("during");
+    const std::string where = during == nullptr ? "" : '@' + during->value;
     for (const XmlWord& word : words_of(needed(element, "words")))
-        tables.foreign.insert_or_assign(as_read(tables, word.text), instead);
+        tables.foreign.insert_or_assign(as_read(tables, word.text) + where, instead);
+}
+
+/// `words` are addresses; `beside` are commands, and addresses with any number. Kept by both names:
+/// `P@spindle_cw`.
+static void load_passed_beside(const XmlElement& element, const XmlAttribute& beside,
+                               const PassedWord& passed, DialectTables& tables,
+                               Attributes& attributes) {
+    for (const XmlWord& word : words_of(needed(element, "words"))) {
+        if (tables.find_address(word.text) == kNoAddress)
+            attributes.bad_word(word, "words", "it is not declared as an address");
+        for (const XmlWord& other : words_of(beside)) {
+            const bool is_address = tables.find_address(other.text) != kNoAddress;
+            if (is_address || attributes.function_named(other))
+                tables.passed.insert_or_assign(word.text + '@' + other.text, passed);
+        }
+    }
 }
 
 void load_passed(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
@@ -97,6 +115,8 @@ void load_passed(const XmlElement& element, DialectTables& tables, Attributes& a
     attributes.read_number(element, "read_max", passed.read_max);
     attributes.read_number(element, "least", passed.least);
     attributes.read_number(element, "most", passed.most);
+    if (const XmlAttribute* beside = element.find("beside"))
+        return load_passed_beside(element, *beside, passed, tables, attributes);
     for (const XmlWord& word : words_of(needed(element, "words"))) {
         const std::string name = as_read(tables, word.text);
         tables.passed.insert_or_assign(name, passed);

@@ -132,12 +132,12 @@ class Matcher {
         return code == nullptr ? Fault{} : take_form(i, code->forms);
     }
 
-    /// `M123`: so many that no form names them.
+    /// `M123`: so many that no form names them; also a low one that the control leaves free, `M6`
+    /// of a lathe.
     bool is_for_builder(const GivenWord& word) const {
-        constexpr double kFirst = 100;
         const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
         return !forms.empty() && tables_.forms[forms[0]].words[0].address == word.address &&
-               word.number >= kFirst && word.number <= tables_.rules.most_builder_code &&
+               word.number >= 0 && word.number <= tables_.rules.most_builder_code &&
                word.number == std::floor(word.number);
     }
 
@@ -165,7 +165,8 @@ class Matcher {
         if (best == kNoForm) return no_form(head, nearest, nearest_fit);
         // A word with a wrong value is not passed over because a shorter form would do without it.
         if (nearest != kNoForm && nearest_fit.answer == Fit::Answer::Value &&
-            !best_fit.taken[nearest_fit.culprit] && !is_slot_word(nearest_fit.culprit)) {
+            !best_fit.taken[nearest_fit.culprit] && !is_slot_word(nearest_fit.culprit) &&
+            !is_of_other_code(head, nearest_fit.culprit)) {
             return no_form(head, nearest, nearest_fit);
         }
         if (nearest != kNoForm && is_unfinished_call(best, best_fit, nearest, nearest_fit))
@@ -207,6 +208,22 @@ class Matcher {
     }
 
     bool is_slot_word(std::size_t i) const { return address(i).slot >= 0; }
+
+    /// Whether another code of the block has a form that takes the word as it is: P of `G53 G31
+    /// P2`.
+    bool is_of_other_code(std::size_t head, std::size_t culprit) const {
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (i == head || used_[i] || !is_code(i) || !words_[i].is_known) continue;
+            const Code* const code = tables_.find_code(words_[i].address, words_[i].number);
+            if (code == nullptr) continue;
+            const bool takes_it = std::ranges::any_of(code->forms, [&](FormId id) {
+                const Fit fit = fit_form(i, tables_.forms[id]);
+                return fit.answer == Fit::Answer::Yes && fit.taken[culprit];
+            });
+            if (takes_it) return true;
+        }
+        return false;
+    }
 
     Fault no_form(std::size_t head, FormId nearest, const Fit& fit) const {
         if (fit.answer == Fit::Answer::Value) {
@@ -264,7 +281,11 @@ class Matcher {
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
             const Function active = is_said ? block_.motion : active_of(group);
             // Data of the control are input only where a block has begun it.
-            const bool may_act = !has_slot && group != Group::DataInput;
+            // A text begins under the motion of power-on: no word belongs to another one there.
+            const bool is_own_motion =
+                group == Group::Motion && is_value && words_of_ == WordsOf::Text &&
+                needed != tables_.power_on[static_cast<std::size_t>(Group::Motion)];
+            const bool may_act = !has_slot && group != Group::DataInput && !is_own_motion;
             return active == needed || (active == Function::None && may_act);
         });
     }

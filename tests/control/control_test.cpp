@@ -17,6 +17,7 @@
 //   expect: print [TEXT]        the next line that is printed, between brackets
 //   expect: warning K5488 at 3:1  the next warning; if one is told, all are
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
+//   expect: fix TEXT         the fix of the first alarm or warning that has one
 //   expect: called 5:3       … and where the program of that line was called, the nearest first
 //   skip: 1                  blocks of this level are left out
 //   machine: lathe           it runs on a lathe: X is a diameter, the tools are
@@ -94,6 +95,7 @@ struct Expected {
     std::vector<std::string> warnings;  // if any is told
     std::string alarm;
     std::string called;
+    std::string fix;
     std::uint16_t skip_levels = 0;
     std::string machine;
     bool has_rule = false;
@@ -129,6 +131,8 @@ Expected parse(const std::string& text) {
             expected.path += (expected.path.empty() ? "" : " ") + value.substr(5);
         } else if (value.starts_with("alarm ")) {
             expected.alarm = value.substr(6);
+        } else if (value.starts_with("fix ")) {
+            expected.fix = value.substr(4);
         } else if (value.starts_with("called ")) {
             if (!expected.called.empty()) expected.called += ' ';
             expected.called += value.substr(7);
@@ -429,6 +433,11 @@ void check(const Expected& expected, const Outcome& outcome, bool is_lathe) {
     }
     if (!expected.warnings.empty()) {
         EXPECT_EQ(warnings, expected.warnings);
+    }
+    if (!expected.fix.empty()) {
+        const auto has_fix = [](const Diagnostic& message) { return !message.fixes.empty(); };
+        const auto fixed = std::ranges::find_if(outcome.messages, has_fix);
+        EXPECT_EQ(fixed == outcome.messages.end() ? "none" : fixed->fixes[0].text, expected.fix);
     }
     if (!expected.path.empty()) {
         EXPECT_EQ(path_of(outcome.motions, is_lathe), expected.path);

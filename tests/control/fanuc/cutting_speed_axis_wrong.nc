@@ -1,7 +1,7 @@
 %
 O0001
-(rule: F 11 PS0190: there is no axis P9 for G96)
-(expect: alarm PS0190 K5012 at 5:4)
+(rule: F 11 P beside G96 and S selects a spindle, as real programs for several have it, so P9 is no wrong axis)
+(expect: warning K5247 at 5:4)
 G96P9S100
 M30
 %

@@ -1,7 +1,8 @@
 %
 O0001
-(rule: F 6.8 M99 in the main program: an endless loop without blocks)
-(expect: alarm  K5439 at 6:1)
-#1=1
+(rule: F 6.8 M99 at the end of the main program: it never ends by itself, so one pass is executed)
+(expect: warning K5900 at 7:1)
+(expect: #2=1)
+#2=1
 M99
 %

@@ -1,0 +1,33 @@
+#include "interp/said_words.h"
+
+#include <algorithm>
+
+#include "base/numbers.h"
+
+namespace kadr::interp {
+
+std::string with_point(double value) {
+    constexpr int kDigits = 4;  // what a control shows
+    std::string text = format_shortest(round_to(value, kDigits));
+    return text.find('.') == std::string::npos ? text + '.' : text;
+}
+
+std::string hint_at_comma(const nc::DialectTables& tables, Axis axis, double value) {
+    if (axis != Axis::A && axis != Axis::C) return {};
+    const std::string name = ',' + std::string(kAxisNames[index(axis)]);
+    if (tables.find_address(name) == nc::kNoAddress) return {};
+    const std::string what = axis == Axis::C ? "a chamfer" : "the angle of a line";
+    return what + " is `" + name + with_point(value) + "`, with a comma";
+}
+
+std::string hint_at_bare_cycle(const nc::DialectTables& tables, const nc::BlockPlaces* places,
+                               const nc::Block& caller) {
+    const bool has_words = (caller.given & (nc::kTargetSlots | bit(nc::Slot::Radius))) != 0;
+    if (has_words || places == nullptr || caller.find(nc::Function::Cycle) == nullptr) return {};
+    const LinePlace place = places->place(caller, nc::Function::Cycle);
+    const std::size_t begin = std::min<std::size_t>(place.column - 1, place.text.size());
+    const auto found = tables.foreign.find(place.text.substr(begin, place.length) + "@cycle");
+    return found == tables.foreign.end() ? std::string() : found->second;
+}
+
+}  // namespace kadr::interp

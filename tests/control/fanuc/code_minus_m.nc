@@ -1,0 +1,7 @@
+%
+O0001
+(rule: F 2.3 a code has no sign)
+(expect: alarm PS0006 K5006 at 5:1)
+M-0
+M30
+%
