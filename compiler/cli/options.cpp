@@ -107,6 +107,15 @@ CLI::Validator is_count() {
     return {check, ""};
 }
 
+CLI::Validator is_assignment() {
+    const auto check = [](const std::string& text) -> std::string {
+        const std::size_t equals = text.find('=');
+        if (equals != 0 && equals != std::string::npos && equals + 1 < text.size()) return {};
+        return '`' + text + "` is not of the form NAME=VALUE";
+    };
+    return {check, ""};
+}
+
 CLI::Validator is_folder() {
     const auto check = [](const std::string& name) -> std::string {
         std::error_code error;
@@ -134,6 +143,8 @@ class Parser {
     void add_program(CLI::App& command);
     void add_include(CLI::App& command);
     void add_search(CLI::App& command);
+    void add_inputs(CLI::App& command);
+    void add_call(CLI::App& command);
     void add_solve(CLI::App& machine);
     void add_expansion(CLI::App& command);
     void add_limits(CLI::App& command);
@@ -225,6 +236,27 @@ void Parser::add_search(CLI::App& command) {
         ->allow_extra_args(false);
 }
 
+void Parser::add_inputs(CLI::App& command) {
+    command
+        .add_option("--set", line_.options.sets,
+                    "a value that the machine tells: '#500=12.5', 'R5=2', '$A_IN[3]=1'")
+        ->check(is_assignment())
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--variables-in", line_.options.variable_files,
+                    "a file of such values: of --variables, or as the control puts it out")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+}
+
+void Parser::add_call(CLI::App& command) {
+    command
+        .add_option("--call", line_.options.call,
+                    "call the program with these arguments: 'A1. B2.', '(1, 2.5)'")
+        ->type_name("ARGUMENTS");
+}
+
 void Parser::add_expansion(CLI::App& command) {
     command.add_option("--cycles", cycles_, "the control's own cycles, or single moves")
         ->check(one_of({"native", "moves"}))
@@ -269,6 +301,8 @@ void Parser::add_run() {
     command->add_option("-m,--machine", options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
     add_search(*command);
+    add_inputs(*command);
+    add_call(*command);
     add_program(*command);
     add_expansion(*command);
     command->add_option("--commands", job.commands, "what is executed, JSON Lines")
@@ -351,6 +385,7 @@ void Parser::add_compare() {
     command->add_option("--tolerance", tolerance_, "how far the ways may be apart")
         ->type_name("LENGTH");
     add_search(*command);
+    add_inputs(*command);
     add_program(*command);
     command->add_option("--cycles", cycles_, "the control's own cycles, or single moves")
         ->check(one_of({"native", "moves"}))
@@ -366,6 +401,8 @@ void Parser::add_check() {
     command->add_option("SRC", line_.sources, "Kadr programs or ISO-7bit texts")->required();
     add_dialect(*command);
     add_search(*command);
+    add_inputs(*command);
+    add_call(*command);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
     add_include(*command);

@@ -10,6 +10,7 @@
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
+#include "driver/machine_inputs.h"
 #include "motion/pipeline.h"
 
 namespace kadr::driver {
@@ -220,7 +221,7 @@ std::unique_ptr<Execution> Execution::open(Session& session, const std::string& 
         is_kadr_source(source, *text)
             ? execution->open_program(keep_source(session, source, *text), aside.tap)
             : execution->open_text(source, std::move(text));
-    if (!is_open) return nullptr;
+    if (!is_open || !execution->open_inputs()) return nullptr;
     execution->connect_with_library();
     return execution;
 }
@@ -263,6 +264,19 @@ std::unique_ptr<Execution> Execution::open(Session& session, const Program& prog
     return execution;
 }
 
+/// What the machine tells the program before it begins.
+bool Execution::open_inputs() {
+    if (session_.options().call && program_ != nullptr) {
+        session_.messages().report(diag::CallOfKadr);
+        session_.mark_usage();
+        return false;
+    }
+    auto inputs = machine_inputs(session_);
+    if (!inputs) return false;
+    inputs_ = std::move(*inputs);
+    return true;
+}
+
 bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> text) {
     const bool is_named = !session_.options().dialect.empty();
     const std::string guess = is_named ? "" : dialect_of_text(session_, source, text->peek());
@@ -293,7 +307,8 @@ std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
     std::unique_ptr<Execution> execution(new Execution(session));
     execution->machine_ = session.machine();
     if (execution->machine_ == nullptr) return nullptr;
-    if (!execution->open_program(program, std::move(tap))) return nullptr;
+    if (!execution->open_program(program, std::move(tap)) || !execution->open_inputs())
+        return nullptr;
     execution->connect_with_library();
     return execution;
 }
@@ -326,6 +341,10 @@ void Execution::connect(DiagnosticSink& sink) {
     interp::ProgramOptions program_options;
     program_options.skip_levels = options.skip_levels;
     program_options.files = called_.get();
+    program_options.inputs = inputs_;
+    program_options.call = options.call;
+    program_options.events = aside_.input_events;
+    program_options.axis_names = axis_names(*machine_, session_.told());
     if (options.max_time > 0) program_options.is_over = [this] { return deadline_.is_over(); };
     if (options.max_blocks != 0) {  // it counts what the other limits count
         constexpr auto kNone = std::numeric_limits<std::uint64_t>::max();
@@ -338,10 +357,13 @@ void Execution::connect(DiagnosticSink& sink) {
                                        generated_ ? &generated_->lines() : nullptr, aside_.look_at);
     // A cycle that a test executes by itself runs with the tool of its caller.
     const bool is_subject = generated_ && !own_program_;
+    const std::optional<machine::ProbeScene>& probe = session_.told().probe;
     const interp::InterpreterOptions interpreter_options{.max_blocks = options.max_blocks,
                                                          .skip_levels = options.skip_levels,
                                                          .optional_stop = options.optional_stop,
                                                          .asks_for_tool = !is_subject,
+                                                         .probe = probe ? &*probe : nullptr,
+                                                         .touches = aside_.touches,
                                                          .in_step = aside_.watch != nullptr};
     interpreter_ = std::make_unique<interp::Interpreter>(
         *dialect_, *machine_, *tagged_, reader_.get(), cycles_, interpreter_options, *sink_);

@@ -53,6 +53,8 @@ struct Aside {
     std::function<void(const nc::Block&)> look_at;  // is shown every block that is read
     interp::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one
     std::vector<interp::VariableChange>* changes = nullptr;  // gets the variables that are set
+    std::vector<interp::ProbeTouch> touches;                 // where the probe triggers
+    std::vector<interp::InputEvent> input_events;  // values that the machine gives meanwhile
 };
 
 class Execution final : public Stream<path::Command> {
@@ -129,6 +131,7 @@ class Execution final : public Stream<path::Command> {
     class StatementNotes;
     explicit Execution(Session& session);
 
+    bool open_inputs();
     bool open_text(const std::string& source, std::unique_ptr<FileText> text);
     bool open_program(FileId file, GeneratedText::Tap tap = {});
     void connect_with_library();
@@ -146,6 +149,7 @@ class Execution final : public Stream<path::Command> {
     std::unique_ptr<GeneratedText> generated_;
     std::unique_ptr<FileText> file_;
     std::unique_ptr<ProgramFolders> called_;  // programs that the text calls
+    std::vector<interp::ProgramInputs> inputs_;
     std::unique_ptr<StatementNotes> sink_;
     std::unique_ptr<HeldMessages> held_;
     std::unique_ptr<interp::Program> reader_;

@@ -1,5 +1,6 @@
 #include "driver/operator_events.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -100,6 +101,17 @@ bool take_words(std::string_view& text, std::string_view first, std::string_view
     return true;
 }
 
+/// What stands in front of a remark: `#`, but not that of a variable (`set #1004=1`).
+std::string_view without_remark(std::string_view line) {
+    for (std::size_t at = 0; (at = line.find('#', at)) < line.size(); ++at) {
+        const char next = at + 1 < line.size() ? line[at + 1] : ' ';
+        const bool is_variable = line.substr(0, at).find("set") < at &&
+                                 ((next >= '0' && next <= '9') || next == '[' || next == '<');
+        if (!is_variable) return trimmed(line.substr(0, at));
+    }
+    return trimmed(line);
+}
+
 }  // namespace
 
 std::optional<OperatorEvent> operator_event(std::string_view text) {
@@ -118,6 +130,40 @@ std::optional<OperatorEvent> operator_event(std::string_view text) {
     event.act = is_feed ? OperatorAct::FeedOverride : OperatorAct::RapidOverride;
     event.value = *part;
     return event;
+}
+
+std::optional<interp::InputEvent> input_event(std::string_view text) {
+    OperatorEvent when;
+    std::string_view left = trimmed(text);
+    if (!take_when(left, when) || !take_words(left, "set", "")) return std::nullopt;
+    if (left.find('=') == std::string_view::npos) return std::nullopt;
+    interp::InputEvent event;
+    event.text = left;
+    event.time = when.time;
+    event.line = when.line;
+    event.number = when.number;
+    return event;
+}
+
+std::optional<interp::ProbeTouch> probe_touch(std::string_view text) {
+    OperatorEvent when;
+    std::string_view left = trimmed(text);
+    if (!take_block(left, when) || !take_words(left, "touch", "")) return std::nullopt;
+    interp::ProbeTouch touch;
+    touch.line = when.line;
+    touch.number = when.number;
+    if (left == "none") return touch;
+    while (!left.empty()) {
+        const auto axis = std::ranges::find(kAxisNames, left.substr(0, 1));
+        if (axis == kAxisNames.end()) return std::nullopt;
+        const Decimal number = parse_decimal(left.data() + 1, left.data() + left.size());
+        if (number.end == left.data() + 1 || !std::isfinite(number.value)) return std::nullopt;
+        const auto place = static_cast<std::size_t>(axis - kAxisNames.begin());
+        touch.axes = static_cast<AxisMask>(touch.axes | 1u << place);
+        touch.at[place] = number.value;
+        left = trimmed(left.substr(static_cast<std::size_t>(number.end - left.data())));
+    }
+    return touch.axes != 0 ? std::optional(touch) : std::nullopt;
 }
 
 std::optional<std::vector<OperatorEvent>> hold_events(std::string_view text) {
@@ -165,7 +211,7 @@ std::optional<OverrideCourse> override_course(std::string_view text, OperatorAct
     return course;
 }
 
-std::optional<std::vector<OperatorEvent>> read_events(Session& session, const std::string& file) {
+std::optional<RunEvents> read_events(Session& session, const std::string& file) {
     auto text = FileText::open(file);
     if (!text) {
         session.messages().report(diag::FileUnreadable).arg(file);
@@ -173,18 +219,30 @@ std::optional<std::vector<OperatorEvent>> read_events(Session& session, const st
     }
     const std::string all = text->read_all();
     const FileId id = session.sources().add(file, all);
-    std::vector<OperatorEvent> events;
+    RunEvents events;
     bool is_good = true;
     std::size_t begin = 0;
+    std::uint32_t number = 0;
     while (begin < all.size()) {
         const std::size_t end = std::min(all.find('\n', begin), all.size());
         std::string_view line(all.data() + begin, end - begin);
-        const std::string_view said = trimmed(line.substr(0, line.find('#')));
+        const std::string_view said = without_remark(line);
         begin = end + 1;
+        ++number;
         if (said.empty()) continue;
         const auto first = static_cast<std::uint32_t>(said.data() - all.data());
         if (const auto event = operator_event(said)) {
-            events.push_back(*event);
+            events.panel.push_back(*event);
+            continue;
+        }
+        if (const auto touch = probe_touch(said)) {
+            events.touches.push_back(*touch);
+            continue;
+        }
+        if (auto event = input_event(said)) {
+            event->file = file;
+            event->file_line = number;
+            events.inputs.push_back(std::move(*event));
             continue;
         }
         is_good = false;
@@ -192,7 +250,9 @@ std::optional<std::vector<OperatorEvent>> read_events(Session& session, const st
         session.messages()
             .report(diag::OperatorLineUnclear, SourceRange{id, first, last})
             .arg(said)
-            .fix("say when and what: `5s feed hold`, `N120 + 2s feed override 50%`");
+            .fix(
+                "say when and what: `5s feed hold`, `N120 + 2s feed override 50%`, "
+                "`5s set $A_IN[3]=1`, `N120 touch X25.3`");
     }
     return is_good ? std::optional(events) : std::nullopt;
 }

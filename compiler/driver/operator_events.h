@@ -3,6 +3,8 @@
 //   5s feed hold                 a line of the file of `--events`
 //   N120 + 2s cycle start        … 2 s after the block N120 begins
 //   0s feed override 80%
+//   5s set $A_IN[3]=1            … a value that the machine gives then
+//   N120 touch X25.3             … where the probe triggers in a block
 //   5s..7s, N120..2s             what `--hold` takes: from when to when, or from a block on so long
 //   100%,5s:50%,9s:120%          what `--feed-override` takes: at the start, and from when on
 #pragma once
@@ -13,6 +15,8 @@
 #include <vector>
 
 #include "driver/session.h"
+#include "interp/interpreter.h"
+#include "interp/program.h"
 #include "motion/operator_panel.h"
 
 namespace kadr::driver {
@@ -36,9 +40,21 @@ struct OverrideCourse {
 std::optional<OverrideCourse> override_course(std::string_view text, motion::OperatorAct act,
                                               double most);
 
+/// What a file of `--events` holds.
+struct RunEvents {
+    std::vector<motion::OperatorEvent> panel;
+    std::vector<interp::InputEvent> inputs;
+    std::vector<interp::ProbeTouch> touches;
+};
+
+/// `N120 touch X25.3`, `:34 touch none`; nothing: it is none.
+std::optional<interp::ProbeTouch> probe_touch(std::string_view text);
+
+/// `5s set $A_IN[3]=1`, without the place in its file; nothing: it is none.
+std::optional<interp::InputEvent> input_event(std::string_view text);
+
 /// Reads the file of `--events`. Nothing: reported.
-std::optional<std::vector<motion::OperatorEvent>> read_events(Session& session,
-                                                              const std::string& file);
+std::optional<RunEvents> read_events(Session& session, const std::string& file);
 
 /// The block of an event, as a person names it: `N120`, `:34`.
 std::string block_name(const motion::OperatorEvent& event);

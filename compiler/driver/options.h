@@ -44,9 +44,12 @@ struct Options {
     double max_time = 0;                // s of computing after which they are cut; 0: no limit
     std::uint16_t skip_levels = 0;      // bit n: blocks with skip level n are left out
     bool optional_stop = false;         // M1 stops
-    std::optional<double> tick;         // s; nothing: as the machine says
-    const std::atomic<bool>* stop = nullptr;    // set from outside: what runs ends with an error
-    sema::CheckOptions check;                   // what a prompt may do
+    std::vector<std::string> variable_files;  // what the machine tells before a program begins …
+    std::optional<std::string> call;          // arguments with which ISO-7bit text is called
+    std::vector<std::string> sets;            // … `NAME=VALUE`, which comes behind the files
+    std::optional<double> tick;               // s; nothing: as the machine says
+    const std::atomic<bool>* stop = nullptr;  // set from outside: what runs ends with an error
+    sema::CheckOptions check;                 // what a prompt may do
     std::vector<std::string>* shown = nullptr;  // gets their values, as texts
 };
 

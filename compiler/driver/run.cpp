@@ -180,6 +180,8 @@ class Run {
     std::unique_ptr<Execution> execution_;
     std::unique_ptr<CommandList> list_;
     std::vector<motion::OperatorEvent> events_;      // what the operator does
+    std::vector<interp::ProbeTouch> touches_;        // … where its probe touches
+    std::vector<interp::InputEvent> input_events_;   // … what the machine tells meanwhile
     std::map<std::uint32_t, std::int32_t> numbers_;  // of the lines of blocks that events name
     PlotScene scene_;
     PlotTools tools_;                            // along the path that is drawn
@@ -452,7 +454,9 @@ bool Run::open_events() {
     if (job_.events.empty()) return true;
     const auto more = read_events(session_, job_.events);
     if (!more) return false;
-    events_.insert(events_.end(), more->begin(), more->end());
+    events_.insert(events_.end(), more->panel.begin(), more->panel.end());
+    input_events_ = more->inputs;
+    touches_ = more->touches;
     return true;
 }
 
@@ -574,6 +578,8 @@ bool Run::open_execution(std::unique_ptr<FileText> text) {
     if (debugger_) debugger_->look_on(aside);
     if (page_) page_->look_on(aside);
     aside.look_at = block_look();
+    aside.input_events = input_events_;
+    aside.touches = touches_;
     execution_ = Execution::open(session_, job_.source, std::move(text), aside);
     if (execution_ && debugger_) debugger_->follow(*execution_);
     if (execution_ && page_) page_->follow(*execution_);

@@ -92,11 +92,14 @@ const machine::Machine* Session::machine() {
         machine_was_loaded_ = true;
         const bool is_option = !options_.machine.empty();
         OriginSink sink(messages_, {}, is_option ? "-m" : "");
-        std::optional<machine::Machine> fresh = machine::load_machine(
+        std::optional<machine::DescribedMachine> fresh = machine::load_described_machine(
             is_option ? options_.machine : stock_machine(), share_.machines, sources_, sink);
-        if (fresh && !has_modules(*fresh, sink)) fresh.reset();
+        if (fresh && !has_modules(fresh->machine, sink)) fresh.reset();
         if (!fresh) mark_usage();
-        if (fresh) machine_ = std::make_unique<machine::Machine>(std::move(*fresh));
+        if (fresh) {
+            machine_ = std::make_unique<machine::Machine>(std::move(fresh->machine));
+            told_ = std::move(fresh->told);
+        }
     }
     return machine_.get();
 }

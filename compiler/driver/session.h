@@ -15,7 +15,7 @@
 #include "driver/messages.h"
 #include "driver/options.h"
 #include "driver/share.h"
-#include "machine/machine.h"
+#include "machine/described_machine.h"
 #include "nc/dialect.h"
 #include "syntax/parse.h"
 
@@ -57,6 +57,8 @@ class Session {
     std::string stock_machine();
     /// The machine of the options, or the stock one; null, with messages, if it has mistakes.
     const machine::Machine* machine();
+    /// What it tells programs; behind `machine`, which has loaded it.
+    const machine::MachineTold& told() const { return told_; }
 
     /// Called now and then while a long command works.
     void set_progress(std::function<void(const Progress&)> progress) {
@@ -80,6 +82,7 @@ class Session {
     std::map<std::string, std::unique_ptr<nc::Dialect>> dialects_;
     std::map<std::string, std::unique_ptr<syntax::KeywordTable>> keywords_;
     std::unique_ptr<machine::Machine> machine_;
+    machine::MachineTold told_;
     bool machine_was_loaded_ = false;
     bool is_usage_ = false;
     std::function<void(const Progress&)> progress_;

@@ -332,7 +332,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             return (quantity == Quantity::ProbePlace ? probed_->tip
                                                      : probed_->machine)[index(*axis)];
         }
-        case Quantity::ProbeFound: return probed_ ? 1 : 0;
+        case Quantity::ProbeFound: return probed_ && probed_->is_found ? 1 : 0;
         case Quantity::MirroredAxes: return mirrored_axes();
         case Quantity::FirstPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).first);
         case Quantity::SecondPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).second);

@@ -87,6 +87,7 @@ struct Probed {
     AxisValues head{};
     AxisValues tip{};
     AxisValues machine{};
+    bool is_found = true;  // the probe has triggered
 };
 
 /// The pitch of a thread along an arc, mm a turn, and the axis along which it is said.

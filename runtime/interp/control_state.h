@@ -27,6 +27,8 @@ class ControlState {
         TooLarge,  // the control does not take this value
         Refused,   // nobody can set this quantity
     };
+    /// How long the program has run, s, as far as it is known now; an open spline stays open.
+    virtual double elapsed() = 0;
     /// Sets a quantity, in the units of `quantity`. A work offset acts from the next block on if it
     /// `acts_at_once`, else when it is called next.
     virtual Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,

@@ -197,6 +197,11 @@ Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t numb
         case VariableRange::Kind::Constant:
             out = range->is_vacant ? Value{} : Value::of(range->value, range->type);
             return Answer::Value;
+        case VariableRange::Kind::Input: {
+            std::string text;
+            return read_input(form, *range, name_of(language_.variables[form], number), out, text);
+        }
+        case VariableRange::Kind::Bits: return read_bits(form, *range, number, out);
         case VariableRange::Kind::Same:
         case VariableRange::Kind::Unsupported: return Answer::Unsupported;
         case VariableRange::Kind::System: {
@@ -299,6 +304,7 @@ std::optional<nc::ValueType> ControlVariables::type_of(std::string_view name) co
             continue;
         }
         const std::size_t letters = form.name.size();
+        if (form.is_open && words.starts_with(0, form.name)) return form.ranges[0].type;
         if (!form.is_family || front.size() <= letters ||
             !words.is_same(front.substr(0, letters), form.name))
             continue;
@@ -483,8 +489,6 @@ std::optional<double> ControlVariables::code_in_list(const nc::CodeList& list,
 
 // ---------------------------------------------------------------- names
 
-namespace {
-
 ControlVariable shown(std::string name, const Value& value, std::string_view text) {
     ControlVariable variable;
     variable.name = std::move(name);
@@ -502,6 +506,8 @@ ControlVariable shown(std::string name, const Value& value, std::string_view tex
     }
     return variable;
 }
+
+namespace {
 
 std::string element_name(const nc::Symbol& symbol, std::uint32_t place, char open, char close) {
     if (symbol.dimensions == 0) return symbol.name;
@@ -698,6 +704,11 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
             return {};
         }
         case Instruction::Kind::Family: return store_family(target.index, indices[0], value);
+        case Instruction::Kind::Input: {
+            const VariableRange& range = language_.variables[target.index].ranges[0];
+            return store_input(target.index, range,
+                               input_name(target.index, indices.first(target.count)), value, text);
+        }
         case Instruction::Kind::System: {
             const auto quantity = static_cast<Quantity>(target.index);
             if (target.type == nc::ValueType::Frame) {
@@ -789,7 +800,7 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
                                                        const Value& value) {
     const nc::VariableForm& family = language_.variables[form];
     const VariableRange* range = find_range(family, number);
-    const std::string name = family.name + std::to_string(number);
+    const std::string name = name_of(family, number);
     if (range == nullptr) return {&diag::VariableNumber, {name}};
     if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
@@ -805,6 +816,8 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
             return {};
         }
         case VariableRange::Kind::Constant: return {&diag::VariableReadOnly, {name}};
+        case VariableRange::Kind::Input: return store_input(form, *range, name, value, {});
+        case VariableRange::Kind::Bits: return store_bits(form, *range, number, value);
         case VariableRange::Kind::Same:
         case VariableRange::Kind::Unsupported:
             return {&diag::IsoNotSupported, {'`' + name + "` (" + range->meaning + ')'}};
@@ -934,7 +947,10 @@ void ControlVariables::list_family(const nc::VariableForm& form,
 
 std::vector<ControlVariable> ControlVariables::list() const {
     std::vector<ControlVariable> out;
-    for (const nc::VariableForm& form : language_.variables) list_family(form, out);
+    for (std::uint32_t i = 0; i < language_.variables.size(); ++i) {
+        list_family(language_.variables[i], out);
+        list_inputs(i, out);
+    }
     for (const nc::Symbol& symbol : level_->symbols.all()) {
         const Store& store = *level_->stores[level_->symbols.index_of(symbol)];
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {

@@ -7,7 +7,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interp/control_state.h"
@@ -20,6 +22,9 @@ namespace kadr::interp {
 /// The variable of the level that was declared at this place among its single values; null: it is
 /// one of the language.
 const nc::Symbol* declared_at(const Level& level, std::uint32_t slot);
+
+/// A value as who looks on is shown it.
+ControlVariable shown(std::string name, const Value& value, std::string_view text);
 
 class ControlVariables final : public Variables {
   public:
@@ -43,6 +48,13 @@ class ControlVariables final : public Variables {
     void begin_batch() { in_step_ = true; }
     /// Whether everything that was given is executed.
     void set_in_step(bool in_step) { in_step_ = in_step; }
+    /// Who is told that a value of the machine was read that nobody has given: its name, what it
+    /// is. Each is told once, of an array its first element.
+    void ask_missing(std::function<void(const std::string&, const std::string&)> tell) {
+        tell_missing_ = std::move(tell);
+    }
+    /// Whether what is written next comes from the machine, which sets what programs cannot.
+    void let_machine_write(bool is_machine) { is_machine_ = is_machine; }
     /// Who knows which modal call acts, and says its code.
     void ask_modal_call(std::function<double()> ask) { modal_call_ = std::move(ask); }
     /// Who knows the programs: the name of the one at a level of calls, or nothing, and whether
@@ -56,6 +68,9 @@ class ControlVariables final : public Variables {
     void set_program_level(std::size_t level) { program_level_ = level; }
 
     Answer family(std::uint32_t form, std::int64_t number, Value& out) override;
+    std::string named(std::uint32_t form, std::int64_t number) const override;
+    Answer input(std::uint32_t form, std::span<const std::int64_t> indices, Value& out,
+                 std::string& text) override;
     Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                   double& out) override;
     bool set_system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
@@ -117,7 +132,10 @@ class ControlVariables final : public Variables {
 
     std::vector<ControlVariable> list() const;
     /// Every variable that is set from now on is noted here; null: nobody wants to know.
-    void note_changes(std::vector<VariableChange>* changes) { changes_ = changes; }
+    /// Returns who was told before.
+    std::vector<VariableChange>* note_changes(std::vector<VariableChange>* changes) {
+        return std::exchange(changes_, changes);
+    }
     bool notes_changes() const { return changes_ != nullptr; }
     /// Without `before`: it had no value under this name.
     void note_change(std::optional<ControlVariable> before, ControlVariable after);
@@ -163,6 +181,17 @@ class ControlVariables final : public Variables {
     ControlVariable shown_in(const Store& store, std::size_t slot, const nc::Symbol* symbol) const;
     std::string name_in(const Store& store, std::size_t slot) const;
     std::string name_of(const nc::VariableForm& form, std::int64_t number) const;
+    // machine_values.cpp
+    std::string input_name(std::uint32_t form, std::span<const std::int64_t> indices) const;
+    Answer read_input(std::uint32_t form, const nc::VariableRange& range, const std::string& name,
+                      Value& out, std::string& text);
+    Answer read_bits(std::uint32_t form, const nc::VariableRange& range, std::int64_t number,
+                     Value& out);
+    Fault store_bits(std::uint32_t form, const nc::VariableRange& range, std::int64_t number,
+                     const Value& value);
+    Fault store_input(std::uint32_t form, const nc::VariableRange& range, const std::string& name,
+                      const Value& value, std::string_view text);
+    void list_inputs(std::uint32_t form, std::vector<ControlVariable>& out) const;
     void list_family(const nc::VariableForm& form, std::vector<ControlVariable>& out) const;
 
     const nc::Dialect& dialect_;
@@ -177,6 +206,16 @@ class ControlVariables final : public Variables {
     std::map<std::string, Limits, std::less<>> limits_;  // of some of its variables
     Level* level_ = &main_;
     std::int64_t block_number_ = 0;
+    /// A value of the machine, and the form that reads it.
+    struct MachineValue {
+        Value value;
+        std::string text;
+        std::uint32_t form = 0;
+    };
+    std::map<std::string, MachineValue, std::less<>> machine_values_;  // by their whole names
+    std::set<std::string, std::less<>> told_missing_;
+    std::function<void(const std::string&, const std::string&)> tell_missing_;
+    bool is_machine_ = false;
     std::function<double()> modal_call_;
     std::function<std::optional<std::string>(std::int64_t)> name_at_;
     std::function<bool(std::string_view)> is_program_;

@@ -46,8 +46,8 @@ void Program::State::begin_definitions() {
 /// The next program has its macros, and so have, behind the last one, all.
 void Program::State::leave_definition(const Frame& left) {
     frames.back()->macros = left.macros;
-    if (frames.size() > 1) return;
-    shared_macros = left.macros;
+    if (frames.back()->is_definition) return;
+    frames[0]->macros = shared_macros = left.macros;
     variables.share_definitions(variables.main_level());
 }
 

@@ -147,6 +147,7 @@ bool Evaluator::load(const nc::ControlLine& line, std::size_t at) {
         case Instruction::Kind::Vacant: push({}); return true;
         case Instruction::Kind::Family: return load_family(instruction);
         case Instruction::Kind::System: return load_system(instruction);
+        case Instruction::Kind::Input: return load_input(instruction);
         case Instruction::Kind::Element: return load_element(instruction);
         case Instruction::Kind::SystemPart:
         case Instruction::Kind::ElementPart: return load_frame_part(instruction);
@@ -180,9 +181,30 @@ bool Evaluator::load_family(const Instruction& instruction) {
     Value value;
     const auto answered = variables_.family(instruction.index,
                                             static_cast<std::int64_t>(rounded_away(number)), value);
-    if (answered == Variables::Answer::Missing)
-        return fail(diag::VariableNumber, {shown(rounded_away(number))});
+    const auto named = [&] {
+        return variables_.named(instruction.index, static_cast<std::int64_t>(rounded_away(number)));
+    };
+    if (answered == Variables::Answer::Missing) return fail(diag::VariableNumber, {named()});
+    if (answered == Variables::Answer::Unsupported) return fail(diag::IsoNotSupported, {named()});
+    if (answered == Variables::Answer::NotReadable) return fail(diag::VariableWriteOnly, {named()});
     stack_[size_ - 1] = value;
+    return answer(answered);
+}
+
+bool Evaluator::load_input(const Instruction& instruction) {
+    size_ -= instruction.count;
+    std::array<std::int64_t, 4> indices{};
+    for (std::size_t i = 0; i < instruction.count; ++i) {
+        const Value& index = stack_[size_ + i];
+        if (!index.is_number() && index.kind != Value::Kind::Axis)
+            return fail(diag::IndexType, {std::string(kind_name(index))});
+        indices[i] = index_of(index.number);
+    }
+    Value value;
+    std::string text;
+    const auto answered = variables_.input(
+        instruction.index, std::span(indices).first(instruction.count), value, text);
+    push(value.is_text() ? keep_text(std::move(text)) : value);
     return answer(answered);
 }
 

@@ -32,6 +32,12 @@ class Variables {
     };
     /// A variable of a family by its number.
     virtual Answer family(std::uint32_t form, std::int64_t number, Value& out) = 0;
+    /// How a program writes such a variable, and what it is: "`#1004` (inputs)".
+    virtual std::string named(std::uint32_t form, std::int64_t number) const = 0;
+    /// A value of the machine: of an open form by the number of its name and its indices. A text
+    /// goes to `text`.
+    virtual Answer input(std::uint32_t form, std::span<const std::int64_t> indices, Value& out,
+                         std::string& text) = 0;
     /// `Later`: the blocks before have to be executed first.
     virtual Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                           double& out) = 0;
@@ -84,6 +90,8 @@ class Evaluator {
     bool has_radians() const { return radians_.has_value(); }
     /// Why it came to no value.
     const nc::LineFault& fault() const { return fault_; }
+    /// What is being worked out, or was last.
+    const nc::Span& place() const { return place_; }
     /// Whether two values are equal, as `==` has it; none: they cannot be compared, `fault` says
     /// why.
     std::optional<bool> is_same(Value a, const Value& b);
@@ -133,6 +141,7 @@ class Evaluator {
     bool load(const nc::ControlLine& line, std::size_t at);
     bool load_family(const nc::Instruction& instruction);
     bool load_system(const nc::Instruction& instruction);
+    bool load_input(const nc::Instruction& instruction);
     bool load_element(const nc::Instruction& instruction);
     bool load_frame_part(const nc::Instruction& instruction);
     bool answer(Variables::Answer answer);

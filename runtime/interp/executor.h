@@ -76,6 +76,7 @@ class Executor {
     Snapshot snapshot() const;  // snapshot.cpp
 
     // answers.cpp: what a program asks while it runs
+    double elapsed() { return run_time(); }
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
     ControlState::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                      double value, bool acts_at_once);  // offsets.cpp
@@ -226,6 +227,15 @@ class Executor {
     bool check_rotary_ways(const nc::Block& block);
     void turn_rotary(const nc::Block& block, Target& target) const;
     void arrive(const Target& target);
+    // probing.cpp
+    bool knows_touches() const;
+    Target part_of_way(const Target& target, double part) const;
+    std::optional<Target> touched_along(const nc::Block& block, const Target& target);
+    std::optional<double> touch_of_event(const nc::Block& block, const Target& target,
+                                         bool& is_said);
+    std::optional<double> touch_of_scene(const Target& target, bool springs_back);
+    void note_probed(bool is_found);
+    void use_probed(const nc::Block& block, const nc::Invocation& invocation);
     void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
     bool is_without_frames(const Actions& actions) const;
     bool take_frames_off(const nc::Block& block);
@@ -758,6 +768,9 @@ class Executor {
     Output output_;
     ProgramClocks clocks_;
     std::optional<Probed> probed_;
+    std::vector<bool> touches_done_;           // of options_.touches
+    std::optional<ControlFrame> probe_place_;  // of the surfaces that the probe meets
+    double probe_kept_ = 0;                    // a coordinate that was measured
     std::uint64_t block_count_ = 0;
     bool ended_ = false;
     bool alarmed_ = false;

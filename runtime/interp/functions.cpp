@@ -460,12 +460,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::FeedCourse:
         case Function::FeedPolynomial: set_feed_words(block, invocation); break;
         case Function::Probe: actions.probes = true; break;
-        // Here the part lies where the program expects it, and every probe finds it.
         case Function::ProbeCheck:
         case Function::ProbeClear:
         case Function::ProbeKeep:
         case Function::OffsetToEdge:
-        case Function::OffsetToMiddle: break;
+        case Function::OffsetToMiddle: use_probed(block, invocation); break;
         case Function::ThreadStart: actions.thread_start_deg = block.argument(invocation, 0); break;
         case Function::TapRigid: taps_rigidly_ = true; break;
         case Function::DiameterOn:

@@ -43,6 +43,7 @@ const AxisValues& Interpreter::position() const { return state_->executor.positi
 Snapshot Interpreter::snapshot() const { return state_->executor.snapshot(); }
 std::uint64_t Interpreter::blocks() const { return state_->executor.blocks(); }
 
+double Interpreter::elapsed() { return state_->executor.elapsed(); }
 std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t first,
                                             std::int64_t second) {
     return state_->executor.quantity(quantity, first, second);

@@ -17,6 +17,7 @@
 #include "interp/control_state.h"
 #include "interp/snapshot.h"
 #include "machine/machine.h"
+#include "machine/probe.h"
 #include "nc/dialect.h"
 #include "nc/reader.h"
 #include "path/command.h"
@@ -69,14 +70,25 @@ class CycleExpander {
 /// The day that a program sees if the run is not told another one: runs are to be alike.
 inline constexpr std::int64_t kFirstDate = 20000101;
 
+/// Where a probe triggers on its way, said from outside.
+struct ProbeTouch {
+    // The block, by one of these: its line of the text, from 1; N.
+    std::uint32_t line = 0;
+    std::int32_t number = -1;
+    AxisMask axes = 0;  // that are said; none: it does not trigger
+    AxisValues at{};    // programmed coordinates, in the units of the text
+};
+
 struct InterpreterOptions {
     std::uint64_t max_blocks = 0;   // 0: no limit
     std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
     bool optional_stop = false;
-    bool asks_for_tool = true;       // warns of a cut before any tool is called
-    std::int64_t date = kFirstDate;  // day on which the run begins, YYYYMMDD
-    int time_of_day = 0;             // … and when, in seconds since midnight
-    bool in_step = false;            // no block is read before the one in front of it is executed
+    bool asks_for_tool = true;                   // warns of a cut before any tool is called
+    std::int64_t date = kFirstDate;              // day on which the run begins, YYYYMMDD
+    int time_of_day = 0;                         // … and when, in seconds since midnight
+    const machine::ProbeScene* probe = nullptr;  // what a probe meets; null: nobody knows
+    std::vector<ProbeTouch> touches = {};
+    bool in_step = false;  // no block is read before the one in front of it is executed
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.
@@ -106,6 +118,7 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     Snapshot snapshot() const;
 
     // What a program asks while it runs.
+    double elapsed() override;
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first,
                                    std::int64_t second) override;
     Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second, double value,

@@ -9,7 +9,6 @@
 #include "interp/block_words.h"
 #include "interp/executor.h"
 #include "interp/linear.h"
-#include "interp/probed_place.h"
 #include "interp/said_words.h"
 
 namespace kadr::interp {
@@ -267,6 +266,7 @@ void Executor::arrive(const Target& target) {
 
 void Executor::line(const Block& block, const Target& programmed, Op op, bool exact_stop) {
     Target target = programmed;
+    std::optional<Target> touched;
     if (op == Op::Line && !check_feed(block, "line")) return;
     if (op == Op::Probe && !check_probe(block)) return;
     if (op == Op::Rapid) check_rapid(block, target);
@@ -276,6 +276,10 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     if (course_ &&
         !lay_course(block, straight_way(linear(position_.base), linear(target.base)), target))
         return;
+    if (op == Op::Probe) {
+        touched = touched_along(block, target);
+        if (touched) target = *touched;
+    }
     if (!check_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
     Command& command = put(op, block);
@@ -289,10 +293,7 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
         put_positioning(command);
     if (op != Op::Rapid && may_count_degrees(block)) count_degrees(block, command);
     arrive(target);
-    const auto place = [this](nc::Quantity quantity, Axis axis) {
-        return place_of(quantity, axis);
-    };
-    if (op == Op::Probe) probed_ = probed_place(position_.here, place);
+    if (op == Op::Probe) note_probed(touched.has_value());
 }
 
 }  // namespace kadr::interp

@@ -48,8 +48,9 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
       tables(dialect_.tables()),
       language(tables.language),
       options(options_),
-      sink(sink_),
-      lines(dialect_, name, sink_),
+      ear(sink_),
+      sink(ear),
+      lines(dialect_, name, ear),
       kept(lines),
       units(dialect_, text, name, options.kept_text, options.files),
       variables(dialect_, lines),
@@ -65,6 +66,14 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
     variables.ask_modal_call([this] { return modal_call_code(); });
     variables.ask_programs([this](std::int64_t level) { return name_at(level); },
                            [this](std::string_view asked) { return has_program(asked); });
+    variables.ask_missing([this](const std::string& missing, const std::string& meaning) {
+        missing_inputs.push_back({missing, meaning, evaluator.place()});
+    });
+    for (const InputEvent& event : options.events) {
+        const bool is_at_block = event.line != 0 || event.number >= 0;
+        pending_events.push_back({&event, is_at_block ? std::nullopt : std::optional(0.0)});
+        waits_for_block |= is_at_block;
+    }
     lines.add_notes([this](DiagnosticBuilder& message) {
         for (LinePlace& call : nc::places_of(frame->site.get()))
             message.note(std::move(call), "called here");
@@ -83,7 +92,21 @@ std::size_t Program::State::pull(std::span<Block> out) {
         Block& block = out[given];
         block.reset();
         const bool had_fault = lines.failed();
-        const Done done = frame->is_definition ? step_in_definition(block) : step(block);
+        const bool is_program = frame->inputs == nullptr && !frame->is_definition;
+        if (options.call && is_program && !frames[0]->is_called) [[unlikely]] {
+            if (given > 0 || begin_with_arguments() == Done::Wait) return given;
+            if (has_ended) {
+                is_only_checking = has_visible_fault = true;
+                return given;
+            }
+        }
+        if (waits_for_block && is_program && comes_to_event()) {
+            if (given > 0) return given;
+            begin_event_block();
+        }
+        const Done done = frame->is_definition       ? step_in_definition(block)
+                          : frame->inputs != nullptr ? step_in_input(block)
+                                                     : step(block);
         if (done == Done::Block) ++given;
         // The interpreter goes to a place before the program does there what it does.
         if (frame->at_places && given > 0) return given;
@@ -106,6 +129,7 @@ void Program::State::begin_main() {
     units.settle_main();
     frames[0]->unit = &units.main();
     frames[0]->here = units.main().begin;
+    begin_inputs();
     begin_definitions();
 }
 
@@ -116,7 +140,9 @@ bool Program::State::runs_flat() {
     const bool is_called = due || modal_shape || frame->call.to || frame->is_returning ||
                            !modal_calls.empty() || !frame->macros.is_empty();
     const bool is_at_end = is_only_checking || has_ended || lines.has_ended();
-    return !is_called && !is_at_end && !is_waiting && watch == nullptr && frame->repeats.empty();
+    const bool is_told = frame->inputs != nullptr || waits_for_block;
+    return !is_called && !is_at_end && !is_waiting && !is_told && watch == nullptr &&
+           frame->repeats.empty();
 }
 
 /// Lines that nobody has executed yet, one behind the other, while they are plain words: in a flat
@@ -471,6 +497,12 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
         return Done::Nothing;
     if (line.kind == Kind::Known)
         return lines.read_known(line.text, out) ? Done::Block : Done::Nothing;
+    // The time of an event is known behind what was executed.
+    if (!pending_events.empty() && frame->resume == 0 && frame->inputs == nullptr) [[unlikely]] {
+        if (given > 0) return Done::Wait;
+        act_events();
+        if (has_ended) return Done::Nothing;
+    }
     const nc::LexedLine& words = line.line.words;
     if (words.skip >= 0 && (options.skip_levels >> words.skip & 1u) != 0) return Done::Nothing;
     if (!words.passed.empty()) {
@@ -746,7 +778,9 @@ Program::State::Done Program::State::fail(CompiledLine& line, ProgramMap::Fault 
 
 Program::State::Done Program::State::evaluate(CompiledLine& line, const nc::Expression& expression,
                                               Value& out, int decimals) {
-    switch (evaluator.run(line.line, expression, out, decimals)) {
+    const Evaluator::Outcome outcome = evaluator.run(line.line, expression, out, decimals);
+    if (!missing_inputs.empty()) tell_missing(line);
+    switch (outcome) {
         case Evaluator::Outcome::Done:
             if (evaluator.has_radians()) [[unlikely]]
                 warn_of_radians(line);

@@ -17,9 +17,30 @@
 #include "interp/line_watch.h"
 #include "interp/printer.h"
 #include "interp/program_files.h"
+#include "nc/control_line.h"
 #include "nc/reader.h"
 
 namespace kadr::interp {
+
+/// What the machine tells a program before it begins: assignments of the control's language, and
+/// blocks that write data (`G10 L2`).
+struct ProgramInputs {
+    std::string name;      // of the file, for messages
+    std::string text;      // with the line numbers that messages show
+    bool is_said = false;  // each line was meant: a name that the control does not have is an error
+};
+
+/// An assignment that the machine makes while the program runs, in front of the line that begins
+/// next.
+struct InputEvent {
+    std::string text;  // `$A_IN[3]=1`
+    double time = 0;   // s, ≥ 0, from the start of the program, or of the block
+    // The block, by one of these; neither: the program.
+    std::uint32_t line = 0;    // its line of the text, from 1
+    std::int32_t number = -1;  // N
+    std::string file;          // where the event stands
+    std::uint32_t file_line = 0;
+};
 
 struct ProgramOptions {
     std::uint16_t skip_levels = 0;                 // bit n: blocks with skip level n are left out
@@ -31,8 +52,14 @@ struct ProgramOptions {
     std::size_t kept_lines = 1u << 12;  // before the latest batch, that messages can show
     std::function<bool()>
         is_over;  // asked now and then: whether the program has to end; may be empty
-    ProgramFiles* files = nullptr;  // programs that do not stand in the text
-    Printer* printer = nullptr;     // null: what the program prints is lost
+    ProgramFiles* files = nullptr;      // programs that do not stand in the text
+    Printer* printer = nullptr;         // null: what the program prints is lost
+    std::vector<ProgramInputs> inputs;  // in the order in which they act
+    std::vector<InputEvent> events;
+    /// The main program is called with these arguments, `A1. B2.` or `(1, 2.5)`, as another program
+    /// would.
+    std::optional<std::string> call;
+    nc::MachineAxisNames axis_names;  // empty: as machines call them (nc::usual_axis_names)
 };
 
 /// A variable of the control that the program has set.

@@ -583,7 +583,7 @@ void Program::State::note_returned(const Frame& left) {
 Program::State::Done Program::State::declare_procedure(CompiledLine& line,
                                                        const ControlStatement& statement) {
     if (frame->has_executed) return fail(line, diag::DeclarationMisplaced, statement.span);
-    const bool was_called = frames.size() > 1 && !is_only_checking;
+    const bool was_called = (frames.size() > 1 || frame->is_called) && !is_only_checking;
     const bool had_failed = lines.failed();
     Done done = Done::Nothing;
     for (const nc::ProcedureParameter& parameter : statement.parameters) {
@@ -681,8 +681,12 @@ bool Program::State::takes_blocks() const {
 }
 
 nc::LineContext Program::State::context() const {
-    return {variables.names(), frame->is_in_code_call, !modal_calls.empty() && takes_blocks(),
-            options.skip_levels};
+    return {variables.names(),
+            frame->is_in_code_call,
+            !modal_calls.empty() && takes_blocks(),
+            options.skip_levels,
+            ear.is_listened_to(),
+            options.axis_names.empty() ? nullptr : &options.axis_names};
 }
 
 /// Behind a block that moves an axis the modal call is made.
@@ -920,7 +924,7 @@ Program::State::Done Program::State::return_in_main(CompiledLine& line,
                                                     const ControlStatement& statement,
                                                     const std::optional<LineTarget>& target,
                                                     Block& out) {
-    if (!language.rules.return_restarts_main) {
+    if (!language.rules.return_restarts_main || frame->is_called) {
         out.add(Function::End);
         return Done::Block;
     }
@@ -988,6 +992,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
         leave_places(*left);
         note_returned(*left);
         if (left->is_definition) leave_definition(*left);
+        if (left->inputs != nullptr && frames.back()->inputs == nullptr) leave_inputs();
         if (left->saves) interpreter->restore_frames(true);
         if (left->call.is_shape) out.add(Function::CycleCall);
         if (left->saves || left->call.is_shape) lines.restore(left->modal_before, out);

@@ -122,8 +122,10 @@ struct Frame {
     std::int64_t left = 1;  // passes, this one included
     bool saves = false;
     nc::ModalFunctions modal_before{};
-    bool is_definition = false;    // it says what all programs have, and moves nothing
-    bool is_in_code_call = false;  // codes that call programs mean what they are here
+    bool is_definition = false;  // it says what all programs have, and moves nothing
+    bool is_called = false;      // the main program has arguments, and returns where it ends
+    const ProgramInputs* inputs = nullptr;  // it is what the machine tells before the program
+    bool is_in_code_call = false;           // codes that call programs mean what they are here
     bool is_external = false;
     TextMacros macros;
     std::optional<CallsAtPlaces> at_places;     // while the tool goes from place to place
@@ -134,6 +136,22 @@ struct Frame {
     bool leaves_all_passes = false;
     int levels = 1;                   // that are left
     std::optional<Place> returns_to;  // in the program that goes on
+};
+
+/// Messages go on, or are kept while somebody listens who makes something of them.
+class ListeningSink final : public DiagnosticSink {
+  public:
+    explicit ListeningSink(DiagnosticSink& next) : next_(next) {}
+    void take(Diagnostic diagnostic) override {
+        (heard_ == nullptr ? next_ : *heard_).take(std::move(diagnostic));
+    }
+    /// Null: they go on.
+    void listen(DiagnosticSink* heard) { heard_ = heard; }
+    bool is_listened_to() const { return heard_ != nullptr; }
+
+  private:
+    DiagnosticSink& next_;
+    DiagnosticSink* heard_ = nullptr;
 };
 
 struct Program::State {
@@ -150,6 +168,7 @@ struct Program::State {
     const nc::DialectTables& tables;
     const nc::Language& language;
     ProgramOptions options;
+    ListeningSink ear;
     DiagnosticSink& sink;
     nc::LineReader lines;
     nc::KeptLines kept;
@@ -219,6 +238,29 @@ struct Program::State {
     std::uint64_t most_line = 0;
     bool is_waiting = false;        // the line in `scratch` is to be run again
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
+    /// Values of the machine that nobody has given and that the line reads.
+    struct MissingInput {
+        std::string name;
+        std::string meaning;
+        nc::Span span;
+    };
+    std::vector<MissingInput> missing_inputs;
+    /// An event and when its block began, s; nothing: not yet.
+    struct PendingEvent {
+        const InputEvent* event;
+        std::optional<double> begun;
+    };
+    std::vector<PendingEvent> pending_events;
+    bool waits_for_block = false;  // one of them does
+    struct EventBlock {
+        std::int64_t number = -1;  // N
+        std::uint64_t line = 0;    // of the main text; 0: of another one
+    };
+    EventBlock event_block;                            // that is next
+    bool is_acting = false;                            // an event is executed
+    std::set<std::string, std::less<>> passed_inputs;  // names that the control does not have
+    bool has_wrong_inputs = false;
+    std::vector<VariableChange>* onlooker_changes = nullptr;  // what the machine sets is no change
     bool has_begun = false;
     bool has_ended = false;
     bool is_printer_open = false;
@@ -247,6 +289,21 @@ struct Program::State {
     void begin_definitions();
     void leave_definition(const Frame& left);
     Done step_in_definition(nc::Block& out);
+    // program_inputs.cpp
+    void begin_inputs();
+    Done step_in_input(nc::Block& out);
+    Done run_input(CompiledLine& line, nc::Block& out);
+    void tell_wrong_input(const std::string& text, const std::vector<Diagnostic>& heard,
+                          bool is_said);
+    void leave_inputs();
+    void tell_missing(const CompiledLine& line);
+    bool comes_to_event();
+    bool is_here(const PendingEvent& event) const;
+    void begin_event_block();
+    void act_events();
+    void act_event(const InputEvent& event);
+    Done begin_with_arguments();
+    Done prepare_arguments(CompiledLine& line);
     bool may_execute(CompiledLine& line, const nc::ControlStatement& statement);
     bool may_go_on();
     bool is_in_cycle_mode() const {

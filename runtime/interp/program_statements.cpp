@@ -134,7 +134,9 @@ Program::State::Done Program::State::store(CompiledLine& line, const nc::Referen
                                            const Value& value) {
     std::array<std::int64_t, 4> indices{};
     if (reference.indices.is_given()) {
-        switch (evaluator.indices(line.line, reference, indices)) {
+        const Evaluator::Outcome outcome = evaluator.indices(line.line, reference, indices);
+        if (!missing_inputs.empty()) tell_missing(line);
+        switch (outcome) {
             case Evaluator::Outcome::Done: break;
             case Evaluator::Outcome::Later: return Done::Wait;
             case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());

@@ -91,6 +91,15 @@ ProgramUnit* ProgramUnits::find_definitions(const std::string& name) {
     return begin ? &keep(name, {}, *text, *begin) : nullptr;
 }
 
+ProgramUnit& ProgramUnits::add(std::unique_ptr<nc::TextSource> source, std::string name) {
+    texts_.push_back(
+        std::make_unique<ProgramText>(*source, std::move(name), kept_, tables_.rules.max_line));
+    texts_.back()->own = std::move(source);
+    added_.push_back(
+        std::make_unique<ProgramUnit>(tables_, *texts_.back(), LinePosition{}, std::string()));
+    return *added_.back();
+}
+
 /// text  is set to that of the file
 std::optional<LinePosition> ProgramUnits::find_in_file(const std::string& name,
                                                        const std::string& kind,

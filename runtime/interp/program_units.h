@@ -81,6 +81,8 @@ class ProgramUnits {
                  std::size_t kept, ProgramFiles* files);
 
     ProgramUnit& main() { return *main_; }
+    /// Looks whether it is a procedure.
+    void look_for_main_head() { look_for_head(*main_); }
     /// Looks where the main program begins; before anything is read.
     void settle_main();
     /// The program with this name, looked for in `near` first; nullptr: there is none.
@@ -90,6 +92,8 @@ class ProgramUnits {
     /// The program with definitions for all the others: one that stands in front of the main
     /// program in its text, or a file. nullptr: there is none. `settle_main` comes first.
     ProgramUnit* find_definitions(const std::string& name);
+    /// A text that is executed in front of the main program.
+    ProgramUnit& add(std::unique_ptr<nc::TextSource> text, std::string name);
     /// What a line is called in a block: one number for all texts, the line's own in the main one.
     std::uint32_t line_id(ProgramText& text, std::uint64_t line);
     struct Line {
@@ -116,6 +120,7 @@ class ProgramUnits {
     ProgramFiles* files_;
     std::vector<std::unique_ptr<ProgramText>> texts_;
     std::unique_ptr<ProgramUnit> main_;
+    std::vector<std::unique_ptr<ProgramUnit>> added_;
     // By name and kind, as they are asked for.
     std::map<std::pair<std::string, std::string>, std::unique_ptr<ProgramUnit>> units_;
     struct Window {

@@ -7,7 +7,6 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/probed_place.h"
 
 namespace kadr::interp {
 
@@ -108,6 +107,12 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     Target target{{}, to, static_cast<AxisMask>(targets)};
     for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];
     target.here = frames_.from_base(target.base);
+    std::optional<Target> touched;
+    if (probes) touched = touched_along(block, target);
+    if (touched) {
+        target = *touched;
+        for (std::size_t i = 0; i < kAxes; ++i) to[i] = target.base[i] + length_shift_[i];
+    }
     if (!check_limits(block, target.base, target.moved)) return;
 
     Command& command = put(probes ? Op::Probe : is_rapid ? Op::Rapid : Op::Line, block);
@@ -118,10 +123,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     command.exact_stop = true;
     command.feed = is_rapid ? 0 : modal_.feed;
     arrive(target);
-    const auto place = [this](nc::Quantity quantity, Axis axis) {
-        return place_of(quantity, axis);
-    };
-    if (probes) probed_ = probed_place(position_.here, place);
+    if (probes) note_probed(touched.has_value());
 }
 
 /// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.

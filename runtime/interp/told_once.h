@@ -20,6 +20,7 @@ struct ToldOnce {
     bool units = false;
     bool preset = false;
     bool measure = false;
+    bool touch = false;
     bool life = false;                            // data of tool life
     std::vector<std::int64_t> tools;              // that nobody knows
     std::vector<std::int64_t> edges;              // … of their edges

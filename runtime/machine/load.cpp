@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "base/xml.h"
 #include "machine/described.h"
+#include "machine/described_machine.h"
 #include "machine/element_reader.h"
 #include "machine/load_kinematics.h"
 #include "machine/load_pipeline.h"
@@ -51,7 +52,7 @@ const XmlShape& machine_shape() {
           "orientation_tolerance",
           "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
-          "scanner", "spindle", "kinematics", "pipeline"}},
+          "scanner", "spindle", "kinematics", "pipeline", "data", "probe"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -61,8 +62,15 @@ const XmlShape& machine_shape() {
           "home",
           "home2",
           "home3",
-          "home4"},
+          "home4",
+          "machine_name"},
          {}},
+        {"probe", {"radius", "length_to", "offset", "error"}, {"plane", "block", "boss", "bore"}},
+        {"plane", {{"axis", Filled}, {"at", Filled}, "material"}, {}},
+        {"block", {{"from", Filled}, {"to", Filled}}, {}},
+        {"boss", {{"center", Filled}, {"diameter", Filled}, "height"}, {}},
+        {"bore", {{"center", Filled}, {"diameter", Filled}, "depth"}, {}},
+        {"data", {{"name", Filled}, {"value", XmlAttributeRule::Use::Needed}}, {}},
         {"tool", {{"number", Filled}, "edge", "length", "length_x", "radius", "tip", "name"}, {}},
         {"offset", {{"number", Filled}, "x", "y", "z", "a", "b", "c", "u", "v", "w"}, {}},
         {"spindle_drive",
@@ -147,7 +155,7 @@ class MachineBuilder {
     MachineBuilder(const XmlElement& root, Sources& sources, DiagnosticSink& sink)
         : root_(root), sources_(sources), sink_(sink) {}
 
-    Machine build() {
+    DescribedMachine build() {
         machine_.work_offsets.resize(1, AxisValues{});
         read_machine();
         for (const XmlElement& child : root_.children) read_child(child);
@@ -161,7 +169,7 @@ class MachineBuilder {
         if (machine_.axes.empty()) {
             sink_.report(diag::MachineWithoutAxes, root_.range).arg(machine_.name);
         }
-        return std::move(machine_);
+        return {std::move(machine_), std::move(told_)};
     }
 
   private:
@@ -205,6 +213,9 @@ class MachineBuilder {
         if (child.name == "cutting") read_cutting(child);
         if (child.name == "laser") read_laser(child);
         if (child.name == "function") read_function(child);
+        if (child.name == "data") read_datum(child);
+        if (child.name == "probe" && described_.is_first("the probe", child.range))
+            told_.probe = read_probe(child, sink_);
         if (child.name == "scanner" && described_.is_first("the scanner", child.range))
             machine_.scanner = read_scanner(child, sources_, sink_);
         if (child.name == "kinematics" &&
@@ -241,8 +252,20 @@ class MachineBuilder {
                               reader.quantity("home3", dimension.position),
                               reader.quantity("home4", dimension.position)};
         read_limits(reader, axis, dimension.position);
+        const std::string machine_name = upper_ascii(reader.text("machine_name"));
+        if (!machine_name.empty() &&
+            described_.is_first("an axis `" + machine_name + '`', reader.place("machine_name")))
+            told_.axis_names.emplace(machine_name, axis.axis);
         if (described_.is_first("axis " + axis.name, reader.place("name")))
             machine_.axes.push_back(axis);
+    }
+
+    void read_datum(const XmlElement& element) {
+        const ElementReader reader(element, sink_);
+        if (!reader.has("name") || !reader.has("value")) return;
+        MachineDatum datum{reader.text("name"), reader.text("value"), element.range};
+        if (described_.is_first("`" + datum.name + '`', reader.place("name")))
+            told_.data.push_back(std::move(datum));
     }
 
     void read_limits(const ElementReader& reader, MachineAxis& axis, Dimension dimension) {
@@ -464,6 +487,7 @@ class MachineBuilder {
     Sources& sources_;
     DiagnosticSink& sink_;
     Machine machine_;
+    MachineTold told_;
     SourceRange laser_place_;
     /// A further edge of a tool, and where the file says it.
     struct EdgePlace {
@@ -496,13 +520,13 @@ class CountingSink final : public DiagnosticSink {
     std::size_t errors_ = 0;
 };
 
-std::optional<Machine> load_text(FileId file, Sources& sources, DiagnosticSink& sink) {
+std::optional<DescribedMachine> load_text(FileId file, Sources& sources, DiagnosticSink& sink) {
     const auto root = parse_xml(file, sources, machine_shape(), sink);
     if (!root) return std::nullopt;
     // One look at the file finds the mistakes of its shape and those of its values.
     CountingSink counting(sink);
     (void)check_xml(*root, machine_shape(), counting);
-    Machine machine = MachineBuilder(*root, sources, counting).build();
+    DescribedMachine machine = MachineBuilder(*root, sources, counting).build();
     if (counting.has_errors()) return std::nullopt;
     return machine;
 }
@@ -540,6 +564,14 @@ void report_unknown_machine(const std::string& name, const SearchPath& folders,
 
 std::optional<Machine> load_machine(const std::string& name_or_file, const SearchPath& folders,
                                     Sources& sources, DiagnosticSink& sink) {
+    auto described = load_described_machine(name_or_file, folders, sources, sink);
+    if (!described) return std::nullopt;
+    return std::move(described->machine);
+}
+
+std::optional<DescribedMachine> load_described_machine(const std::string& name_or_file,
+                                                       const SearchPath& folders, Sources& sources,
+                                                       DiagnosticSink& sink) {
     std::string path = name_or_file;
     if (!is_file_name(name_or_file)) {
         const auto stock = find_stock(name_or_file, folders);

@@ -27,6 +27,7 @@ struct Instruction {
         Local,    // the same of the level
         Family,   // the variable of family `index` whose number is on the stack
         System,   // the quantity `index`, its indices on the stack
+        Input,    // … of open form `index`: the number of the name and its indices on the stack
         Element,  // the declared variable `index`; `count` indices on the stack
         // Component `part()` of such a frame; the axis is one more on the stack.
         SystemPart,
@@ -258,12 +259,20 @@ class NameTable {
     std::vector<std::string> names_;
 };
 
+/// What the axes of the machine are called, by the names that stand for them as an index.
+using MachineAxisNames = std::map<std::string, Axis, std::less<>>;
+/// `AX1` … in the order of these axes, and `X1`, `Y1` …: as machines call them unless told
+/// otherwise.
+MachineAxisNames usual_axis_names(std::span<const Axis> axes);
+
 /// How a line is understood beyond what stands in it.
 struct LineContext {
     NameTable* names = nullptr;     // gets the names of variables; null: the line is only looked at
     bool has_plain_codes = false;   // codes that call a program of their own mean what they are
     bool is_argument = false;       // the words are arguments of a modal call
     std::uint16_t skip_levels = 0;  // bit n: the operator leaves out what has the level n
+    bool is_told = false;           // by the machine: numbers may have more digits than a program's
+    const MachineAxisNames* axis_names = nullptr;  // null: AX1 is X, AX2 Y … and X1 X, Y1 Y …
     friend bool operator==(const LineContext&, const LineContext&) = default;
 };
 

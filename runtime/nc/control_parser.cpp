@@ -33,6 +33,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                  ControlLine& out, const LineContext& context)
         : CallCompiler(tables, symbols, line, out), context_(context) {
         names_ = context.names;
+        axis_names_ = context.axis_names;
+        is_told_ = context.is_told;
     }
 
     std::optional<LineFault> run() {
@@ -775,6 +777,18 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 };
 
 }  // namespace
+
+MachineAxisNames usual_axis_names(std::span<const Axis> axes) {
+    MachineAxisNames names;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const auto axis = static_cast<Axis>(i);
+        names.emplace(std::string(kAxisNames[i]) + '1', axis);
+        if (axes.empty()) names.emplace("AX" + std::to_string(i + 1), axis);
+    }
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        names.emplace("AX" + std::to_string(i + 1), axes[i]);
+    return names;
+}
 
 std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolTable& symbols,
                                       std::string_view line, ControlLine& out,

@@ -28,6 +28,15 @@ void explain_range(const VariableForm& form, const VariableRange& range,
             line += " is another name of number " +
                     std::to_string(static_cast<std::int64_t>(range.value));
             break;
+        case VariableRange::Kind::Input:
+            line += range.is_shared ? " is a value that the machine and the program write"
+                                    : " is a value of the machine";
+            line += "; without one 0 and a warning (docs/inputs.md)";
+            break;
+        case VariableRange::Kind::Bits:
+            line += " is 32 bits, those of number " +
+                    std::to_string(static_cast<std::int64_t>(range.value)) + " on";
+            break;
         case VariableRange::Kind::Unsupported:
             line += " is known to the control; Kadr does not read it";
             break;
@@ -42,6 +51,10 @@ void explain_variables(const Language& language, std::string_view word,
         if (!form.closing.empty()) {
             if (word.starts_with(form.name) && word.ends_with(form.closing))
                 explain_range(form, form.ranges[0], lines);
+            continue;
+        }
+        if (form.is_open) {
+            if (word.starts_with(form.name)) explain_range(form, form.ranges[0], lines);
             continue;
         }
         if (!form.is_family) {

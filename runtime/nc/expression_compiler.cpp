@@ -223,7 +223,8 @@ bool ExpressionCompiler::take_number() {
     double value = decimal.value;
     bool has_point = decimal.has_point;
     if (words_.has_exponents() && take_exponent(value)) has_point = true;
-    const bool is_too_long = rules_.constant_digits != 0 && decimal.digits > rules_.constant_digits;
+    const bool is_too_long =
+        !is_told_ && rules_.constant_digits != 0 && decimal.digits > rules_.constant_digits;
     if (is_too_long || !std::isfinite(value)) {
         fail(diag::IsoTooManyDigits, span_from(begin));
         fault_->arguments = {std::string(line_.substr(begin, at_ - begin))};
@@ -447,7 +448,8 @@ bool ExpressionCompiler::take_reference(Reference& out) {
     const bool is_spelled_out = whole.text.size() > word.text.size();
     const bool is_fine = (is_spelled_out && take_named(whole, out)) ||
                          (!fault_ && take_own_name(out)) || (!fault_ && take_family(word, out)) ||
-                         (!fault_ && take_named(word, out)) || (!fault_ && take_symbol(word, out));
+                         (!fault_ && take_named(word, out)) || (!fault_ && take_open(word, out)) ||
+                         (!fault_ && take_symbol(word, out));
     const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
     if (!is_fine && !fault_ && is_sign) return fail_here(diag::ExpressionSyntax);
     if (!is_fine) return fault_ ? false : fail_unknown(word);
@@ -536,7 +538,7 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
     const std::size_t next = words_.skip_blanks(at_ + word.text.size());
     const bool has_index = next < line_.size() && line_[next] == language_.index_open;
     for (const VariableForm& form : language_.variables) {
-        if (form.is_family || !words_.is_same(word.text, form.name)) continue;
+        if (form.is_family || form.is_open || !words_.is_same(word.text, form.name)) continue;
         // With an index it may be another variable than without: `TOFFL[2]` and `TOFFL`.
         if (form.has_namesake && has_index == form.indices.empty()) continue;
         const std::size_t begin = at_;
@@ -566,6 +568,14 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
                 if (!take_indices(form, load)) return false;
                 if (range.first != 0) add_datum(range.first, begin, load);
                 return true;
+            case VariableRange::Kind::Input:
+            case VariableRange::Kind::Bits:
+                if (load.count == 0)
+                    emit_number(static_cast<double>(range.first), ValueType::Int, begin);
+                load.kind = Instruction::Kind::Family;
+                load.index = static_cast<std::uint32_t>(&form - language_.variables.data());
+                load.count = 1;
+                break;
             case VariableRange::Kind::Global:
             case VariableRange::Kind::Local:
                 load.kind = load.count != 0                             ? Instruction::Kind::Family
@@ -579,6 +589,70 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
         return true;
     }
     return false;
+}
+
+/// `$MN_USER_DATA_INT[3]`, `$MA_REF_VELO[AX1,0]`: whatever of this kind the machine has.
+bool ExpressionCompiler::take_open(const Word& word, Reference& out) {
+    const auto form = std::ranges::find_if(language_.variables, [&](const VariableForm& each) {
+        return each.is_open && word.text.size() > each.name.size() &&
+               words_.starts_with(word.begin, each.name);
+    });
+    if (form == language_.variables.end()) return false;
+    const std::size_t begin = at_;
+    at_ += word.text.size();
+    tables_.note(&form->ranges[0]);
+    const std::string name = words_.normal(word.text);
+    const auto number = static_cast<double>(names_ == nullptr ? 1 : names_->number_of(name));
+    emit_number(number, ValueType::Int, begin);
+    Instruction& load = out.load;
+    load.kind = Instruction::Kind::Input;
+    load.type = form->ranges[0].type;
+    load.index = static_cast<std::uint32_t>(form - language_.variables.begin());
+    load.count = 1;
+    const std::size_t next = words_.skip_blanks(at_);
+    if (next >= line_.size() || line_[next] != language_.index_open) return true;
+    constexpr std::uint8_t kMostIndices = 2;
+    for (bool is_first = true; is_first || (skip(), peek() == ','); is_first = false) {
+        if (is_first ? !take_open_bracket() : !take_sign(',')) return false;
+        if (load.count > kMostIndices) return fail_here(diag::CloseBracketMissing);
+        if (!take_machine_axis() && (fault_ || !take_any_index())) return false;
+        ++load.count;
+    }
+    return take_close(language_.index_close);
+}
+
+bool ExpressionCompiler::take_open_bracket() { return take_open(language_.index_open); }
+
+bool ExpressionCompiler::take_any_index() {
+    // `S1`: a spindle is an axis of the machine, told by its number.
+    const Word word = words_.word_at(at_);
+    const std::string name = words_.normal(word.text);
+    const bool is_spindle = language_.has_axes && name.size() == 2 && name[0] == 'S' &&
+                            name[1] >= '1' && name[1] <= '9' && symbols_.find(name) == nullptr;
+    if (is_spindle) {
+        const std::size_t begin = at_;
+        at_ += word.text.size();
+        emit_number(name[1] - '0', ValueType::Int, begin);
+        return true;
+    }
+    bool is_logical = false;
+    return take_level(language_.lowest_level, is_logical);
+}
+
+/// `AX1`, `X1`: an axis as the machine calls it. A name that the program has declared comes first.
+bool ExpressionCompiler::take_machine_axis() {
+    skip();
+    const Word word = words_.word_at(at_);
+    const std::string name = words_.normal(word.text);
+    if (name.empty() || symbols_.find(name) != nullptr) return false;
+    static const MachineAxisNames kUsual = usual_axis_names({});
+    const MachineAxisNames& names = axis_names_ == nullptr ? kUsual : *axis_names_;
+    const auto found = names.find(name);
+    if (found == names.end()) return false;
+    const std::size_t begin = at_;
+    at_ += word.text.size();
+    emit_axis(found->second, begin);
+    return true;
 }
 
 bool ExpressionCompiler::take_own_name(Reference& out) {
@@ -698,6 +772,8 @@ bool ExpressionCompiler::take_axis_index() {
         emit_axis(static_cast<Axis>(axis - kAxisNames.begin()), begin);
         return true;
     }
+    if (!language_.has_axes) return fail_here(diag::NameUnknown);
+    if (take_machine_axis()) return true;
     bool is_logical = false;
     if (!take_level(language_.lowest_level, is_logical)) return false;
     if (language_.has_axes) emit_operation(Operation::ToAxis, 1, begin);
@@ -751,6 +827,7 @@ bool ExpressionCompiler::begins_reference(std::size_t at) const {
     if (word.text.empty()) return false;
     if (symbols_.find(words_.normal(word.text)) != nullptr) return true;
     return std::ranges::any_of(language_.variables, [&](const VariableForm& form) {
+        if (form.is_open) return words_.starts_with(word.begin, form.name);
         return !form.is_family && words_.is_same(word.text, form.name);
     });
 }

@@ -105,6 +105,11 @@ class ExpressionCompiler {
     Word whole_name(Word word) const;
     /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
     bool take_named(const Word& word, Reference& out);
+    bool take_open(const Word& word, Reference& out);
+    bool take_open_bracket();
+    bool take_any_index();
+    /// False without a fault: it is none.
+    bool take_machine_axis();
     /// `#<depth>`
     bool take_own_name(Reference& out);
     bool take_indices(const VariableForm& form, Instruction& load);
@@ -125,7 +130,9 @@ class ExpressionCompiler {
     ControlLine& out_;
     std::size_t at_ = 0;
     int depth_ = 0;
-    NameTable* names_ = nullptr;       // of the program's own variables
+    NameTable* names_ = nullptr;  // of the program's own variables
+    const MachineAxisNames* axis_names_ = nullptr;
+    bool is_told_ = false;
     bool takes_whole_arrays_ = false;  // a name of an array without indices is one
     bool takes_rows_ = false;          // … of two indices with the first alone is a row of it
     std::optional<LineFault> fault_;

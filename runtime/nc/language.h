@@ -129,6 +129,8 @@ struct VariableRange {
         Constant,  // `value`, read only
         System,    // a quantity of the interpreter
         Same,      // another name of a variable of the family: of number `value`, or that and more
+        Input,     // a value of the machine, which programs write as well if `is_shared`
+        Bits,      // 32 variables of the family from number `value` on, each a bit
         Unsupported,  // the control has it and Kadr does not
     };
     Kind kind = Kind::Global;
@@ -143,6 +145,7 @@ struct VariableRange {
     std::int64_t stride = 0;  // System with two indices: so many numbers an index
     std::int64_t second = 1;  // … of which the first number stands for this second index
     std::uint32_t slot = 0;   // Global, Local: of `first` in its store
+    bool is_shared = false;   // Input: the program writes it, too
     std::string meaning;      // for explanations and messages
 };
 
@@ -153,13 +156,14 @@ struct IndexHole {
     std::string word;  // Kind::Word: must stand there, `TR`
 };
 
-/// `#{n}`, `R{n}`, `$P_EP[{axis}]`, `#_ABSIO[{n}]`, `#<{name}>`.
+/// `#{n}`, `R{n}`, `$P_EP[{axis}]`, `#_ABSIO[{n}]`, `#<{name}>`, `$MN_{name}`.
 struct VariableForm {
     std::string form;
     std::string name;           // the letters before the number or the indices
     std::string closing;        // stands behind a name of the program's own; empty: it has none
     bool is_family = false;     // a number stands behind the name, or an index in brackets
     bool has_signs = false;     // the name is more than a word: `#<_feed>`
+    bool is_open = false;       // `$MN_{name}`: further letters, and the indices that stand there
     bool has_namesake = false;  // of two names alike one has indices
     std::vector<IndexHole> indices;
     std::vector<VariableRange> ranges;  // of a family by number; a named variable has one

@@ -105,6 +105,11 @@ class LineReader {
         failed_ = true;
         if (first_fault_ == 0) first_fault_ = line_number_;
     }
+    /// What was wrong in a line was told, and the lines behind count as before.
+    void forget_fault() {
+        failed_ = false;
+        first_fault_ = 0;
+    }
     /// The end mark of the program was read.
     bool has_ended() const { return text_->has_ended; }
     /// The lines that follow stand in this text, which outlives its use.

@@ -169,14 +169,18 @@ class LanguageLoader {
         if (!read_variable_form(text.value, form)) {
             return attributes_.bad_value(
                 text,
-                "a name is expected, and {n}, indices or {name} and a sign behind it: `R{n}`, "
-                "`$P_EP[{axis}]`, `#<{name}>`");
+                "a name is expected, and {n}, indices or {name} behind it: `R{n}`, "
+                "`$P_EP[{axis}]`, `#<{name}>`, `$MN_{name}`");
         }
         for (const XmlElement& child : element.children) {
             if (child.name == "range") load_range(child, form);
         }
         if (form.ranges.empty())
             return attributes_.bad_value(text, "it needs a <range> that says what it is");
+        if (form.is_open && form.ranges[0].kind != VariableRange::Kind::Input) {
+            return attributes_.bad_value(
+                text, "a name without an end needs `scope=\"input\"` or `scope=\"shared\"`");
+        }
         // Of a family only the numbers that are said become something else.
         for (const VariableForm& old : language_.variables) {
             if (old.form == form.form && form.is_family)
@@ -209,7 +213,8 @@ class LanguageLoader {
         constexpr std::string_view kName = "{name}";
         if (text.starts_with(kName)) {
             form.closing = text.substr(kName.size());
-            return !form.closing.empty() && form.closing.find_first_of("{}") == std::string::npos;
+            form.is_open = form.closing.empty();
+            return form.closing.find_first_of("{}") == std::string::npos;
         }
         if (text.front() != language_.index_open || text.back() != language_.index_close)
             return false;
@@ -247,12 +252,19 @@ class LanguageLoader {
         const XmlAttribute* constant = element.find("constant");
         const XmlAttribute* quantity = element.find("quantity");
         if (scope != nullptr) {
-            const auto found = attributes_.choice(element, "scope", {"global", "local"});
-            range.kind =
-                found == std::size_t{1} ? VariableRange::Kind::Local : VariableRange::Kind::Global;
-            range.has_initial = element.find("initial") != nullptr;
+            const auto found =
+                attributes_.choice(element, "scope", {"global", "local", "input", "shared"});
+            const bool is_input = found && *found >= 2;
+            range.is_shared = found == std::size_t{3};
+            range.kind = is_input                  ? VariableRange::Kind::Input
+                         : found == std::size_t{1} ? VariableRange::Kind::Local
+                                                   : VariableRange::Kind::Global;
+            range.has_initial = !is_input && element.find("initial") != nullptr;
             attributes_.read_number(element, "initial", range.value);
-            allot(range);
+            if (!is_input) allot(range);
+        } else if (element.find("bits") != nullptr) {
+            range.kind = VariableRange::Kind::Bits;
+            attributes_.read_number(element, "bits", range.value);
         } else if (constant != nullptr) {
             range.kind = VariableRange::Kind::Constant;
             range.is_vacant = constant->value == "vacant";

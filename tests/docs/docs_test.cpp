@@ -412,6 +412,8 @@ TEST_F(Docs, ThePagesOnMotionAndFiveAxesShowWhatIsSaid) {
     EXPECT_EQ(texts_of_page("docs/five-axes.md"), 2);
 }
 
+TEST_F(Docs, ThePageOnInputsShowsWhatIsSaid) { EXPECT_EQ(texts_of_page("docs/inputs.md"), 1); }
+
 /// mm/min at every tick at feed, of a program of the page on motion that `laser` runs.
 std::vector<double> speeds_of(const std::string& name) {
     for (const Fence& fence : fences("docs/motion.md")) {

@@ -40,11 +40,12 @@ const std::set<std::string_view> kNotRun = {
     "K5439", "K5440", "K5441",  // what takes long
     "K5549",                    // every stock machine has Z
     "K5921",                    // `kadr check`
+    "K5952", "K5953", "K5954",  // events of a run, machines with a probe
 };
 /// Rows whose right example is another command, an alarm on purpose, calls a program that is not
 /// shown, or is for another machine.
-const std::set<std::string_view> kOnlyWrong = {"K5451", "K5460", "K5476",
-                                               "K5540", "K5541", "K5776"};
+const std::set<std::string_view> kOnlyWrong = {"K5451", "K5460", "K5476", "K5540",
+                                               "K5541", "K5776", "K5950", "K5951"};
 /// Rows about the end of the text.
 const std::set<std::string_view> kOwnEnd = {"K5260", "K5261"};
 
