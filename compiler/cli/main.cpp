@@ -1,14 +1,18 @@
 // main.cpp — the program `kadr`: arguments in, exit status out. Everything between is the driver's.
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include <unistd.h>
 
+#include "base/diagnostics/driver.h"
 #include "cli/options.h"
+#include "cli/out_of_memory.h"
 #include "cli/progress.h"
 #include "driver/check.h"
 #include "driver/compare.h"
@@ -28,9 +32,22 @@ using driver::Status;
 
 void print(std::FILE* out, std::string_view text) { std::fwrite(text.data(), 1, text.size(), out); }
 
-Status show(const driver::Reply& reply) {
+/// Whether all that was written to standard output has come there. Asked behind the last of it.
+bool is_output_whole() {
+    const bool is_flushed = std::fflush(stdout) == 0;
+    return is_flushed && std::ferror(stdout) == 0;
+}
+
+/// For what does not go through an output of the driver.
+Status told(driver::Session& session, Status status) {
+    if (is_output_whole()) return status;
+    session.messages().report(diag::FileUnwritable).arg("standard output");
+    return Status::Usage;
+}
+
+Status show(driver::Session& session, const driver::Reply& reply) {
     print(stdout, reply.text);
-    return std::fflush(stdout) == 0 ? reply.status : Status::Usage;
+    return told(session, reply.status);
 }
 
 /// A command at a break point; nothing at the end of the input.
@@ -66,15 +83,18 @@ Status perform(driver::Session& session, const cli::CommandLine& line,
         case cli::Verb::Check: return driver::check(session, line.sources);
         case cli::Verb::Test: return driver::test(session, line.test);
         case cli::Verb::Format: return driver::format(session, line.sources, line.format);
-        case cli::Verb::Repl: return repl::converse(line.options, session.share());
-        case cli::Verb::Explain: return show(driver::explain_message(session, line.word));
-        case cli::Verb::DialectList: return show(driver::list_dialects(session));
-        case cli::Verb::DialectCheck: return show(driver::check_dialect(session, line.file));
+        case cli::Verb::Repl: return told(session, repl::converse(line.options, session.share()));
+        case cli::Verb::Explain: return show(session, driver::explain_message(session, line.word));
+        case cli::Verb::DialectList: return show(session, driver::list_dialects(session));
+        case cli::Verb::DialectCheck:
+            return show(session, driver::check_dialect(session, line.file));
         case cli::Verb::DialectExplain:
-            return show(driver::explain_word(session, line.file, line.word));
-        case cli::Verb::MachineList: return show(driver::list_machines(session));
-        case cli::Verb::MachineCheck: return show(driver::check_machine(session, line.file));
-        case cli::Verb::MachineSolve: return show(driver::solve_machine(session, line.solve));
+            return show(session, driver::explain_word(session, line.file, line.word));
+        case cli::Verb::MachineList: return show(session, driver::list_machines(session));
+        case cli::Verb::MachineCheck:
+            return show(session, driver::check_machine(session, line.file));
+        case cli::Verb::MachineSolve:
+            return show(session, driver::solve_machine(session, line.solve));
     }
     return Status::Usage;
 }
@@ -101,13 +121,21 @@ Status perform(const cli::CommandLine& line) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
+    cli::end_without_memory();
     const auto parsed = cli::parse_command_line(count, arguments);
     if (const auto* answer = std::get_if<cli::Answer>(&parsed)) {
         const bool is_done = answer->status == Status::Done;
         print(is_done ? stdout : stderr, answer->text);
-        const bool is_written = !is_done || std::fflush(stdout) == 0;
+        const bool is_written = !is_done || is_output_whole();
         return static_cast<int>(is_written ? answer->status : Status::Usage);
     }
-    return static_cast<int>(perform(std::get<cli::CommandLine>(parsed)));
+    const auto& line = std::get<cli::CommandLine>(parsed);
+    cli::say_out_of_memory_as(line.messages);
+    return static_cast<int>(perform(line));
+} catch (const std::bad_alloc&) {
+    // Outputs that were begun are gone by now: what holds them has gone out of scope.
+    return cli::tell_out_of_memory();
+} catch (const std::length_error&) {  // more elements than any memory has
+    return cli::tell_out_of_memory();
 }

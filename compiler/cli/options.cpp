@@ -42,6 +42,35 @@ double parse_time(const std::string& text, const char* option) {
     return number.value * factor;
 }
 
+/// Bytes of `4GiB`, `200MB`, `64k`, `1000`.
+std::uint64_t parse_size(const std::string& text, const char* option) {
+    struct Unit {
+        std::string_view name;
+        double bytes;
+    };
+    static constexpr std::array<Unit, 12> kUnits = {{{"", 1},
+                                                     {"B", 1},
+                                                     {"kB", 1e3},
+                                                     {"MB", 1e6},
+                                                     {"GB", 1e9},
+                                                     {"TB", 1e12},
+                                                     {"KiB", 1024.0},
+                                                     {"MiB", 1048576.0},
+                                                     {"GiB", 1073741824.0},
+                                                     {"TiB", 1099511627776.0},
+                                                     {"M", 1048576.0},
+                                                     {"G", 1073741824.0}}};
+    const Decimal number = parse_decimal(text.data(), text.data() + text.size());
+    const std::string_view name(number.end, text.data() + text.size());
+    const auto unit = std::ranges::find(kUnits, name, &Unit::name);
+    constexpr double kMost = 1e18;
+    const double bytes = unit == kUnits.end() ? 0 : number.value * unit->bytes;
+    if (number.end == text.data() || !(bytes >= 1) || bytes > kMost) {
+        throw CLI::ValidationError(option, "`" + text + "` is not a size; write `500MB` or `2GiB`");
+    }
+    return static_cast<std::uint64_t>(bytes);
+}
+
 /// Millimetres of `5um`, `0.003mm`, `0.0001in`.
 double parse_length(const std::string& text, const char* option) {
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
@@ -132,6 +161,7 @@ class Parser {
     CommandLine parse(int count, const char* const* arguments);
     std::string message(const CLI::ParseError& error, int& status) const;
     std::string commands_message() const;
+    static void refuse_empty_values(const CLI::App& command);
     void take_compared();
     void take_operator();
     double take_override(const std::string& text, const char* option, motion::OperatorAct act,
@@ -145,6 +175,8 @@ class Parser {
     void add_search(CLI::App& command);
     void add_inputs(CLI::App& command);
     void add_call(CLI::App& command);
+    void add_reading(CLI::App& command);
+    void add_writing(CLI::App& command);
     void add_solve(CLI::App& machine);
     void add_expansion(CLI::App& command);
     void add_limits(CLI::App& command);
@@ -171,6 +203,8 @@ class Parser {
     std::string rapid_override_;
     std::vector<std::string> holds_;
     std::string max_time_;
+    std::string max_input_;
+    std::string max_output_;
     std::string map_;
     std::vector<std::string> defines_;
     std::vector<int> skips_;
@@ -216,6 +250,28 @@ void Parser::add_include(CLI::App& command) {
         ->check(is_folder())
         ->type_name("DIR")
         ->allow_extra_args(false);
+    add_reading(command);
+}
+
+/// What holds for all files that are read.
+void Parser::add_reading(CLI::App& command) {
+    command
+        .add_option("--allow-read", line_.options.allow_read,
+                    "folder whose files the program may read, besides its own")
+        ->check(is_folder())
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    command
+        .add_option("--max-input", max_input_,
+                    "size of a program, table or image at most (256MiB unless it is given)")
+        ->type_name("SIZE");
+}
+
+void Parser::add_writing(CLI::App& command) {
+    command
+        .add_option("--max-output", max_output_,
+                    "size of all outputs together at most (4GiB unless it is given)")
+        ->type_name("SIZE");
 }
 
 void Parser::add_program(CLI::App& command) {
@@ -290,6 +346,7 @@ void Parser::add_expand() {
         ->type_name("MACHINE");
     add_program(*command);
     add_expansion(*command);
+    add_writing(*command);
 }
 
 void Parser::add_run() {
@@ -305,6 +362,7 @@ void Parser::add_run() {
     add_call(*command);
     add_program(*command);
     add_expansion(*command);
+    add_writing(*command);
     command->add_option("--commands", job.commands, "what is executed, JSON Lines")
         ->type_name("OUT.jsonl");
     command
@@ -492,12 +550,26 @@ void Parser::add_solve(CLI::App& machine) {
     tool->excludes(euler);
 }
 
+/// `--tick ''` is a variable of a shell that is not set: what stands there was meant to say
+/// something.
+void Parser::refuse_empty_values(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& value : option->results()) {
+            if (value.empty()) throw CLI::ValidationError(option->get_name(), "the value is empty");
+        }
+    }
+    for (const CLI::App* inner : command.get_subcommands()) refuse_empty_values(*inner);
+}
+
 CommandLine Parser::parse(int count, const char* const* arguments) {
     app_.parse(count, arguments);
+    refuse_empty_values(app_);
     driver::Options& options = line_.options;
     for (const std::string& define : defines_) options.defines.push_back(parse_define(define));
     for (const int level : skips_) options.skip_levels |= static_cast<std::uint16_t>(1u << level);
     if (!tick_.empty()) options.tick = parse_tick(tick_);
+    if (!max_input_.empty()) options.max_input = parse_size(max_input_, "--max-input");
+    if (!max_output_.empty()) options.max_output = parse_size(max_output_, "--max-output");
     if (!max_time_.empty()) options.max_time = parse_time(max_time_, "--max-time");
     options.native_cycles = cycles_ == "native";
     line_.expand.source = line_.run.source = source_;

@@ -208,7 +208,7 @@ Status compare(Session& session, const CompareJob& job) {
     for (Side* side : sides) side->finish();
     const Status status = session.status();
     if (status != Status::Done) return status;
-    auto output = Output::open("-", session.messages());
+    auto output = Output::open("-", session.messages(), session.output_rules());
     if (!output) return Status::Usage;
     output->write(job.summary == SummaryFormat::Json
                       ? comparison_json(result, sides)

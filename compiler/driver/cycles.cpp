@@ -8,6 +8,7 @@
 
 #include "base/diagnostics/driver.h"
 #include "expand/expander.h"
+#include "nc/tables.h"
 
 namespace kadr::driver {
 
@@ -98,7 +99,8 @@ void CycleMessages::take(Diagnostic diagnostic) {
 const Program* LibraryCycles::find(std::string_view cycle) {
     if (!files_) files_ = files_of_cycles();
     for (std::size_t i = 0; i < files_->size(); ++i) {
-        if (i == programs_.size()) programs_.push_back(load_program(session_, (*files_)[i]));
+        if (i == programs_.size())
+            programs_.push_back(load_program(session_, (*files_)[i], dialect_.tables().file));
         if (programs_[i] && find_cycle(*programs_[i], cycle) != nullptr) return &*programs_[i];
     }
     return nullptr;

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics/driver.h"
 #include "base/numbers.h"
+#include "base/printable.h"
 #include "base/render.h"
 #include "base/text.h"
 #include "nc/tables.h"
@@ -299,7 +300,7 @@ void Debugger::show_stop(std::string_view reason) {
     std::string out = fmt::format("{}:{}: {}\n", step.file, step.line, reason);
     const std::string number = fmt::format("{:>4}", step.line);
     const std::size_t indent = std::min(step.text.find_first_not_of(" \t"), step.text.size());
-    out += number + " | " + step.text + '\n';
+    out += number + " | " + printable(step.text) + '\n';
     out += std::string(number.size(), ' ') + " | " + std::string(indent, ' ') + "^\n";
     if (step.statement.file.is_valid())
         out += "     by " + session_.source_name(step.statement) + '\n';

@@ -14,6 +14,7 @@
 #include "driver/program_example.h"
 #include "expand/expander.h"
 #include "nc/check.h"
+#include "nc/tables.h"
 #include "path/curve_registry.h"
 
 namespace kadr::driver {
@@ -120,7 +121,8 @@ void check_cycles(Session& session, const nc::Dialect& dialect) {
                 .arg("no kind of curve of this name is linked into this program");
         }
         if (cycle.file.empty()) continue;
-        const std::optional<Program> program = load_program(session, cycle.file);
+        const std::optional<Program> program =
+            load_program(session, cycle.file, dialect.tables().file, cycle.file_range);
         if (!program) continue;  // its mistakes have been reported
         const std::string fault = fault_of_cycle(*program->code, cycle);
         if (fault.empty()) continue;

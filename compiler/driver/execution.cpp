@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "driver/machine_inputs.h"
 #include "motion/pipeline.h"
+#include "syntax/limits.h"
 
 namespace kadr::driver {
 
@@ -197,9 +198,13 @@ Execution::~Execution() = default;
 std::unique_ptr<FileText> open_source(Session& session, const std::string& source) {
     auto text = FileText::open(source);
     if (!text) {
-        session.messages().report(diag::FileUnreadable).arg(source);
+        report_unread(session.messages(), diag::FileUnreadable, {}, source,
+                      {ReadFault::Kind::Unreadable, why_unreadable(source)}, session.files());
         session.mark_usage();
+        return nullptr;
     }
+    session.files().allow_home_of(source);
+    session.files().note(source);
     return text;
 }
 
@@ -208,7 +213,7 @@ bool is_kadr_source(const std::string& source, const FileText& text) {
 }
 
 FileId keep_source(Session& session, const std::string& source, FileText& text) {
-    return session.sources().add(shown_name(source), text.read_all());
+    return session.sources().add(shown_name(source), text.read_all(syntax::kMaxBytes));
 }
 
 std::unique_ptr<Execution> Execution::open(Session& session, const std::string& source,
@@ -293,12 +298,15 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
     const std::vector<std::string>& search = session_.options().search;
     for (const std::string& folder : search) {
         if (is_folder(folder)) continue;
-        session_.messages().report(diag::FileUnreadable).arg(folder);
+        session_.messages()
+            .report(diag::FileUnreadable)
+            .arg(folder)
+            .note("it is no folder, or there is none");
         session_.mark_usage();
         return false;
     }
     folders.insert(folders.end(), search.begin(), search.end());
-    called_ = std::make_unique<ProgramFolders>(std::move(folders));
+    called_ = std::make_unique<ProgramFolders>(std::move(folders), &session_);
     return dialect_ != nullptr;
 }
 
@@ -384,7 +392,7 @@ bool Execution::came_too_late() {
 }
 
 std::size_t Execution::pull(std::span<path::Command> out) {
-    if (is_late_ || came_too_late()) return 0;
+    if (is_late_ || session_.output_limit().is_over() || came_too_late()) return 0;
     const std::size_t alarms = sink_->alarms();
     const std::size_t count = interpreter_->pull(out);
     if (count > 0) last_line_ = out[count - 1].line;

@@ -41,8 +41,9 @@ Status expand(Session& session, const ExpandJob& job) {
         load_program(session, keep_source(session, job.source, *source));
     if (!program) return session.status();
 
-    const auto text_output = Output::open(job.output, messages);
-    const auto map_output = job.map.empty() ? nullptr : Output::open(job.map, messages);
+    const OutputRules rules = session.output_rules();
+    const auto text_output = Output::open(job.output, messages, rules);
+    const auto map_output = job.map.empty() ? nullptr : Output::open(job.map, messages, rules);
     if (!text_output || (!map_output && !job.map.empty())) return refused(session);
 
     // For a machine the text is run as well, for the dangers that are in it.
@@ -55,8 +56,10 @@ Status expand(Session& session, const ExpandJob& job) {
     if (has_machine) {
         make_with_dangers(session, *program, *target, std::move(text));
     } else {
-        while (!text->next().empty())
+        while (!text->next().empty()) {
+            if (session.has_output_ended()) return session.status();
             session.tell({.blocks = text->blocks(), .setpoints = 0, .time = 0});
+        }
         if (text->failed()) return session.status();
     }
     if (session.status() != Status::Done) return session.status();

@@ -43,9 +43,10 @@ bool FileText::seek(std::uint64_t offset) {
     return true;
 }
 
-std::string FileText::read_all() {
+std::string FileText::read_all(std::size_t most) {
     std::string text;
-    for (std::string_view piece = next(); !piece.empty(); piece = next()) text += piece;
+    for (std::string_view piece = next(); !piece.empty() && text.size() <= most; piece = next())
+        text += piece;
     return text;
 }
 

@@ -29,8 +29,9 @@ class FileText final : public nc::TextSource {
 
     /// The first piece, without taking it.
     std::string_view peek() const { return {piece_.data(), filled_}; }
-    /// Everything, for a source that turns out to be a Kadr program.
-    std::string read_all();
+    /// Everything, for a source that turns out to be a Kadr program. Of one that is too large for
+    /// the parser so much that it says so: the file may have no end.
+    std::string read_all(std::size_t most);
 
   private:
     explicit FileText(std::FILE* file);

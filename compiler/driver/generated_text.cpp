@@ -72,6 +72,7 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
             .trace = has_trace,
             .machine = [this] { return session_.machine(); },
             .stop = options.stop,
+            .files = &session_.files(),
             .shown = options.shown};
 }
 

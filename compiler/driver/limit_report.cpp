@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "base/printable.h"
 #include "driver/columns.h"
 #include "driver/summary.h"
 #include "path/curve.h"
@@ -23,6 +24,17 @@ constexpr double kShownLoss = 0.0005;     // s; less is not worth a line
 constexpr int kDecimals = 6;
 constexpr std::size_t kMostWaiting = 1 << 12;
 constexpr std::size_t kMostRows = 1 << 16;
+
+/// A cell of a table; the name of a file may hold what divides cells.
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",;\"\r\n") == std::string::npos) return text;
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"') out += '"';
+        out += c;
+    }
+    return out + '"';
+}
 
 LossReason reason_at(std::size_t i) { return static_cast<LossReason>(i); }
 
@@ -136,7 +148,7 @@ std::vector<const LimitReport::Row*> LimitReport::costly() const {
 
 void LimitReport::write(Output& out, const std::string& source, const std::string& alarm) {
     settle_until(std::numeric_limits<double>::infinity());
-    out.write(out.name().ends_with(".csv") ? table() : report(source));
+    out.write(printable(out.name().ends_with(".csv") ? table() : report(source)));
     if (!alarm.empty()) out.write("# not complete, ended by " + alarm + '\n');
 }
 
@@ -178,7 +190,7 @@ std::string LimitReport::table() const {
     std::string text = "place,reason,lost,time\n";
     for (const Row* row : costly()) {
         for (const std::size_t i : by_cost(row->share)) {
-            text += places_.name_of(row->place);
+            text += csv_cell(places_.name_of(row->place));
             text += ',';
             text += motion::reason_name(reason_at(i));
             append_column(text, row->share.lost[i], kDecimals);

@@ -8,6 +8,7 @@
 
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
+#include "driver/file_text.h"
 
 namespace kadr::driver {
 
@@ -133,10 +134,27 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
     const std::string key = identity(*path);
     if (const auto known = by_path_.find(key); known != by_path_.end())
         return known->second.module();
-    const std::optional<FileId> file = session_.sources().read(*path);
-    if (file) return parse(*file);
-    session_.messages().report(diag::FileUnreadable, place).arg(*path);
+    auto text = session_.files().read_named(*path);
+    if (text) return parse_import(session_.sources().add(*path, *std::move(text)), place);
+    report_unread(session_.messages(), diag::FileUnreadable, place, *path, text.error(),
+                  session_.files());
     by_path_.emplace(key, Parsed{});
+    return {};
+}
+
+/// A file may be named by mistake, or by somebody who wants to see it in messages: one that does
+/// not call itself a Kadr program is shown only if it is one.
+Modules::Module Modules::parse_import(FileId file, const SourceRange& place) {
+    const std::string name(session_.sources().name(file));
+    if (is_kadr_name(name)) return parse(file);
+    DiagnosticList said;
+    const Module module = parse(file, said);
+    if (!said.has_errors()) {
+        for (const Diagnostic& diagnostic : said.all()) session_.messages().take(diagnostic);
+        return module;
+    }
+    session_.messages().report(diag::NoKadrText, place).arg(name);
+    by_path_[identity(name)] = {};
     return {};
 }
 
@@ -158,13 +176,18 @@ std::optional<std::string> Modules::library_module_of(std::string_view function)
     return std::nullopt;
 }
 
-Modules::Module Modules::parse(FileId file) {
+Modules::Module Modules::parse(FileId file) { return parse(file, session_.messages()); }
+
+Modules::Module Modules::parse(FileId file, DiagnosticSink& sink) {
     Parsed& parsed = by_path_[identity(std::string(session_.sources().name(file)))];
     const SourceWords words = words_of(session_, file);
     if (!words) return {};
     parsed.dialect = words.dialect;
-    parsed.ast = std::make_unique<syntax::Ast>(syntax::parse(
-        session_.sources(), file, *words.keywords, *words.dialect, session_.messages()));
+    parsed.ast = std::make_unique<syntax::Ast>(
+        syntax::parse(session_.sources(), file, *words.keywords, *words.dialect, sink,
+                      [this] { return session_.deadline().is_over(); }));
+    // Whatever is missing from it now is nobody's mistake.
+    if (session_.deadline().is_over()) return {};
     return parsed.module();
 }
 

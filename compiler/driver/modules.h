@@ -43,6 +43,8 @@ class Modules final : public sema::ModuleLoader {
         Module module() const { return {ast.get(), dialect}; }
     };
 
+    Module parse(FileId file, DiagnosticSink& sink);
+    Module parse_import(FileId file, const SourceRange& place);
     std::vector<std::string> folders_for(FileId from) const;
     void report_missing(std::string_view import, const std::string& relative, FileId from,
                         const SourceRange& place);

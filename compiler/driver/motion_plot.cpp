@@ -69,11 +69,14 @@ void MotionTrace::add(const motion::Setpoint& setpoint) {
     keep_block(setpoint);
     keep_pole(setpoint);
     keep(setpoint);
+    last_time_ = setpoint.time;
 }
 
 void MotionTrace::keep(const motion::Setpoint& setpoint) {
     const std::size_t axes = machine_.axes.size();
-    if (pending_ > 0 && pending_ < stride_) {
+    // Behind a wait, of whose middle nothing is told, a bin would begin long before its end.
+    const bool follows = setpoint.time < last_time_ + 1.5 * tick_;
+    if (pending_ > 0 && pending_ < stride_ && follows) {
         ++pending_;
         for_all(bins_.back(), setpoint, now_, axes, extend);
         return;
@@ -103,8 +106,8 @@ void MotionTrace::keep_pole(const motion::Setpoint& setpoint) {
     }
     const double tilt = machine::tilt_of(chain, machine::tool_vector(chain, rotary));
     if (std::min(tilt, std::numbers::pi - tilt) > kNearPole) return;
-    const bool goes_on = !poles_.empty() && (setpoint.time < poles_.back().to + 1.5 * tick_ ||
-                                             poles_.size() == kMostPoles);
+    const bool goes_on =
+        !poles_.empty() && (poles_.back().to == last_time_ || poles_.size() == kMostPoles);
     if (goes_on) poles_.back().to = setpoint.time;
     else poles_.push_back({setpoint.time, setpoint.time});
 }

@@ -73,6 +73,7 @@ class MotionTrace {
     bool has_too_many_blocks_ = false;
     std::vector<PoleSpan> poles_;
     bool has_any_ = false;
+    double last_time_ = 0;  // of the setpoint before that was shown
     std::array<std::array<double, kAxes>, kQuantities> now_{};
 };
 

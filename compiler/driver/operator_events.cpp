@@ -7,7 +7,6 @@
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
-#include "driver/file_text.h"
 
 namespace kadr::driver {
 
@@ -212,12 +211,13 @@ std::optional<OverrideCourse> override_course(std::string_view text, OperatorAct
 }
 
 std::optional<RunEvents> read_events(Session& session, const std::string& file) {
-    auto text = FileText::open(file);
+    auto text = session.files().read(file);
     if (!text) {
-        session.messages().report(diag::FileUnreadable).arg(file);
+        report_unread(session.messages(), diag::FileUnreadable, {}, file, text.error(),
+                      session.files());
         return std::nullopt;
     }
-    const std::string all = text->read_all();
+    const std::string all = *std::move(text);
     const FileId id = session.sources().add(file, all);
     RunEvents events;
     bool is_good = true;

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <functional>
 #include <system_error>
 #include <vector>
 
@@ -65,6 +66,15 @@ void copy_permissions(const std::string& from, std::FILE* to) {
     }
 }
 
+/// A name beside the file, no longer than any: that of the file may be as long as names can be.
+std::string draft_name(const std::string& target) {
+    const fs::path path(target);
+    const std::string name = ".kadr-" + std::to_string(::getpid()) + '-' +
+                             std::to_string(std::hash<std::string>{}(path.filename().string())) +
+                             '~';
+    return (path.parent_path() / name).string();
+}
+
 /// A file without a name in the folder of `path`: it vanishes by itself if we are killed. Null
 /// where the file system has no such files.
 std::FILE* open_nameless(const std::string& path) {
@@ -82,17 +92,19 @@ bool give_name(std::FILE* file, const std::string& name) {
 
 }  // namespace
 
-std::unique_ptr<Output> Output::open(const std::string& path, DiagnosticSink& sink) {
+std::unique_ptr<Output> Output::open(const std::string& path, DiagnosticSink& sink,
+                                     const OutputRules& rules) {
     const std::string target = path == "-" ? path : behind_links(path);
     std::FILE* const stream = path == "-" ? stdout : standard_stream(target);
     const bool is_spool = stream != nullptr || is_special(target);
-    std::unique_ptr<Output> output(new Output(path, is_spool ? Kind::Spool : Kind::File));
+    std::unique_ptr<Output> output(new Output(path, is_spool ? Kind::Spool : Kind::File, rules));
+    if (output->is_refused(sink)) return nullptr;
     if (is_spool) {
         output->destination_ = stream != nullptr ? stream : std::fopen(target.c_str(), "wb");
         if (output->destination_ != nullptr) return output;
     } else if (may_replace(target)) {
         output->final_path_ = target;
-        output->draft_ = target + ".kadr-" + std::to_string(::getpid()) + "~";
+        output->draft_ = draft_name(target);
         output->stream_ = open_nameless(target);
         output->is_nameless_ = output->stream_ != nullptr;
         if (!output->is_nameless_) output->stream_ = std::fopen(output->draft_.c_str(), "wb");
@@ -101,7 +113,10 @@ std::unique_ptr<Output> Output::open(const std::string& path, DiagnosticSink& si
             return output;
         }
     }
-    sink.report(diag::FileUnwritable).arg(path == "-" ? "standard output" : path);
+    const std::string why = why_unwritable(target);
+    auto message = sink.report(diag::FileUnwritable);
+    message.arg(path == "-" ? "standard output" : path);
+    if (!why.empty()) message.note(why);
     return nullptr;
 }
 
@@ -115,14 +130,27 @@ Output::~Output() {
 }
 
 void Output::write(std::string_view text) {
+    if (rules_.limit != nullptr && !rules_.limit->take(text.size())) return;
     buffer_ += text;
     if (buffer_.size() >= (kind_ == Kind::File ? kBuffer : kSpoolBuffer)) flush();
+}
+
+bool Output::is_refused(DiagnosticSink& sink) const {
+    if (rules_.inputs == nullptr || name_ == "-" || !rules_.inputs->was_read(name_)) return false;
+    sink.report(diag::OutputIsSource).arg(name_);
+    return true;
+}
+
+/// Keeps why the system refused, for the message.
+void Output::note_fault() {
+    if (failed_ && fault_ == 0) fault_ = errno;
 }
 
 void Output::flush() {
     if (kind_ == Kind::Spool && stream_ == nullptr) stream_ = std::tmpfile();
     failed_ = failed_ || stream_ == nullptr ||
               std::fwrite(buffer_.data(), 1, buffer_.size(), stream_) != buffer_.size();
+    note_fault();
     buffer_.clear();
 }
 
@@ -153,18 +181,32 @@ bool Output::copy_spool() {
 bool Output::move_draft() {
     flush();
     failed_ = failed_ || std::fflush(stream_) != 0 || (is_nameless_ && !give_name(stream_, draft_));
-    const bool is_closed = std::fclose(stream_) == 0;
+    note_fault();
+    failed_ = std::fclose(stream_) != 0 || failed_;
+    note_fault();
     stream_ = nullptr;
-    if (!failed_ && is_closed && std::rename(draft_.c_str(), final_path_.c_str()) == 0) return true;
-    std::remove(draft_.c_str());
-    return false;
+    failed_ = failed_ || std::rename(draft_.c_str(), final_path_.c_str()) != 0;
+    note_fault();
+    if (failed_) std::remove(draft_.c_str());
+    return !failed_;
+}
+
+bool Output::put_in_place() {
+    if (kind_ == Kind::File) return move_draft();
+    failed_ = failed_ || !copy_spool();
+    note_fault();
+    return !failed_;
 }
 
 bool Output::commit(DiagnosticSink& sink) {
-    const bool is_done = kind_ == Kind::File ? move_draft() : !failed_ && copy_spool();
+    if (is_refused(sink)) return false;
+    const bool is_done = put_in_place();
     buffer_.clear();
-    if (!is_done) sink.report(diag::FileUnwritable).arg(name_ == "-" ? "standard output" : name_);
-    return is_done;
+    if (is_done) return true;
+    auto message = sink.report(diag::FileUnwritable);
+    message.arg(name_ == "-" ? "standard output" : name_);
+    if (fault_ != 0) message.note(system_fault(fault_));
+    return false;
 }
 
 }  // namespace kadr::driver

@@ -5,21 +5,47 @@
 // trace.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "base/diagnostic.h"
+#include "base/files.h"
 
 namespace kadr::driver {
+
+/// How much all outputs of a command together may hold. Any thread may ask.
+class OutputLimit {
+  public:
+    explicit OutputLimit(std::uint64_t most) : most_(most) {}
+    std::uint64_t most() const { return most_; }
+    bool is_over() const { return written_.load(std::memory_order_relaxed) > most_; }
+    /// Counts bytes that are to be written. False: they are too many.
+    bool take(std::size_t bytes) {
+        return written_.fetch_add(bytes, std::memory_order_relaxed) + bytes <= most_;
+    }
+
+  private:
+    std::uint64_t most_;
+    std::atomic<std::uint64_t> written_ = 0;
+};
+
+/// What an output must not do; both may be null: nothing is asked.
+struct OutputRules {
+    const Files* inputs = nullptr;  // these files are not replaced
+    OutputLimit* limit = nullptr;   // what is beyond it is not written
+};
 
 class Output {
   public:
     /// Prepares to write; `-` is standard output. Null, with a message, if the place cannot be
-    /// written.
-    static std::unique_ptr<Output> open(const std::string& path, DiagnosticSink& sink);
+    /// written, or holds a file that was read. The rules outlive the output.
+    static std::unique_ptr<Output> open(const std::string& path, DiagnosticSink& sink,
+                                        const OutputRules& rules = {});
 
     Output(const Output&) = delete;
     Output& operator=(const Output&) = delete;
@@ -29,8 +55,10 @@ class Output {
     void write(std::string_view text);
     /// Replaces what was written at this byte and behind it; not more than was written.
     void overwrite(std::size_t at, std::string_view text);
-    /// Puts the result in its place. False, with a message, if that fails (a full disk); what stood
-    /// there before is then untouched.
+    /// Whether the run has read what stands at its place, which is reported.
+    bool is_refused(DiagnosticSink& sink) const;
+    /// Puts the result in its place. False, with a message, if that fails (a full disk, or the run
+    /// has read what stands there meanwhile); what stood there before is then untouched.
     bool commit(DiagnosticSink& sink);
 
     const std::string& name() const { return name_; }
@@ -38,14 +66,18 @@ class Output {
 
   private:
     enum class Kind : std::uint8_t { File, Spool };
-    Output(std::string name, Kind kind) : name_(std::move(name)), kind_(kind) {}
+    Output(std::string name, Kind kind, const OutputRules& rules)
+        : name_(std::move(name)), kind_(kind), rules_(rules) {}
 
+    bool put_in_place();
+    void note_fault();
     void flush();
     bool copy_spool();
     bool move_draft();
 
     std::string name_;
     Kind kind_;
+    OutputRules rules_;
     std::string final_path_;            // File: symbolic links followed
     std::string draft_;                 // File: the neighbour's name
     bool is_nameless_ = false;          // … which it gets only at the end
@@ -53,6 +85,7 @@ class Output {
     std::FILE* destination_ = nullptr;  // Spool
     std::string buffer_;
     bool failed_ = false;
+    int fault_ = 0;  // number of the system's first error
 };
 
 }  // namespace kadr::driver

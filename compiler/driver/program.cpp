@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/diagnostics/driver.h"
+#include "base/diagnostics/expand.h"
 #include "sema/check.h"
 
 namespace kadr::driver {
@@ -19,29 +20,54 @@ void name_truth(Session& session, sema::Code& code) {
     }
 }
 
-}  // namespace
-
-std::optional<Program> load_program(Session& session, const std::string& path) {
-    const std::optional<FileId> file = session.sources().read(path);
-    if (!file) {
-        session.messages().report(diag::FileUnreadable).arg(path);
-        return std::nullopt;
-    }
-    return load_program(session, *file);
+/// Says that the time was over before the program was checked. True: it was.
+bool report_late(Session& session, FileId file) {
+    if (!session.deadline().is_over()) return false;
+    session.messages()
+        .report(diag::TimeLimit, SourceRange{file, 0, 0})
+        .arg(session.deadline().seconds())
+        .note("it was being read and checked")
+        .fix("if it is to work longer, raise the limit: `--max-time`");
+    return true;
 }
 
-std::optional<Program> load_program(Session& session, FileId file) {
+std::optional<Program> checked(Session& session, FileId file) {
     const std::size_t errors_before = session.messages().errors();
     Program program;
     program.file = file;
     program.modules = std::make_unique<Modules>(session);
     const auto [ast, dialect] = program.modules->parse(file);
-    if (ast == nullptr) return std::nullopt;
+    if (ast == nullptr) {
+        report_late(session, file);
+        return std::nullopt;
+    }
+    sema::CheckOptions options = session.options().check;
+    options.files = &session.files();
+    options.is_over = [&session] { return session.deadline().is_over(); };
     program.code = sema::check(*ast, *dialect, *program.modules, session.sources(),
-                               session.messages(), session.options().check);
+                               session.messages(), options);
+    if (program.code == nullptr && report_late(session, file)) return std::nullopt;
     if (program.code != nullptr) name_truth(session, *program.code);
     if (program.code == nullptr || session.messages().errors() > errors_before) return std::nullopt;
     return program;
+}
+
+}  // namespace
+
+std::optional<Program> load_program(Session& session, const std::string& path,
+                                    const std::string& beside, const SourceRange& place) {
+    auto text = session.files().read_named(path, beside);
+    if (!text) {
+        report_unread(session.messages(), diag::FileUnreadable, place, path, text.error(),
+                      session.files());
+        return std::nullopt;
+    }
+    return checked(session, session.sources().add(path, *std::move(text)));
+}
+
+std::optional<Program> load_program(Session& session, FileId file) {
+    session.files().allow_home_of(std::string(session.sources().name(file)));
+    return checked(session, file);
 }
 
 }  // namespace kadr::driver

@@ -17,10 +17,13 @@ struct Program {
     std::unique_ptr<sema::Code> code;
 };
 
-/// Reads and checks a file, `-` for standard input. Nothing, with messages, if it has errors.
-std::optional<Program> load_program(Session& session, const std::string& path);
+/// Reads and checks a file of the library, or one that a dialect names, at `place`, and that lies
+/// beside it. Nothing, with messages, if it has errors.
+std::optional<Program> load_program(Session& session, const std::string& path,
+                                    const std::string& beside, const SourceRange& place = {});
 
-/// Checks a text that is already among the sources.
+/// Checks a text that is already among the sources and that the user named: it may read what lies
+/// beside it.
 std::optional<Program> load_program(Session& session, FileId file);
 
 }  // namespace kadr::driver

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/diagnostics/driver.h"
 #include "driver/file_text.h"
 #include "nc/tables.h"
 
@@ -31,6 +32,14 @@ const std::vector<ProgramFolders::Entry>& ProgramFolders::entries(const std::str
     return found;
 }
 
+/// False, and reported, for a link that leads away from the folders of programs.
+bool ProgramFolders::may_read(const std::string& file) {
+    if (session_ == nullptr || session_->files().may_be_read(file)) return true;
+    report_unread(session_->messages(), diag::FileUnreadable, {}, file,
+                  {ReadFault::Kind::Elsewhere, {}}, session_->files());
+    return false;
+}
+
 std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect& dialect,
                                                                const std::string& program,
                                                                const std::string& kind) {
@@ -48,7 +57,9 @@ std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect
             };
             const auto found = std::ranges::find_if(names, is_wanted);
             if (found == names.end()) continue;
+            if (!may_read(found->path)) continue;
             auto text = FileText::open(found->path);
+            if (text && session_ != nullptr) session_->files().note(found->path);
             if (text) return File{found->path, std::move(text)};
         }
     }

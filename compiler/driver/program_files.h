@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/session.h"
 #include "interp/program_files.h"
 
 namespace kadr::driver {
@@ -13,7 +14,9 @@ namespace kadr::driver {
 class ProgramFolders final : public interp::ProgramFiles {
   public:
     /// folders  in the order in which they are searched
-    explicit ProgramFolders(std::vector<std::string> folders) : folders_(std::move(folders)) {}
+    /// session  says what may be read, and is told what was; null: anything
+    explicit ProgramFolders(std::vector<std::string> folders, Session* session = nullptr)
+        : session_(session), folders_(std::move(folders)) {}
 
     std::optional<File> open(const nc::Dialect& dialect, const std::string& program,
                              const std::string& kind) override;
@@ -25,6 +28,9 @@ class ProgramFolders final : public interp::ProgramFiles {
     };
     const std::vector<Entry>& entries(const std::string& folder);
 
+    bool may_read(const std::string& file);
+
+    Session* session_;
     std::vector<std::string> folders_;
     std::map<std::string, std::vector<Entry>> entries_;  // of the folders that were looked at
 };

@@ -33,6 +33,7 @@
 #include "driver/plot_tools.h"
 #include "driver/scanner_list.h"
 #include "driver/setpoints.h"
+#include "driver/short_waits.h"
 #include "driver/summary.h"
 #include "driver/variables.h"
 #include "driver/work_times.h"
@@ -98,9 +99,9 @@ bool asks_for_nothing(const RunJob& job) {
 }
 
 /// Opens an output if it has a name. False: reported.
-bool open_if_named(std::unique_ptr<Output>& output, const std::string& name, DiagnosticSink& sink) {
+bool open_if_named(std::unique_ptr<Output>& output, const std::string& name, Session& session) {
     if (name.empty()) return true;
-    output = Output::open(name, sink);
+    output = Output::open(name, session.messages(), session.output_rules());
     return output != nullptr;
 }
 
@@ -211,19 +212,19 @@ bool Run::open_outputs(bool is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
         return false;
     }
-    return open_if_named(outputs_.commands, names[0], messages) &&
-           open_if_named(outputs_.setpoints, names[1], messages) &&
-           open_if_named(outputs_.plot, names[2], messages) &&
-           open_if_named(outputs_.variables, names[3], messages) &&
-           open_if_named(outputs_.map, names[4], messages) &&
-           open_if_named(outputs_.trace, names[5], messages) &&
-           open_if_named(outputs_.print, names[6], messages) &&
-           open_if_named(outputs_.drive, names[7], messages) &&
-           open_if_named(outputs_.summary, names[8], messages) &&
-           open_if_named(outputs_.curves, names[9], messages) &&
-           open_if_named(outputs_.scanner, names[10], messages) &&
-           open_if_named(outputs_.limits, names[11], messages) &&
-           open_if_named(outputs_.page, names[12], messages);
+    return open_if_named(outputs_.commands, names[0], session_) &&
+           open_if_named(outputs_.setpoints, names[1], session_) &&
+           open_if_named(outputs_.plot, names[2], session_) &&
+           open_if_named(outputs_.variables, names[3], session_) &&
+           open_if_named(outputs_.map, names[4], session_) &&
+           open_if_named(outputs_.trace, names[5], session_) &&
+           open_if_named(outputs_.print, names[6], session_) &&
+           open_if_named(outputs_.drive, names[7], session_) &&
+           open_if_named(outputs_.summary, names[8], session_) &&
+           open_if_named(outputs_.curves, names[9], session_) &&
+           open_if_named(outputs_.scanner, names[10], session_) &&
+           open_if_named(outputs_.limits, names[11], session_) &&
+           open_if_named(outputs_.page, names[12], session_);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -327,11 +328,20 @@ void Run::sample(Stream<motion::Segment>& segments, double tick) {
         motion_ = std::make_unique<MotionTrace>(machine, tick > 0 ? tick : machine.tick,
                                                 job_.curves_window);
     }
-    run_stages(
-        segments, machine, tick, has_threads(),
-        {.write = [this](std::span<const motion::Setpoint> some) { write_setpoints(some); },
-         .has_enough =
-             [this] { return execution_->is_time_over() || check_->deviation().has_value(); }});
+    // Who draws needs no ticks of a long wait.
+    ShortWaits waits(segments, tick > 0 ? tick : machine.tick);
+    Stream<motion::Segment>& walked =
+        table_ ? segments : static_cast<Stream<motion::Segment>&>(waits);
+    run_stages(walked, machine, tick, has_threads(),
+               {.write =
+                    [&](std::span<const motion::Setpoint> some) {
+                        write_setpoints(table_ ? some : waits.restored(some));
+                    },
+                .has_enough =
+                    [this] {
+                        return execution_->is_time_over() || check_->deviation().has_value() ||
+                               session_.output_limit().is_over();
+                    }});
     execution_->end_in_time();
 }
 
@@ -479,12 +489,23 @@ bool Run::open_machine_output() {
         job_.source == "-" ? "stdin" : std::filesystem::path(job_.source).stem().string();
     if (const std::size_t at = name.find(kProgram); at != std::string::npos)
         name.replace(at, kProgram.size(), program);
+    // A machine file may come from somebody else: it writes where the command was given, no
+    // farther.
+    Files here;
+    here.allow(".");
+    if (!here.may_be_read(name)) {
+        session_.messages()
+            .report(diag::MachineOutputElsewhere)
+            .arg(name)
+            .fix("if they are to go there, say so: `--setpoints " + name + '`');
+        return false;
+    }
     std::vector<std::string> names = {name};
     for (const Output* output : outputs_.all()) {
         if (output != nullptr) names.push_back(output->name());
     }
     return are_outputs_apart(job_.source, names, session_.messages()) &&
-           open_if_named(outputs_.setpoints, name, session_.messages());
+           open_if_named(outputs_.setpoints, name, session_);
 }
 
 /// The simulation of the drives, if it was asked for. False: reported.
@@ -547,8 +568,12 @@ void Run::finish_drives(const RunFigures& figures) {
 
 Status Run::commit() {
     Messages& messages = session_.messages();
+    if (session_.has_output_ended()) return session_.status();
     const Status status = session_.status();
     if (status != Status::Done && status != Status::Alarm) return status;
+    for (const Output* output : outputs_.all()) {
+        if (output != nullptr && output->is_refused(messages)) return refused();
+    }
     for (Output* output : outputs_.all()) {
         if (output == nullptr) continue;
         if (!output->commit(messages)) return refused();

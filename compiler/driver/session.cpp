@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "base/diagnostics/driver.h"
 #include "driver/pipeline_stages.h"
 #include "nc/dialect_on_machine.h"
 
@@ -23,6 +25,18 @@ const T* load_once(std::map<std::string, std::unique_ptr<T>>& loaded, const std:
     auto owned = fresh ? std::make_unique<T>(std::move(*fresh)) : nullptr;
     return loaded.emplace(name, std::move(owned)).first->second.get();
 }
+
+/// Keeps what a loader says until it is known whether it read only what may be read.
+class HeldSink final : public DiagnosticSink {
+  public:
+    void take(Diagnostic diagnostic) override { held_.push_back(std::move(diagnostic)); }
+    void release_to(DiagnosticSink& next) {
+        for (Diagnostic& diagnostic : held_) next.take(std::move(diagnostic));
+    }
+
+  private:
+    std::vector<Diagnostic> held_;
+};
 
 /// Says where something was asked for that is not there: a place in a source, or an option.
 class OriginSink final : public DiagnosticSink {
@@ -53,16 +67,46 @@ Session::Session(Options options, Share share, Sources& sources, Messages& messa
     : options_(std::move(options)),
       share_(std::move(share)),
       sources_(sources),
-      messages_(messages) {}
+      messages_(messages),
+      files_(options_.max_input),
+      deadline_(options_.max_time),
+      output_limit_(options_.max_output) {
+    for (const std::string& folder : options_.allow_read) files_.allow(folder);
+    for (const std::string& folder : options_.folders) files_.allow(folder);
+    for (const std::string& folder : options_.search) files_.allow(folder);
+    files_.allow(share_.library);
+    for (const auto* folders : {&share_.dialects, &share_.languages, &share_.machines})
+        for (const std::string& folder : *folders) files_.allow(folder);
+}
+
+/// Whether all texts from this one on, which a loader has read, are ones that it may read; they are
+/// noted. `beside`: the file that the user named; empty: a source named it, at `place`.
+bool Session::admit(std::size_t first, const std::string& beside, const SourceRange& place) {
+    for (std::size_t i = first; i < sources_.size(); ++i) {
+        const std::string name(sources_.name(FileId{static_cast<std::uint32_t>(i)}));
+        files_.note(name);
+        if (name == beside || files_.may_be_read(name, beside)) continue;
+        report_unread(messages_, diag::FileUnreadable, place, name,
+                      {ReadFault::Kind::Elsewhere, {}}, files_);
+        return false;
+    }
+    return true;
+}
 
 const nc::Dialect* Session::dialect(const std::string& name_or_file, const SourceRange& place) {
     const bool is_option = name_or_file == options_.dialect;
-    OriginSink sink(messages_, place, is_option ? "-d" : "");
     // Without an option the machine is a lathe where the control is one by itself.
     const bool is_lathe = !options_.machine.empty() && machine() != nullptr && machine()->is_lathe;
     const auto kind = is_lathe ? nc::MachineKind::Lathe : nc::MachineKind::Mill;
-    return load_once(dialects_, name_or_file, [&] {
-        return nc::load_dialect_for(kind, name_or_file, share_.dialects, sources_, sink);
+    return load_once(dialects_, name_or_file, [&]() -> std::optional<nc::Dialect> {
+        const std::size_t first = sources_.size();
+        HeldSink held;
+        OriginSink sink(held, place, is_option ? "-d" : "");
+        auto fresh = nc::load_dialect_for(kind, name_or_file, share_.dialects, sources_, sink);
+        const bool is_named = is_option || !place.file.is_valid();
+        if (!admit(first, is_named ? name_or_file : std::string(), place)) return std::nullopt;
+        held.release_to(messages_);
+        return fresh;
     });
 }
 
@@ -75,9 +119,14 @@ const nc::Dialect* Session::chosen_dialect(const std::string& otherwise) {
 
 const syntax::KeywordTable* Session::keywords(const std::string& name_or_file,
                                               const SourceRange& place) {
-    OriginSink sink(messages_, place, "");
-    return load_once(keywords_, name_or_file, [&] {
-        return syntax::load_keywords(name_or_file, share_.languages, sources_, sink);
+    return load_once(keywords_, name_or_file, [&]() -> std::optional<syntax::KeywordTable> {
+        const std::size_t first = sources_.size();
+        HeldSink held;
+        OriginSink sink(held, place, "");
+        auto fresh = syntax::load_keywords(name_or_file, share_.languages, sources_, sink);
+        if (!admit(first, "", place)) return std::nullopt;
+        held.release_to(messages_);
+        return fresh;
     });
 }
 
@@ -87,13 +136,35 @@ std::string Session::stock_machine() {
     return control != nullptr && control->is_of_lathe() ? kStockLathe : kStockMachine;
 }
 
+nc::InspectedDialect Session::inspect_dialect(const std::string& name_or_file,
+                                              DiagnosticSink& found) {
+    const std::size_t first = sources_.size();
+    HeldSink held;
+    nc::InspectedDialect inspected =
+        nc::inspect_dialect(name_or_file, share_.dialects, sources_, held);
+    if (!admit(first, name_or_file, {})) return {};
+    held.release_to(found);
+    return inspected;
+}
+
+std::optional<machine::DescribedMachine> Session::load_machine(const std::string& name_or_file,
+                                                               std::string_view option) {
+    const std::size_t first = sources_.size();
+    HeldSink held;
+    OriginSink sink(held, {}, option);
+    auto fresh = machine::load_described_machine(name_or_file, share_.machines, sources_, sink);
+    if (!admit(first, name_or_file, {})) return std::nullopt;
+    held.release_to(messages_);
+    return fresh;
+}
+
 const machine::Machine* Session::machine() {
     if (!machine_was_loaded_) {
         machine_was_loaded_ = true;
         const bool is_option = !options_.machine.empty();
-        OriginSink sink(messages_, {}, is_option ? "-m" : "");
-        std::optional<machine::DescribedMachine> fresh = machine::load_described_machine(
-            is_option ? options_.machine : stock_machine(), share_.machines, sources_, sink);
+        const std::string_view option = is_option ? "-m" : "";
+        auto fresh = load_machine(is_option ? options_.machine : stock_machine(), option);
+        OriginSink sink(messages_, {}, option);
         if (fresh && !has_modules(fresh->machine, sink)) fresh.reset();
         if (!fresh) mark_usage();
         if (fresh) {

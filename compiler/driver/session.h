@@ -11,11 +11,16 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/files.h"
 #include "base/source.h"
+#include "driver/deadline.h"
 #include "driver/messages.h"
 #include "driver/options.h"
+#include "driver/output.h"
 #include "driver/share.h"
 #include "machine/described_machine.h"
+#include "machine/machine.h"
+#include "nc/check.h"
 #include "nc/dialect.h"
 #include "syntax/parse.h"
 
@@ -38,6 +43,16 @@ class Session {
     Sources& sources() { return sources_; }
     const Sources& sources() const { return sources_; }
     Messages& messages() { return messages_; }
+    /// What may be read, and what was.
+    Files& files() { return files_; }
+    const Files& files() const { return files_; }
+    /// How long the command may compute, from its beginning on.
+    const Deadline& deadline() const { return deadline_; }
+    /// For all outputs of the command.
+    OutputRules output_rules() { return {&files_, &output_limit_}; }
+    const OutputLimit& output_limit() const { return output_limit_; }
+    /// Whether the outputs are larger than they may be; reported then, once. Asked by one thread.
+    bool has_output_ended();
 
     /// The name of a file in outputs: as the user wrote it; below the standard library it begins
     /// with `stdlib/`, so that outputs are the same on every computer.
@@ -48,6 +63,13 @@ class Session {
     /// A dialect by name or file; each is loaded once. Null, with messages, if it has mistakes.
     /// `place`: where a source names it, for the message that there is none; invalid: nowhere.
     const nc::Dialect* dialect(const std::string& name_or_file, const SourceRange& place = {});
+    /// A dialect that is looked at for its mistakes, which go to `found`; nothing in it, if its
+    /// files may not be read.
+    nc::InspectedDialect inspect_dialect(const std::string& name_or_file, DiagnosticSink& found);
+    /// A machine that the user names; nothing, with messages, if it has mistakes. `option`: where
+    /// it is asked for, for the message that there is none.
+    std::optional<machine::DescribedMachine> load_machine(const std::string& name_or_file,
+                                                          std::string_view option = {});
     /// A keyword language by name or file, likewise.
     const syntax::KeywordTable* keywords(const std::string& name_or_file,
                                          const SourceRange& place = {});
@@ -75,16 +97,22 @@ class Session {
     Status status() const;
 
   private:
+    bool admit(std::size_t first, const std::string& beside, const SourceRange& place);
+
     Options options_;
     Share share_;
     Sources& sources_;
     Messages& messages_;
+    Files files_;
+    Deadline deadline_;
+    OutputLimit output_limit_;
     std::map<std::string, std::unique_ptr<nc::Dialect>> dialects_;
     std::map<std::string, std::unique_ptr<syntax::KeywordTable>> keywords_;
     std::unique_ptr<machine::Machine> machine_;
     machine::MachineTold told_;
     bool machine_was_loaded_ = false;
     bool is_usage_ = false;
+    bool has_told_of_output_ = false;
     std::function<void(const Progress&)> progress_;
 };
 

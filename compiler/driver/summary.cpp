@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "base/printable.h"
 #include "base/render.h"
 #include "base/units.h"
 
@@ -226,7 +227,7 @@ std::string summary_text(const RunFigures& figures, const machine::Machine& mach
             counted(figures.errors, "error"), counted(figures.alarms, "alarm"));
     }
     if (!figures.alarm.empty()) put(out, "  not complete, ended by {}\n", figures.alarm);
-    return out;
+    return printable(out);
 }
 
 std::string summary_json(const RunFigures& figures, const machine::Machine& machine) {

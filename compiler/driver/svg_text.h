@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "base/printable.h"
+
 namespace kadr::driver {
 
 inline constexpr const char* kInk = "#2d3138";
@@ -20,9 +22,10 @@ void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&.
     fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
 }
 
+/// A text, the name of a file among others, as XML may hold it: without control characters.
 inline std::string escaped(std::string_view text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : printable(text)) {
         if (c == '&') out += "&amp;";
         else if (c == '<') out += "&lt;";
         else if (c == '>') out += "&gt;";

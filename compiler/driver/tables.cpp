@@ -79,8 +79,11 @@ std::size_t widest(const std::vector<std::string>& names) {
 bool is_missing_file(Session& session, const std::string& name_or_file) {
     const bool is_file =
         name_or_file.find('/') != std::string::npos || name_or_file.ends_with(".xml");
-    if (!is_file || read_file(name_or_file)) return false;
-    session.messages().report(diag::FileUnreadable).arg(name_or_file);
+    if (!is_file) return false;
+    const auto text = session.files().read(name_or_file);
+    if (text) return false;
+    report_unread(session.messages(), diag::FileUnreadable, {}, name_or_file, text.error(),
+                  session.files());
     session.mark_usage();
     return true;
 }
@@ -141,8 +144,7 @@ Reply list_dialects(Session& session) {
 Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
     DiagnosticList found;
-    const nc::InspectedDialect inspected =
-        nc::inspect_dialect(name_or_file, session.share().dialects, session.sources(), found);
+    const nc::InspectedDialect inspected = session.inspect_dialect(name_or_file, found);
     if (inspected.dialect) {
         (void)interp::rules_of(*inspected.dialect, found);
         nc::check_sense(inspected.root, *inspected.dialect, found);
@@ -198,10 +200,10 @@ Reply list_machines(Session& session) {
 
 std::optional<machine::Machine> machine_of(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return std::nullopt;
-    auto machine = machine::load_machine(name_or_file, session.share().machines, session.sources(),
-                                         session.messages());
-    if (!machine) mark_unknown(session, name_or_file, machine::list(session.share().machines));
-    return machine;
+    auto machine = session.load_machine(name_or_file);
+    if (machine) return std::move(machine->machine);
+    mark_unknown(session, name_or_file, machine::list(session.share().machines));
+    return std::nullopt;
 }
 
 Reply check_machine(Session& session, const std::string& name_or_file) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
+#include "base/printable.h"
 #include "base/render.h"
 #include "base/text.h"
 #include "driver/source_map.h"
@@ -304,7 +305,7 @@ void Trace::append_row(const TraceStep& step, const TraceState& state, std::stri
     const std::string what = changes(step, state);
     row += "  " + where + (where.empty() || what.empty() ? "" : "; ") + what;
     row.erase(row.find_last_not_of(' ') + 1);
-    out += row + '\n';
+    out += printable(row) + '\n';
 }
 
 // ---------------------------------------------------------------- both
@@ -326,7 +327,7 @@ void Trace::append_alarm(std::string_view text, std::string& out) const {
     if (format_ == TraceFormat::Json) {
         out += "{\"alarm\":" + json_string(text) + "}\n";
     } else {
-        out += "# not complete, ended by " + std::string(text) + '\n';
+        out += "# not complete, ended by " + printable(text) + '\n';
     }
 }
 

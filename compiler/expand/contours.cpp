@@ -230,9 +230,10 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
         case ContourFunction::Reverse: return put_made(path::reversed(contour.elements));
         case ContourFunction::Offset: {
             const double distance = arguments[1].number;
-            const auto pieces = path::offset(contour.elements, distance);
+            const auto pieces =
+                path::offset(contour.elements, distance, [this] { return is_to_end(); });
             if (!pieces) {
-                fault(diag::OffsetUnresolved, where).arg(quantity_text(distance, sema::kLength));
+                offset_fault(pieces.error(), distance, where);
                 return false;
             }
             result.integer = make_contours(*pieces, contour, layout);
@@ -311,6 +312,11 @@ std::int64_t Expander::State::make_contours(const std::vector<Contour>& contours
     return list;
 }
 
+void Expander::State::offset_fault(path::OffsetFault why, double distance, std::uint32_t at) {
+    if (why == path::OffsetFault::Stopped) return tell_end(at);
+    fault(diag::OffsetUnresolved, at).arg(quantity_text(distance, sema::kLength));
+}
+
 /// Beside several contours together.
 bool Expander::State::offset_all(const Instruction& instruction, Slot* registers,
                                  std::uint32_t where) {
@@ -338,9 +344,9 @@ bool Expander::State::offset_all(const Instruction& instruction, Slot* registers
         like.is_diameter = one.is_diameter;
     }
     const double distance = arguments[1].number;
-    const auto pieces = path::offset(contours, distance);
+    const auto pieces = path::offset(contours, distance, [this] { return is_to_end(); });
     if (!pieces) {
-        fault(diag::OffsetUnresolved, where).arg(quantity_text(distance, sema::kLength));
+        offset_fault(pieces.error(), distance, where);
         return false;
     }
     const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
@@ -535,9 +541,10 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     const double distance = is_given(left) ? left.number : is_given(right) ? -right.number : 0;
     const Contour wall = contour.elements;
     if (distance != 0) {
-        const auto pieces = path::offset(contour.elements, distance);
+        const auto pieces =
+            path::offset(contour.elements, distance, [this] { return is_to_end(); });
         if (!pieces) {
-            fault(diag::OffsetUnresolved, where).arg(quantity_text(distance, sema::kLength));
+            offset_fault(pieces.error(), distance, where);
             return std::nullopt;
         }
         if (pieces->size() != 1) {

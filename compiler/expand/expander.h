@@ -26,6 +26,10 @@ struct Machine;
 struct Chain;
 }  // namespace kadr::machine
 
+namespace kadr {
+class Files;
+}  // namespace kadr
+
 namespace kadr::expand {
 
 struct Limits {
@@ -33,6 +37,7 @@ struct Limits {
     std::uint64_t loop_turns = 1'000'000'000;  // of all loops together, calls counted like turns
     std::uint64_t blocks = 100'000'000;
     std::uint64_t array_elements = 50'000'000;
+    std::uint64_t heap_bytes = std::uint64_t{1} << 30;  // of all texts and arrays
     double seconds = 0;  // of computing, counted from the expander's making; 0: no limit
 };
 
@@ -62,6 +67,7 @@ struct ExpandOptions {
     std::function<bool(const DiagnosticRow&, const SourceRange&)> is_allowed = nullptr;
     std::vector<nc::Refusal>* refusals = nullptr;  // gets forms of cycles that do not fit a call
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
+    Files* files = nullptr;                   // says which tables and images may be read; null: any
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };
 

@@ -8,9 +8,10 @@ using sema::SlotKind;
 
 namespace {
 constexpr std::size_t kLeastThreshold = std::size_t{8} << 20;
-}
+constexpr std::size_t kGarbage = 4;  // part of the limit that may lie about before it is collected
+}  // namespace
 
-Heap::Heap(const sema::Code& code) : code_(code) {
+Heap::Heap(const sema::Code& code, const Limits& limits) : code_(code), limits_(limits) {
     // Object 0 is nobody's: an empty handle must not find something.
     objects_.resize(code.texts.size() + 1);
     for (std::size_t i = 0; i < code.texts.size(); ++i) {
@@ -30,7 +31,16 @@ std::uint32_t Heap::new_object() {
     return static_cast<std::uint32_t>(objects_.size() - 1);
 }
 
+bool Heap::gives_up() {
+    // A collection frees at most what was allocated behind the last one.
+    const bool is_far = elements_ > 2 * limits_.elements ||
+                        live_ + allocated_ > limits_.bytes + limits_.bytes / kGarbage;
+    gave_up_ = gave_up_ || is_far;
+    return gave_up_;
+}
+
 std::int64_t Heap::new_text(std::string text) {
+    if (gives_up()) return handle(0);
     const std::uint32_t at = new_object();
     Object& object = objects_[at];
     object.kind = Kind::Text;
@@ -40,6 +50,7 @@ std::int64_t Heap::new_text(std::string text) {
 }
 
 std::int64_t Heap::new_array(std::uint32_t layout) {
+    if (gives_up()) return handle(0);
     const std::uint32_t at = new_object();
     Object& object = objects_[at];
     object.kind = Kind::Array;
@@ -83,21 +94,34 @@ void Heap::clear(std::int64_t array_handle) {
     object.count = 0;
 }
 
-std::int64_t Heap::copy(std::int64_t array_handle) {
+/// A copy of one array; arrays in it are still those of the original.
+std::int64_t Heap::copy_flat(std::int64_t array_handle) {
     if (array_handle == sema::kNotGivenInteger) return array_handle;
     const std::int64_t result = new_array(objects_[index(array_handle)].layout);
-    const std::uint32_t target = index(result);
-    objects_[target].slots = objects_[index(array_handle)].slots;
-    objects_[target].count = objects_[index(array_handle)].count;
-    elements_ += objects_[target].slots.size();
-    allocated_ += objects_[target].slots.size() * sizeof(Slot);
-    const std::uint32_t layout = objects_[target].layout;
-    const std::vector<SlotKind>& kinds = code_.layouts[layout].slots;
-    if (std::find(kinds.begin(), kinds.end(), SlotKind::Array) == kinds.end()) return result;
-    for (std::size_t i = 0; i < objects_[target].slots.size(); ++i) {
-        if (kinds[i % kinds.size()] != SlotKind::Array) continue;
-        const std::int64_t inner = copy(objects_[target].slots[i].integer);
-        objects_[target].slots[i].integer = inner;
+    if (gave_up_) return result;
+    Object& target = objects_[index(result)];
+    target.slots = objects_[index(array_handle)].slots;
+    target.count = objects_[index(array_handle)].count;
+    elements_ += target.slots.size();
+    allocated_ += target.slots.size() * sizeof(Slot);
+    return result;
+}
+
+std::int64_t Heap::copy(std::int64_t array_handle) {
+    const std::int64_t result = copy_flat(array_handle);
+    // With a list of its own: lists in lists may be deeper than the stack.
+    std::vector<std::uint32_t> copied = {index(result)};
+    while (!copied.empty() && result != sema::kNotGivenInteger && !gave_up_) {
+        const std::uint32_t target = copied.back();
+        copied.pop_back();
+        const std::vector<SlotKind>& kinds = code_.layouts[objects_[target].layout].slots;
+        if (std::find(kinds.begin(), kinds.end(), SlotKind::Array) == kinds.end()) continue;
+        for (std::size_t i = 0; i < objects_[target].slots.size() && !gave_up_; ++i) {
+            if (kinds[i % kinds.size()] != SlotKind::Array) continue;
+            const std::int64_t inner = copy_flat(objects_[target].slots[i].integer);
+            objects_[target].slots[i].integer = inner;
+            if (inner != sema::kNotGivenInteger) copied.push_back(index(inner));
+        }
     }
     return result;
 }
@@ -112,6 +136,7 @@ Slot Heap::adopt(const Heap& other, Slot slot, SlotKind kind) {
     }
     const Object& source = other.objects_[index(slot.integer)];
     own.integer = new_array(source.layout);
+    if (gave_up_) return own;
     const std::vector<SlotKind>& kinds = code_.layouts[source.layout].slots;
     std::vector<Slot> element(kinds.size());
     for (std::size_t first = 0; first < source.slots.size(); first += kinds.size()) {
@@ -176,7 +201,8 @@ void Heap::collect(std::span<const Slot> roots) {
         }
     }
     allocated_ = 0;
-    threshold_ = std::max(kLeastThreshold, live);
+    live_ = live;
+    threshold_ = std::max(kLeastThreshold, std::min<std::size_t>(live, limits_.bytes / kGarbage));
 }
 
 }  // namespace kadr::expand

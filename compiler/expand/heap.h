@@ -18,8 +18,14 @@ using sema::Slot;
 
 class Heap {
   public:
+    /// What all texts and arrays together may take.
+    struct Limits {
+        std::uint64_t elements;  // registers in arrays
+        std::uint64_t bytes;
+    };
+
     /// Texts of the program get the first handles and stay for ever.
-    explicit Heap(const sema::Code& code);
+    Heap(const sema::Code& code, const Limits& limits);
 
     static std::int64_t constant_text(std::uint32_t index) { return handle(index + 1); }
 
@@ -65,8 +71,16 @@ class Heap {
     /// Whether it is time to look for what is no longer needed.
     bool is_full() const { return allocated_ > threshold_; }
     void collect(std::span<const Slot> roots);
-    /// Registers in all arrays together.
-    std::uint64_t elements() const { return elements_; }
+
+    /// Whether a limit is passed; what is no longer needed counts until it has been collected.
+    bool is_beyond() const {
+        return gave_up_ || elements_ > limits_.elements || live_ + allocated_ > limits_.bytes;
+    }
+    /// Asked between the parts of a large value: so far beyond a limit that a collection will not
+    /// help. The value is left incomplete, and `is_beyond` holds for good.
+    bool gives_up();
+    bool has_too_many_elements() const { return elements_ > limits_.elements; }
+    const Limits& limits() const { return limits_; }
 
   private:
     enum class Kind : std::uint8_t { Free, Text, Array };
@@ -87,16 +101,20 @@ class Heap {
     static std::uint32_t index(std::int64_t value) { return static_cast<std::uint32_t>(value); }
 
     std::uint32_t new_object();
+    std::int64_t copy_flat(std::int64_t array);
     void mark(std::int64_t value);
 
     const sema::Code& code_;
+    Limits limits_;
     std::vector<Object> objects_;
     std::vector<std::uint32_t> free_;
     std::vector<std::uint32_t> pending_;  // marked, their elements not yet
     std::size_t constants_ = 0;
     std::size_t allocated_ = 0;  // bytes since the last collection
     std::size_t threshold_ = std::size_t{8} << 20;
+    std::size_t live_ = 0;  // bytes that the last collection left
     std::uint64_t elements_ = 0;
+    bool gave_up_ = false;
 };
 
 }  // namespace kadr::expand

@@ -28,7 +28,7 @@ std::string_view trim(std::string_view text) {
 std::optional<double> read_quantity(const ParameterInfo& parameter, sema::Units units,
                                     std::string_view text) {
     const char* end = text.data() + text.size();
-    const Decimal number = parse_decimal(text.data(), end);
+    const Decimal number = sema::parse_number(text.data(), end);
     if (number.end == text.data()) return std::nullopt;
     const std::string_view rest = trim({number.end, static_cast<std::size_t>(end - number.end)});
     const bool is_feed = parameter.kind == ParameterInfo::Kind::Feed;
@@ -58,7 +58,11 @@ std::string from_command_line(std::string_view name, std::string_view value) {
 
 Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
                        const ExpandOptions& wanted, DiagnosticSink& messages)
-    : code(program), target(dialect), options(wanted), sink(messages), heap(program) {
+    : code(program),
+      target(dialect),
+      options(wanted),
+      sink(messages),
+      heap(program, {wanted.limits.array_elements, wanted.limits.heap_bytes}) {
     turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
     blocks_left = options.limits.blocks;
     has_machine_rapid = target.has_rule("machine_coordinates_rapid");

@@ -21,6 +21,7 @@
 #include "expand/modal.h"
 #include "path/command.h"
 #include "path/contour.h"
+#include "path/contour_offset.h"
 #include "path/spline_fit.h"
 #include "sema/arithmetic.h"
 
@@ -158,6 +159,10 @@ struct Expander::State {
     bool read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at, Slot& table);
     std::int64_t make_table(const sema::TableSchema& schema, const sema::TableRows& rows);
     void collect_garbage(const Slot* registers);
+    bool collect_in_time(const Slot* registers);
+    bool is_to_end();
+    void tell_end(std::uint32_t at);
+    void offset_fault(path::OffsetFault why, double distance, std::uint32_t at);
 
     // ---- blocks.cpp
     /// A block to fill: of the batch while there is room, else one that waits for the next batch.

@@ -57,6 +57,7 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
     std::string out;
     const bool is_inch = modal[nc::Group::Units] == nc::Function::Inch;
     for (const FormatPiece& piece : pattern) {
+        if (out.size() > options.limits.array_elements) break;  // who asked for it reports that
         if (piece.kind == FormatPiece::Kind::Literal) {
             out += piece.text;
             continue;

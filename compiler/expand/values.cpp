@@ -23,7 +23,7 @@ void Expander::State::collect_garbage(const Slot* registers) {
 std::int64_t Expander::State::split_text(std::int64_t text, std::uint32_t layout) {
     const std::int64_t list = heap.new_array(layout);
     const std::string whole = heap.text(text);
-    for (std::string_view rest = whole; !rest.empty();) {
+    for (std::string_view rest = whole; !rest.empty() && !heap.gives_up();) {
         const std::string_view character = code_points(rest, 0, 1);
         Slot slot{};
         slot.integer = heap.new_text(std::string(character));
@@ -38,7 +38,8 @@ std::int64_t Expander::State::make_table(const sema::TableSchema& schema,
     const std::int64_t table = heap.new_array(schema.layout);
     const std::vector<SlotKind>& kinds = code.layouts[schema.layout].slots;
     std::vector<Slot> row(schema.slots);
-    for (std::size_t first = 0; first < rows.slots.size(); first += schema.slots) {
+    for (std::size_t first = 0; first < rows.slots.size() && !heap.gives_up();
+         first += schema.slots) {
         for (std::size_t i = 0; i < schema.slots; ++i) {
             row[i] = rows.slots[first + i];
             const bool is_text =
@@ -65,7 +66,7 @@ std::int64_t Expander::State::make_fixed(std::uint32_t layout, std::int64_t coun
         }
         element.push_back(slot);
     }
-    for (std::int64_t i = 0; i < count; ++i) heap.append(array, element.data());
+    for (std::int64_t i = 0; i < count && !heap.gives_up(); ++i) heap.append(array, element.data());
     return array;
 }
 
@@ -73,6 +74,7 @@ void Expander::State::make_image(const sema::PictureSource& source, const sema::
                                  Slot* image) {
     const std::int64_t dots = heap.new_array(source.layout);
     for (const double brightness : picture.brightness) {
+        if (heap.gives_up()) break;
         Slot dot{};
         dot.number = brightness;
         heap.append(dots, &dot);
@@ -84,8 +86,8 @@ void Expander::State::make_image(const sema::PictureSource& source, const sema::
 
 bool Expander::State::read_image(const sema::PictureSource& source, Slot path, std::uint32_t at,
                                  Slot* image) {
-    const std::optional<sema::Picture> picture =
-        sema::read_picture(source.folder, heap.text(path.integer), code.places[at], sink);
+    const std::optional<sema::Picture> picture = sema::read_picture(
+        source.folder, heap.text(path.integer), code.places[at], options.files, sink);
     if (!picture) {
         has_failed = true;
         is_running = false;
@@ -97,8 +99,8 @@ bool Expander::State::read_image(const sema::PictureSource& source, Slot path, s
 
 bool Expander::State::read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at,
                                  Slot& table) {
-    const std::optional<sema::TableRows> rows =
-        sema::read_table(schema, code.enums, heap.text(path.integer), code.places[at], sink);
+    const std::optional<sema::TableRows> rows = sema::read_table(
+        schema, code.enums, heap.text(path.integer), code.places[at], options.files, sink);
     if (!rows) {
         has_failed = true;
         is_running = false;

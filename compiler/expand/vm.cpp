@@ -47,13 +47,34 @@ void Expander::State::reserve_stack(std::size_t slots) {
 /// none, or somebody wants the evaluation to end.
 bool Expander::State::more_turns(std::uint64_t& turns) {
     constexpr std::uint64_t kSlice = 1u << 16;  // turns between two looks at `stop` and the clock
-    was_stopped = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
-    is_late = options.limits.seconds > 0 &&
-              std::chrono::duration<double>(Clock::now() - began).count() > options.limits.seconds;
-    if (was_stopped || is_late) return false;
+    if (is_to_end()) return false;
     turns = std::min(turns_reserve, kSlice);
     turns_reserve -= turns;
     return turns > 0;
+}
+
+bool Expander::State::is_to_end() {
+    was_stopped = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
+    is_late = options.limits.seconds > 0 &&
+              std::chrono::duration<double>(Clock::now() - began).count() > options.limits.seconds;
+    return was_stopped || is_late;
+}
+
+/// Says why the evaluation ends before the program does.
+void Expander::State::tell_end(std::uint32_t at) {
+    if (was_stopped) {
+        fault(diag::EvaluationStopped, at);
+        return;
+    }
+    fault(diag::TimeLimit, at)
+        .arg(options.limits.seconds)
+        .fix("if it is to work longer, raise the limit: `--max-time`");
+}
+
+/// Few turns can make very much: texts and arrays that are copied look at the clock, too.
+bool Expander::State::collect_in_time(const Slot* registers) {
+    collect_garbage(registers);
+    return !is_to_end();
 }
 
 std::size_t Expander::State::pull(std::span<nc::Block> out) {
@@ -159,18 +180,21 @@ bad_shift:
 lost_reference:
     fault(diag::ReferenceLost, AT);
     goto stop;
-too_many_elements:
+heap_beyond:
+    collect_garbage(r);
+    if (!heap.is_beyond()) KADR_NEXT;
+    if (!heap.has_too_many_elements()) {
+        constexpr std::uint64_t kMebibyte = 1u << 20;
+        fault(diag::HeapLimit, AT)
+            .arg(static_cast<std::int64_t>(options.limits.heap_bytes / kMebibyte));
+        goto stop;
+    }
+text_too_long:
     fault(diag::ElementLimit, AT).arg(static_cast<std::int64_t>(options.limits.array_elements));
     goto stop;
 too_many_turns:
-    if (was_stopped) {
-        fault(diag::EvaluationStopped, AT);
-        goto stop;
-    }
-    if (is_late) {
-        fault(diag::TimeLimit, AT)
-            .arg(options.limits.seconds)
-            .fix("if it is to work longer, raise the limit: `--max-time`");
+    if (was_stopped || is_late) {
+        tell_end(AT);
         goto stop;
     }
     fault(diag::LoopLimit, AT).arg(static_cast<std::int64_t>(options.limits.loop_turns));

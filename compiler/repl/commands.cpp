@@ -30,6 +30,14 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
 }
 
+/// What `:save` says of a file that is there already and is not replaced; empty: it may be written.
+std::string kept(const Prompt& prompt, const std::string& path) {
+    std::error_code error;
+    const bool is_new = !std::filesystem::exists(path, error) || prompt.has_written(path);
+    if (is_new || prompt.asks("replace " + path + "?")) return {};
+    return "not written: `" + path + "` is there already";
+}
+
 /// Writes a file whole or not at all; the messages say why not.
 std::string write_whole(const std::string& path, std::string_view text) {
     std::string said;
@@ -54,6 +62,7 @@ std::string laid_out(const driver::Options& options, const driver::Share& share,
     Sources sources;
     driver::Messages messages(sources, {}, [](std::string_view) {});
     driver::Session session(options, share, sources, messages);
+    session.files().allow_home_of("-");
     const FileId file = sources.add("prompt.kadr", program);
     const driver::SourceWords words = driver::words_of(session, file);
     if (!words) return program;
@@ -104,6 +113,7 @@ std::vector<std::string> variables(const driver::Options& options, const driver:
     Sources sources;
     driver::Messages messages(sources, {}, [](std::string_view) {});
     driver::Session session(options, share, sources, messages);
+    session.files().allow_home_of("-");
     const FileId file = sources.add("prompt.kadr", program);
     const driver::SourceWords words = driver::words_of(session, file);
     std::vector<std::string> names;
@@ -172,6 +182,7 @@ struct Commands {
 
     void load(std::string_view file) {
         if (file.empty()) return wrong("which file? `:load part.kadr`");
+        prompt.allow_beside(std::filesystem::path(file));
         const std::string import = "import \"" + std::string(file) + "\";";
         prompt.take_input(import);
     }
@@ -214,9 +225,12 @@ struct Commands {
             driver::PlotText text;
             text.title = "prompt";
             text.subtitle = prompt.now_.plot_subtitle;
-            const std::string said = write_whole(
-                std::string(file), plot_svg(prompt.now_.scene, text, driver::PlotColor::Feed));
+            const std::string path(file);
+            if (const std::string left = kept(prompt, path); !left.empty()) return wrong(left);
+            const std::string said =
+                write_whole(path, plot_svg(prompt.now_.scene, text, driver::PlotColor::Feed));
             if (!said.empty()) return prompt.write(said);
+            prompt.note_written(path);
         }
         prompt.write(sketch(prompt.now_.scene, prompt.surroundings_.columns));
     }
@@ -255,7 +269,9 @@ struct Commands {
             wrong("not saved: as a file this program cannot be run");
             return prompt.write(faults);
         }
+        if (const std::string left = kept(prompt, path); !left.empty()) return wrong(left);
         const std::string said = write_whole(path, program);
+        if (said.empty()) prompt.note_written(path);
         prompt.write(said.empty() ? "saved in " + path + '\n' : said);
     }
 

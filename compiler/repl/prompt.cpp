@@ -134,7 +134,9 @@ Outcome Prompt::evaluate(const Transcript& transcript) {
                                       inputs.back().kind == Input::Kind::Call ||
                                       inputs.back().kind == Input::Kind::Value);
     if (is_inside) request.shown_from = transcript.last_statement(request.program);
-    return replay(options_, share_, request, now_.said);
+    driver::Options options = options_;
+    options.allow_read.insert(options.allow_read.end(), allowed_.begin(), allowed_.end());
+    return replay(options, share_, request, now_.said);
 }
 
 void Prompt::undo(std::size_t count) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,8 @@ struct Surroundings {
     /// one is there to press one.
     std::function<bool()> wait;
     std::size_t columns = 80;
+    /// Asks a question; true: yes. Empty: nobody is there to answer, which is a no.
+    std::function<bool(std::string_view)> ask = {};
 };
 
 class Prompt {
@@ -42,6 +46,18 @@ class Prompt {
     bool is_over() const { return is_over_; }
     /// An input came to an error, in a conversation that nobody watches.
     bool has_failed() const { return has_failed_; }
+
+    /// Files that the conversation wrote itself may be written again without a question.
+    bool has_written(const std::string& path) const { return written_.contains(path); }
+    void note_written(const std::string& path) { written_.insert(path); }
+    /// A file that the user names may lie anywhere, and may read what lies beside it.
+    void allow_beside(const std::filesystem::path& file) {
+        const std::string folder = file.parent_path().string();
+        allowed_.push_back(folder.empty() ? "." : folder);
+    }
+    bool asks(std::string_view question) const {
+        return surroundings_.ask && surroundings_.ask(question);
+    }
 
     /// What can stand at the end of `line`: whole words, sorted, all beginning with its last one.
     std::vector<std::string> completions(std::string_view line) const;
@@ -72,6 +88,8 @@ class Prompt {
     Transcript transcript_;
     Outcome now_;  // of the whole transcript
     std::string pending_;
+    std::set<std::string> written_;
+    std::vector<std::string> allowed_;  // folders of files that were loaded
     bool is_stepping_ = false;
     bool is_over_ = false;
     bool has_failed_ = false;

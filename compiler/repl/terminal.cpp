@@ -183,6 +183,20 @@ bool wait_for_enter() {
     return line.find('q') == std::string::npos;
 }
 
+bool ask(std::string_view question) {
+    write_out(std::string(question) + " y, or n: ");
+    std::string line;
+    for (int c = std::getchar(); c != '\n'; c = std::getchar()) {
+        if (c == EOF) {
+            std::clearerr(stdin);
+            break;
+        }
+        line += static_cast<char>(c);
+    }
+    interrupted = false;
+    return line == "y" || line == "Y" || line == "yes";
+}
+
 void converse_at_terminal(Prompt& prompt) {
     struct sigaction action {};
     action.sa_handler = on_interrupt;
@@ -225,6 +239,7 @@ driver::Status converse(const driver::Options& options, const driver::Share& sha
         std::setlocale(LC_CTYPE, "");  // libedit counts columns by it; nothing else does
     Surroundings surroundings{write_out, {}, 80};
     if (is_terminal) {
+        surroundings.ask = ask;
         surroundings.wait = wait_for_enter;
         surroundings.columns = terminal_columns();
     }

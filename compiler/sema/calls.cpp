@@ -60,6 +60,7 @@ Value Checker::call(ExprId id, Reg hint) {
                     " name(…) { … }`, and call a cycle by its name");
         return error_value();
     }
+    if (!may_propose()) return error_value();
     if (const auto module = loader_.library_module_of(name)) {
         builder.fix("it is in the library: `import " + *module + ";`");
         return error_value();
@@ -539,7 +540,7 @@ Value Checker::image_call(const Expr& expr) {
     if (path.is_constant()) {
         const std::string name = code_->texts[static_cast<std::size_t>(path.constant.integer)];
         std::optional<Picture> picture =
-            read_picture(source.folder, name, ast()[argument].range, sink_);
+            read_picture(source.folder, name, ast()[argument].range, options_.files, sink_);
         if (!picture) return error_value();
         source.picture = std::move(*picture);
         emit_.emit_pair(Op::LoadImage, reg, 0, 0, index);
@@ -607,7 +608,7 @@ Value Checker::table(const Expr& expr) {
     if (path.is_constant()) {
         const std::string name = code_->texts[static_cast<std::size_t>(path.constant.integer)];
         std::optional<TableRows> rows =
-            read_table(schema, enums, name, ast()[argument].range, sink_);
+            read_table(schema, enums, name, ast()[argument].range, options_.files, sink_);
         if (!rows) return error_value();
         emit_.emit_pair(Op::LoadTable, reg, 0, 0, static_cast<std::int64_t>(code_->tables.size()));
         code_->tables.push_back({index, std::move(*rows)});

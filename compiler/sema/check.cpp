@@ -124,6 +124,12 @@ std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& d
     code_->main_file = main.file;
     const auto modules = static_cast<std::uint32_t>(modules_.size());
     for (std::uint32_t i = 0; i < modules; ++i) declare_names(i);
+    if (functions_.size() > kMostFunctions) {
+        report(diag::TooManyFunctions, functions_[kMostFunctions].range)
+            .arg(functions_.size())
+            .arg(std::size_t{kMostFunctions});
+        return nullptr;
+    }
     code_->functions.resize(functions_.size() + 1);
 
     FunctionCode& startup = code_->functions[0];
@@ -152,12 +158,24 @@ std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& d
     }
     // Calls add to the list: functions of other files are checked as soon as somebody wants them.
     for (std::size_t i = 0; i < wanted_.size(); ++i) check_function(wanted_[i]);
+    if (is_late_) return nullptr;
     finish();
     if (sink_.errors > 0) return nullptr;
     for (const Unused& unused : unused_) {
         report(diag::UnusedVariable, unused.range).arg(unused.name);
     }
     return std::move(code_);
+}
+
+/// Whether there is no time left. Asked in front of each statement; the clock is looked at now and
+/// then.
+bool Checker::is_late() {
+    constexpr std::uint32_t kSlice = 256;
+    if (is_late_ || ++looked_ < kSlice || !options_.is_over) return is_late_;
+    looked_ = 0;
+    is_late_ = options_.is_over();
+    sink_.is_quiet = sink_.is_quiet || is_late_;  // what is not looked at any more is no mistake
+    return is_late_;
 }
 
 void Checker::finish() {
@@ -221,19 +239,31 @@ void Checker::mark_diameters() {
             is_of_lathe || (words.in_contour && !words.in_program) ||
             std::find(needs.begin(), needs.end(), nc::Function::DiameterOn) != needs.end();
     }
-    const auto calls_one = [&](const FunctionCode& function) {
-        for (std::uint32_t at = function.entry; at < function.end; ++at) {
+    // From what turns to what calls it, and on to what calls that.
+    std::vector<std::vector<std::uint32_t>> callers(functions.size());
+    for (std::uint32_t i = 0; i < functions.size(); ++i) {
+        for (std::uint32_t at = functions[i].entry; at < functions[i].end; ++at) {
             const Instruction& instruction = code_->instructions[at];
-            if (instruction.op == Op::Call && functions[instruction.b].has_diameters) return true;
+            if (instruction.op == Op::Call) callers[instruction.b].push_back(i);
         }
-        return functions[0].has_diameters;  // a contour of the file
+    }
+    std::vector<std::uint32_t> pending;
+    const auto mark = [&](std::uint32_t i) {
+        functions[i].has_diameters = true;
+        pending.push_back(i);
     };
-    bool is_changed = true;
-    while (is_changed) {
-        is_changed = false;
-        for (std::size_t i = 0; i < functions.size(); ++i) {
-            if (functions[i].has_diameters || decides[i] || !calls_one(functions[i])) continue;
-            functions[i].has_diameters = is_changed = true;
+    for (std::uint32_t i = 0; i < functions.size(); ++i) {
+        if (functions[i].has_diameters) pending.push_back(i);
+    }
+    while (!pending.empty()) {
+        const std::uint32_t turning = pending.back();
+        pending.pop_back();
+        // A contour of the file is everybody's.
+        for (std::uint32_t i = 0; turning == 0 && i < functions.size(); ++i) {
+            if (!functions[i].has_diameters && !decides[i]) mark(i);
+        }
+        for (const std::uint32_t i : callers[turning]) {
+            if (!functions[i].has_diameters && !decides[i]) mark(i);
         }
     }
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/files.h"
 #include "nc/dialect.h"
 #include "sema/code.h"
 #include "syntax/ast.h"
@@ -50,6 +51,10 @@ struct CheckOptions {
     std::uint32_t shown_from = kNothingShown;
     /// The program of the main file that may call others as if they were cycles.
     std::string_view calls_programs;
+    /// Says which tables and images may be read; null: any.
+    Files* files = nullptr;
+    /// Whether the command has no time left; then there is no code, and whoever asked says why.
+    std::function<bool()> is_over = {};
 };
 
 /// Checks the file and everything it imports. Mistakes are reported, all of them; the code is

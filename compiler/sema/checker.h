@@ -69,7 +69,6 @@ class Checker {
     void define_types(std::uint32_t module);
     void define_struct(std::uint32_t module, Type type, const syntax::Decl& decl);
     void define_enum_values(std::uint32_t module, const syntax::Decl& decl);
-    bool struct_contains(Type inner, Type outer) const;
     void define_signature(std::uint32_t function);
     Type resolve_type(syntax::TypeId id);
     std::optional<Type> builtin_type(std::string_view name) const;
@@ -79,6 +78,11 @@ class Checker {
     void bind_parameters(const FunctionDecl& function);
     ParameterInfo describe_parameter(const ParameterDecl& parameter);
     void report_unused_parameters();
+    bool is_late();
+    void report_missing_return(const FunctionDecl& function, const syntax::Decl& decl,
+                               const SourceRange& end);
+    bool may_propose();
+    void report_overflow(std::string_view name, const SourceRange& range);
     void export_enums();
     void finish();
     struct DiameterWords {
@@ -504,7 +508,8 @@ class Checker {
     // Where the checker is.
     std::uint32_t module_ = 0;
     Units units_ = Units::Metric;
-    std::vector<Symbol> symbols_;  // visible local names, innermost last
+    std::vector<Symbol> symbols_;         // visible local names, innermost last
+    std::vector<std::uint32_t> varying_;  // of the symbols: may be without a value
     std::unordered_map<std::string_view, std::vector<std::int32_t>>
         visible_;                  // by name, innermost last
     std::size_t scope_begin_ = 0;  // first symbol of the innermost scope
@@ -524,6 +529,9 @@ class Checker {
     std::vector<Unused> unused_;  // local variables
     bool is_startup_ = false;
     std::optional<nc::CycleId> current_native_;
+    std::uint32_t proposals_ = 0;
+    std::uint32_t looked_ = 0;  // at the clock, statements ago
+    bool is_late_ = false;
     Reg for_limit_ = kNoReg;     // register of the constant that ends a `for`
     std::string_view declared_;  // name of the variable whose value is being calculated
     bool last_unset_ = false;
@@ -537,7 +545,7 @@ class Checker {
     std::unordered_map<std::uint64_t, Type> known_types_;  // of expressions, by file and index
     std::unordered_map<std::string, std::uint32_t> text_index_;
     std::unordered_map<std::string, std::uint32_t> plan_index_;
-    std::unordered_map<std::uint16_t, std::uint32_t> layout_index_;  // by type
+    std::unordered_map<std::uint32_t, std::uint32_t> layout_index_;  // by type
     std::unordered_map<std::uint32_t, std::uint32_t> shown_index_;   // by type, parts apart
 };
 

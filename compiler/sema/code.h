@@ -57,6 +57,14 @@ inline bool is_given(Slot slot, unsigned kind) {
                                                            : slot.integer != kNotGivenInteger;
 }
 
+/// Registers of one function at most; calls and points need some room above a function's own.
+inline constexpr std::uint32_t kMostRegisters = 60000;
+/// Of the variables of all files together.
+inline constexpr std::uint32_t kMostGlobals = 1'000'000;
+/// Functions of all files together: an instruction names one by a number of 16 bits, 0 sets the
+/// globals.
+inline constexpr std::uint32_t kMostFunctions = 65'000;
+
 struct Instruction {
     struct Pair {
         std::int32_t first;  // a jump target, a table index

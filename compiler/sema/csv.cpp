@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <unordered_map>
 
 #include "base/diagnostics/sema.h"
 #include "base/numbers.h"
@@ -11,6 +12,9 @@
 namespace kadr::sema {
 
 namespace {
+
+constexpr std::size_t kMostSlots = 50'000'000;  // elements of all arrays of a program
+constexpr std::size_t kMostUnknown = 100;       // columns that are left out are told of
 
 std::string_view trim(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -28,9 +32,13 @@ struct Cell {
 bool split(std::string_view line, char separator, std::vector<Cell>& cells) {
     cells.clear();
     std::size_t at = 0;
+    std::size_t counted = 0;
+    std::size_t characters = 0;
     while (true) {
         Cell cell;
-        cell.column = static_cast<std::uint32_t>(count_code_points(line.substr(0, at))) + 1;
+        characters += count_code_points(line.substr(counted, at - counted));
+        counted = at;
+        cell.column = static_cast<std::uint32_t>(characters) + 1;
         std::size_t begin = at;
         while (begin < line.size() && (line[begin] == ' ' || line[begin] == '\t')) ++begin;
         if (begin < line.size() && line[begin] == '"') {
@@ -58,7 +66,9 @@ bool split(std::string_view line, char separator, std::vector<Cell>& cells) {
 class TableReader {
   public:
     TableReader(const TableSchema& schema, std::span<const EnumNames> enums, DiagnosticSink& sink)
-        : schema_(schema), enums_(enums), sink_(sink) {}
+        : schema_(schema), enums_(enums), sink_(sink), bound_(schema.columns.size()) {
+        for (const Column& column : schema.columns) by_name_.try_emplace(column.name, &column);
+    }
 
     std::optional<TableRows> read(const std::string& file, std::string_view text,
                                   const SourceRange& place) {
@@ -67,9 +77,7 @@ class TableReader {
         if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
         bool has_header = false;
         while (!text.empty()) {
-            const std::size_t end = std::min(text.find('\n'), text.size());
-            line_text_ = trim(text.substr(0, end));
-            text.remove_prefix(std::min(end + 1, text.size()));
+            line_text_ = trim(next_line(text));
             ++line_;
             if (line_text_.empty() || line_text_.front() == '#') continue;
             if (!has_header) {
@@ -78,6 +86,10 @@ class TableReader {
                 separator_ = line_text_.find(';') != std::string_view::npos ? ';' : ',';
                 if (!header()) return std::nullopt;
                 continue;
+            }
+            if (rows_.slots.size() > kMostSlots) {
+                sink_.report(diag::TableTooLarge, place_).arg(file_).arg(kMostSlots);
+                return std::nullopt;
             }
             row();
         }
@@ -90,6 +102,15 @@ class TableReader {
     }
 
   private:
+    /// Takes the first line, which ends with LF, CR LF, or CR alone, as an old spreadsheet writes.
+    static std::string_view next_line(std::string_view& text) {
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        const std::string_view line = text.substr(0, end);
+        const bool is_pair = text.substr(end).starts_with("\r\n");
+        text.remove_prefix(std::min(end + (is_pair ? 2 : 1), text.size()));
+        return line;
+    }
+
     DiagnosticBuilder report(const DiagnosticRow& row, std::uint32_t column, std::size_t length) {
         failed_ = failed_ || row.severity != Severity::Warning;
         LinePlace at;
@@ -140,32 +161,34 @@ class TableReader {
                 unit = trim(name.substr(open + 1, name.size() - open - 2));
                 name = trim(name.substr(0, open));
             }
-            const auto found =
-                std::find_if(schema_.columns.begin(), schema_.columns.end(),
-                             [&](const Column& column) { return column.name == name; });
+            const auto found = by_name_.find(name);
             Bound bound;
-            if (found == schema_.columns.end()) {
+            if (found == by_name_.end()) {
                 unknown.push_back({std::string(name), cell.column, cell.text.size()});
                 columns_.push_back(bound);
                 continue;
             }
-            for (const Bound& other : columns_) {
-                if (other.column == &*found)
-                    report(diag::TableColumnTwice, cell.column, cell.text.size()).arg(name);
-            }
-            bound.column = &*found;
-            bound.factor = factor_of(*found);
+            const Column& column = *found->second;
+            if (has(column))
+                report(diag::TableColumnTwice, cell.column, cell.text.size()).arg(name);
+            bound_[index_of(column)] = true;
+            bound.column = &column;
+            bound.factor = factor_of(column);
             if (!unit.empty()) {
                 const std::optional<UnitInfo> info = find_unit(unit);
-                if (!info || !unit_fits(*found, *info, bound.factor)) {
+                if (!info || !unit_fits(column, *info, bound.factor)) {
                     report(diag::TableUnit, cell.column, cell.text.size()).arg(unit).arg(name);
                 }
             }
             columns_.push_back(bound);
         }
+        if (is_something_else(unknown)) return false;
         report_missing(unknown);
+        std::size_t told = 0;
         for (const UnknownColumn& column : unknown) {
-            if (!column.name.empty()) report_unknown(column);
+            if (column.name.empty()) continue;
+            if (++told > kMostUnknown) break;  // each message would hold all of a very long line
+            report_unknown(column);
         }
         return !failed_;
     }
@@ -177,12 +200,19 @@ class TableReader {
         std::size_t length = 1;
     };
 
+    /// A file that does not call itself a table and has none of its columns may have been named by
+    /// mistake, or by somebody who wants to see it in messages: nothing of it is shown.
+    bool is_something_else(const std::vector<UnknownColumn>& unknown) {
+        if (unknown.size() != columns_.size() || upper_ascii(file_).ends_with(".CSV")) return false;
+        sink_.report(diag::TableElse, place_).arg(file_).arg(schema_.type_name);
+        failed_ = true;
+        return true;
+    }
+
     void report_unknown(const UnknownColumn& unknown) {
         std::vector<std::string_view> names;
         for (const Column& column : schema_.columns) {
-            const bool is_there = std::any_of(columns_.begin(), columns_.end(),
-                                              [&](const Bound& b) { return b.column == &column; });
-            if (!is_there) names.push_back(column.name);
+            if (!has(column)) names.push_back(column.name);
         }
         DiagnosticBuilder builder =
             report(diag::TableColumnUnknown, unknown.column, unknown.length);
@@ -192,10 +222,10 @@ class TableReader {
         }
     }
 
-    bool has(const Column& column) const {
-        return std::any_of(columns_.begin(), columns_.end(),
-                           [&](const Bound& bound) { return bound.column == &column; });
+    std::size_t index_of(const Column& column) const {
+        return static_cast<std::size_t>(&column - schema_.columns.data());
     }
+    bool has(const Column& column) const { return bound_[index_of(column)]; }
 
     /// Members without a column. Where a column has nearly the name of one, it is that column which
     /// is wrong, and it is not said again that nobody takes it.
@@ -305,7 +335,7 @@ class TableReader {
         std::string text = cell.text;
         if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
         const char* end = text.data() + text.size();
-        const Decimal number = parse_decimal(text.data(), end);
+        const Decimal number = parse_number(text.data(), end);
         double factor = bound.factor;
         const std::string_view rest =
             trim({number.end, static_cast<std::size_t>(end - number.end)});
@@ -342,6 +372,8 @@ class TableReader {
     std::string_view line_text_;
     std::uint32_t line_ = 0;
     char separator_ = ',';
+    std::unordered_map<std::string_view, const Column*> by_name_;  // of the schema
+    std::vector<bool> bound_;                                      // of them in the file
     std::vector<Bound> columns_;
     TableRows rows_;
     bool failed_ = false;
@@ -350,13 +382,15 @@ class TableReader {
 }  // namespace
 
 std::optional<TableRows> read_table(const TableSchema& schema, std::span<const EnumNames> enums,
-                                    const std::string& path, const SourceRange& place,
+                                    const std::string& path, const SourceRange& place, Files* files,
                                     DiagnosticSink& sink) {
     const bool is_absolute = !path.empty() && (path[0] == '/' || path[0] == '\\');
     const std::string file = is_absolute ? path : schema.folder + path;
-    const std::optional<std::string> text = read_file(file);
+    Files anything;
+    const auto text = files != nullptr ? files->read_named(file) : anything.read(file);
     if (!text) {
-        sink.report(diag::TableUnreadable, place).arg(file);
+        report_unread(sink, diag::TableUnreadable, place, file, text.error(),
+                      files != nullptr ? *files : anything);
         return std::nullopt;
     }
     return TableReader(schema, enums, sink).read(file, *text, place);

@@ -9,14 +9,16 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/files.h"
 #include "sema/code.h"
 
 namespace kadr::sema {
 
 /// Reads a CSV file row by row. Every mistake is reported with file, row and column; nothing is
 /// returned then. `path` is relative to the folder of the file that names it; `place` is where.
+/// `files` says what may be read; null: anything.
 std::optional<TableRows> read_table(const TableSchema& schema, std::span<const EnumNames> enums,
-                                    const std::string& path, const SourceRange& place,
+                                    const std::string& path, const SourceRange& place, Files* files,
                                     DiagnosticSink& sink);
 
 }  // namespace kadr::sema

@@ -1,6 +1,7 @@
 // declarations.cpp — files and what they declare: imports, types, functions, global variables.
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 #include "base/assert.h"
 #include "base/diagnostics/sema.h"
@@ -162,7 +163,8 @@ void Checker::declare_names(std::uint32_t module) {
                 info.name = name;
                 info.range = decl.name_range;
                 const Type type = types_.add_struct(std::move(info));
-                declare(module, name, {Name::What::Type, module, 0, type, 0, decl.name_range});
+                declare(module, name,
+                        {Name::What::Type, module, id.index, type, 0, decl.name_range});
                 break;
             }
             case DeclKind::Enum: declare_enum(module, decl); break;
@@ -268,24 +270,15 @@ Type Checker::resolve_type(syntax::TypeId id) {
     return ref.is_optional ? types_.optional(array) : array;
 }
 
-bool Checker::struct_contains(Type outer, Type inner) const {
-    if (outer == inner) return true;
-    if (kind(outer) != Kind::Struct) return false;
-    const StructInfo& info = types_.struct_of(outer);
-    return std::any_of(info.members.begin(), info.members.end(),
-                       [&](const Member& member) { return struct_contains(member.type, inner); });
-}
-
 void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
     const syntax::Ast& tree = *modules_[module].ast;
     if (types_.struct_of(type).slots != 0) return;
     std::vector<Member> members;
+    std::unordered_set<std::string_view> names;
     for (const syntax::DeclId id : tree.decls(decl.members)) {
         const Decl& field = tree[id];
         const std::string_view name = tree.text(field.name);
-        const auto same = std::find_if(members.begin(), members.end(),
-                                       [&](const Member& m) { return m.name == name; });
-        if (same != members.end()) {
+        if (!names.insert(name).second) {
             report(diag::DuplicateName, field.name_range).arg(name);
             continue;
         }
@@ -294,14 +287,6 @@ void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
             const Name* found = find_global(module, tree.text(tree[field.type].name));
             if (found != nullptr && found->what == Name::What::Type &&
                 kind(found->type) == Kind::Struct && types_.struct_of(found->type).slots == 0) {
-                const Decl* inner = nullptr;
-                const syntax::Ast& owner = *modules_[found->module].ast;
-                for (const syntax::DeclId top : owner.top) {
-                    if (owner[top].kind == DeclKind::Struct &&
-                        owner[top].name_range == found->range) {
-                        inner = &owner[top];
-                    }
-                }
                 const bool is_open = std::find(open_structs_.begin(), open_structs_.end(),
                                                found->type) != open_structs_.end();
                 if (found->type == type || is_open) {
@@ -309,12 +294,18 @@ void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
                     members.push_back({std::string(name), types::kError, 0, module, {}});
                     continue;
                 }
-                if (inner != nullptr) {
-                    open_structs_.push_back(type);
-                    define_struct(found->module, found->type, *inner);
-                    open_structs_.pop_back();
-                    module_ = module;
+                if (open_structs_.size() >= kMostLevels) {
+                    report(diag::StructTooDeep, field.range)
+                        .arg(types_.struct_of(type).name)
+                        .arg(std::size_t{kMostLevels});
+                    members.push_back({std::string(name), types::kError, 0, module, {}});
+                    continue;
                 }
+                open_structs_.push_back(type);
+                define_struct(found->module, found->type,
+                              (*modules_[found->module].ast)[syntax::DeclId{found->index}]);
+                open_structs_.pop_back();
+                module_ = module;
             }
         }
         module_ = module;
@@ -333,7 +324,18 @@ void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
         report(diag::EmptyStruct, decl.name_range).arg(types_.struct_of(type).name);
         members.push_back({"", types::kError, 0, module, {}});
     }
-    types_.complete_struct(type, std::move(members));
+    module_ = module;
+    switch (types_.complete_struct(type, std::move(members))) {
+        case TypeTable::Completed::Good: break;
+        case TypeTable::Completed::TooManyRegisters:
+            report(diag::FunctionTooLarge, decl.name_range).arg(types_.struct_of(type).name);
+            break;
+        case TypeTable::Completed::TooManyLevels:
+            report(diag::StructTooDeep, decl.name_range)
+                .arg(types_.struct_of(type).name)
+                .arg(std::size_t{kMostLevels});
+            break;
+    }
 }
 
 void Checker::define_enum_values(std::uint32_t module, const Decl& decl) {
@@ -397,7 +399,7 @@ void Checker::define_signature(std::uint32_t index) {
                                            ast().decls(decl.parameters).end());
     // The running parameter is one more of the function that gives the points.
     if (is_curve && !function.is_limits) parameters.push_back(ast().decls(decl.members)[0]);
-    Reg next = 0;
+    std::uint32_t next = 0;
     for (const syntax::DeclId id : parameters) {
         const Decl& parameter = ast()[id];
         ParameterDecl entry;
@@ -423,15 +425,16 @@ void Checker::define_signature(std::uint32_t index) {
         entry.is_required =
             !entry.initial.is_valid() && !type_info(entry.type).is_optional && !entry.may_be_unset;
         entry.slots = entry.is_reference ? 1 : type_info(entry.type).slots;
-        entry.reg = next;
-        next = static_cast<Reg>(next + entry.slots);
+        entry.reg = static_cast<Reg>(next);
+        next += entry.slots;
         function.parameters.push_back(entry);
     }
     if (function.parameters.size() > 32) {
         report(diag::TooManyParameters, decl.name_range).arg(function.name);
         function.parameters.resize(32);
     }
-    function.parameter_slots = next;
+    // Reported where the body is checked, which finds no room for them.
+    function.parameter_slots = static_cast<std::uint16_t>(std::min(next, kMostRegisters + 1));
 }
 
 void Checker::check_global(std::uint32_t index, bool on_demand) {
@@ -487,7 +490,10 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
         symbol.storage = Symbol::Storage::Global;
         symbol.global = code_->globals;
         const std::uint16_t slots = type_info(symbol.type).slots;
+        const bool had_room = code_->globals <= kMostGlobals;
         code_->globals += slots;
+        if (had_room && code_->globals > kMostGlobals)
+            report(diag::GlobalsTooLarge, symbol.range).arg(std::size_t{kMostGlobals});
         symbol.may_be_unset = !decl.value.is_valid() && !is_body;
         Reg reg = 0;
         if (decl.value.is_valid() || is_body) {
@@ -504,6 +510,7 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
         }
         if (slots > 0) emit_.emit_pair(Op::StoreGlobal, reg, 0, slots, symbol.global);
     }
+    report_overflow(symbol.name, symbol.range);
     emit_.release_to(mark);
     emit_.set_place(place);
     module_ = module;
@@ -601,6 +608,7 @@ void Checker::check_function(std::uint32_t index) {
         FunctionCode& curve = code_->functions[index + 1];
         curve.end = emit_.here();
         curve.registers = emit_.registers_used();
+        report_overflow(function.name, function.range);
         function_ = nullptr;
         return;
     }
@@ -622,18 +630,8 @@ void Checker::check_function(std::uint32_t index) {
                           decl.range.end};
     emit_.set_place(end);
     if (falls_through) {
-        // A statement that could not be read may have been the `return`.
-        const bool is_broken =
-            std::ranges::any_of(ast().statements, [&](const syntax::Stmt& other) {
-                return other.kind == syntax::StmtKind::Invalid &&
-                       other.range.begin >= decl.range.begin && other.range.end <= decl.range.end;
-            });
-        if (!is_broken && function.result != types::kVoid && kind(function.result) != Kind::Error) {
-            report(diag::MissingReturn, function.range)
-                .arg(function.name)
-                .arg(type_name(function.result))
-                .note(end, "the end is reached here without a `return`");
-        }
+        if (function.result != types::kVoid && kind(function.result) != Kind::Error)
+            report_missing_return(function, decl, end);
         leave_function(end);
         emit_.emit(Op::Return, 0, 0, 0);
     }
@@ -643,8 +641,27 @@ void Checker::check_function(std::uint32_t index) {
     FunctionCode& done = code_->functions[index + 1];
     done.end = emit_.here();
     done.registers = emit_.registers_used();
-    if (emit_.overflowed()) report(diag::FunctionTooLarge, function.range).arg(function.name);
+    report_overflow(function.name, function.range);
     function_ = nullptr;
+}
+
+void Checker::report_missing_return(const FunctionDecl& function, const Decl& decl,
+                                    const SourceRange& end) {
+    // A statement that could not be read may have been the `return`.
+    const bool is_broken = std::ranges::any_of(ast().statements, [&](const syntax::Stmt& other) {
+        return other.kind == syntax::StmtKind::Invalid && other.range.begin >= decl.range.begin &&
+               other.range.end <= decl.range.end;
+    });
+    if (is_broken) return;
+    report(diag::MissingReturn, function.range)
+        .arg(function.name)
+        .arg(type_name(function.result))
+        .note(end, "the end is reached here without a `return`");
+}
+
+/// Says so if what was emitted needs more registers than there are.
+void Checker::report_overflow(std::string_view name, const SourceRange& range) {
+    if (emit_.has_overflowed()) report(diag::FunctionTooLarge, range).arg(name);
 }
 
 void Checker::report_unused_parameters() {

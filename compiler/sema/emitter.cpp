@@ -4,12 +4,10 @@
 
 namespace kadr::sema {
 
-namespace {
-// Calls and points need some room above a function's own registers.
-constexpr unsigned kMostRegisters = 60000;
-}  // namespace
-
 Instruction& Emitter::emit(Op op, unsigned a, unsigned b, unsigned c) {
+    // More than an operand can say: of what is numbered here only a function that is too large has
+    // so many.
+    overflowed_ |= ((a | b | c) >> 16) != 0;
     Instruction instruction;
     instruction.op = op;
     instruction.a = static_cast<std::uint16_t>(a);

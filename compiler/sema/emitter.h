@@ -1,6 +1,7 @@
 // emitter.h — appends instructions to the code: registers, labels, jumps.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "sema/code.h"
@@ -38,7 +39,8 @@ class Emitter {
     void release_to(Reg mark) { next_ = mark; }
     void begin_function();
     std::uint32_t registers_used() const { return most_; }
-    bool overflowed() const { return overflowed_; }
+    /// Whether something has asked for more registers than there are since this was asked last.
+    bool has_overflowed() { return std::exchange(overflowed_, false); }
 
     Code& code() { return code_; }
 

@@ -186,12 +186,14 @@ class PictureReader {
 }  // namespace
 
 std::optional<Picture> read_picture(const std::string& folder, const std::string& path,
-                                    const SourceRange& place, DiagnosticSink& sink) {
+                                    const SourceRange& place, Files* files, DiagnosticSink& sink) {
     const bool is_absolute = !path.empty() && (path[0] == '/' || path[0] == '\\');
     const std::string file = is_absolute ? path : folder + path;
-    const std::optional<std::string> text = read_file(file);
+    Files anything;
+    const auto text = files != nullptr ? files->read_named(file) : anything.read(file);
     if (!text) {
-        sink.report(diag::ImageUnreadable, place).arg(file);
+        report_unread(sink, diag::ImageUnreadable, place, file, text.error(),
+                      files != nullptr ? *files : anything);
         return std::nullopt;
     }
     return PictureReader(file, *text, place, sink).read();

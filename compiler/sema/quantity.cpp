@@ -1,6 +1,7 @@
 #include "sema/quantity.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <span>
 #include <string_view>
@@ -176,6 +177,22 @@ Quantity quantity_of(nc::Dimension dimension) {
         case nc::Dimension::Text: return kNumber;
     }
     return kNumber;
+}
+
+Decimal parse_number(const char* begin, const char* end) {
+    Decimal number = parse_decimal(begin, end);
+    const char* at = number.end;
+    if (at == begin || at == end || (*at != 'e' && *at != 'E')) return number;
+    ++at;
+    if (at != end && (*at == '+' || *at == '-')) ++at;
+    if (at == end || *at < '0' || *at > '9') return number;
+    const char* const first = *begin == '+' ? begin + 1 : begin;
+    double value = 0;
+    const auto read = std::from_chars(first, end, value);
+    if (read.ec != std::errc() || !std::isfinite(value)) return number;
+    number.value = value;
+    number.end = read.ptr;
+    return number;
 }
 
 }  // namespace kadr::sema

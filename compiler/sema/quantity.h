@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "base/numbers.h"
 #include "nc/vocabulary.h"
 #include "syntax/ast.h"
 
@@ -56,6 +57,10 @@ struct UnitInfo {
     double factor;  // to mm, s, degrees, revolutions
 };
 UnitInfo unit_info(syntax::Unit unit);
+
+/// Reads the longest number at `begin` of a value from outside of a program: decimal, or with an
+/// exponent, `1e5`, `2.5E-3`, as computers write it.
+Decimal parse_number(const char* begin, const char* end);
 
 /// Reads a unit as it stands behind a number (`mm`, `mm/min`, `in`); nothing if it is none.
 std::optional<UnitInfo> find_unit(std::string_view text);

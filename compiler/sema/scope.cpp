@@ -78,6 +78,9 @@ void Checker::check_new_name(std::string_view name, const SourceRange& range) {
 Symbol& Checker::add_symbol(const Symbol& symbol) {
     check_new_name(symbol.name, symbol.range);
     visible_[symbol.name].push_back(static_cast<std::int32_t>(symbols_.size()));
+    const bool varies =
+        symbol.is_parameter || symbol.may_be_unset || type_info(symbol.type).is_optional;
+    if (varies) varying_.push_back(static_cast<std::uint32_t>(symbols_.size()));
     symbols_.push_back(symbol);
     return symbols_.back();
 }
@@ -88,6 +91,7 @@ void Checker::leave_scope(std::size_t symbols) {
         visible_[symbols_.back().name].pop_back();
         symbols_.pop_back();
     }
+    while (!varying_.empty() && varying_.back() >= symbols_.size()) varying_.pop_back();
 }
 
 /// A local variable that nothing reads; parameters have their own message. It is said at the end,
@@ -207,6 +211,13 @@ bool Checker::report_foreign_word(std::string_view name, const SourceRange& rang
     return true;
 }
 
+/// Whether a name that was meant is looked for among all names: behind so many mistakes of this
+/// kind nobody reads what it would say, and each look takes as long as there are names.
+bool Checker::may_propose() {
+    constexpr std::uint32_t kMost = 100;
+    return ++proposals_ <= kMost;
+}
+
 void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     if (is_lost(name)) return;
     for (std::size_t i = defaults_from_; function_ != nullptr && i < function_->parameters.size();
@@ -235,6 +246,7 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         syntax::advise(builder, *habit, range);
         return;
     }
+    if (!may_propose()) return;
     const std::vector<std::string_view> functions = known_names(true);
     if (std::binary_search(functions.begin(), functions.end(), name)) {
         builder.fix(range, std::string(name) + "()", "it is a function: call it");
@@ -251,28 +263,32 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     }
 }
 
+// Only of what can be without a value: at each branch, all variables would be looked at.
+
 std::vector<Givenness> Checker::remember_givenness() const {
     std::vector<Givenness> states;
-    states.reserve(symbols_.size());
-    for (const Symbol& symbol : symbols_) states.push_back(symbol.givenness);
+    states.reserve(varying_.size());
+    for (const std::uint32_t i : varying_) states.push_back(symbols_[i].givenness);
     return states;
 }
 
 void Checker::set_givenness(const std::vector<Givenness>& other) {
-    for (std::size_t i = 0; i < symbols_.size() && i < other.size(); ++i) {
-        symbols_[i].givenness = other[i];
+    for (std::size_t i = 0; i < varying_.size() && i < other.size(); ++i) {
+        symbols_[varying_[i]].givenness = other[i];
     }
 }
 
 void Checker::merge_givenness(const std::vector<Givenness>& other) {
-    for (std::size_t i = 0; i < symbols_.size() && i < other.size(); ++i) {
-        if (symbols_[i].givenness != other[i]) symbols_[i].givenness = Givenness::Perhaps;
+    for (std::size_t i = 0; i < varying_.size() && i < other.size(); ++i) {
+        Givenness& now = symbols_[varying_[i]].givenness;
+        if (now != other[i]) now = Givenness::Perhaps;
     }
 }
 
 void Checker::forget_givenness() {
     // A loop's body may run again after what stands below has been assigned.
-    for (Symbol& symbol : symbols_) {
+    for (const std::uint32_t i : varying_) {
+        Symbol& symbol = symbols_[i];
         const bool varies = symbol.may_be_unset || type_info(symbol.type).is_optional;
         if (varies) symbol.givenness = Givenness::Perhaps;
     }

@@ -44,7 +44,7 @@ bool Checker::block(syntax::List list) {
 }
 
 bool Checker::statement(StmtId id) {
-    if (!id.is_valid()) return true;
+    if (!id.is_valid() || is_late()) return true;
     const Stmt& stmt = ast()[id];
     const SourceRange before = emit_.place();
     emit_.set_place(stmt.range);
@@ -338,8 +338,8 @@ bool Checker::switch_statement(const Stmt& stmt) {
         if (ends && i > 0) merge_givenness(before);
         else set_givenness(before);
         ends = block(ast()[cases[i]].statements);
-        for (std::size_t s = 0; s < merged.size() && s < symbols_.size(); ++s) {
-            if (merged[s] != symbols_[s].givenness) merged[s] = Givenness::Perhaps;
+        for (std::size_t s = 0; s < merged.size() && s < varying_.size(); ++s) {
+            if (merged[s] != symbols_[varying_[s]].givenness) merged[s] = Givenness::Perhaps;
         }
     }
     loops_.pop_back();

@@ -18,6 +18,8 @@ std::uint32_t Checker::text_constant(std::string_view text) {
 }
 
 std::uint32_t Checker::layout_constant(Type type) {
+    const auto known = layout_index_.find(type.index);
+    if (known != layout_index_.end()) return known->second;
     Layout layout;
     layout.slots = types_.layout(type);
     layout.nested.resize(layout.slots.size(), 0);
@@ -32,8 +34,6 @@ std::uint32_t Checker::layout_constant(Type type) {
             }
         }
     };
-    const auto known = layout_index_.find(type.index);
-    if (known != layout_index_.end()) return known->second;
     const auto index = static_cast<std::uint32_t>(code_->layouts.size());
     layout_index_[type.index] = index;
     code_->layouts.emplace_back();

@@ -66,13 +66,24 @@ TypeTable::TypeTable() {
     KADR_ASSERT(element == types::kElement && types_.size() == types::kDiameter.index + 1u &&
                     (*this)[element].slots == kElementSlots,
                 "built-in types moved");
+    for (std::uint32_t i = 0; i < types_.size(); ++i) interned_.try_emplace(types_[i], i);
+}
+
+std::size_t TypeTable::Hash::operator()(const TypeInfo& info) const {
+    // Exponents of a quantity are left out: types that differ in nothing else are few.
+    std::size_t hash = static_cast<std::size_t>(info.kind);
+    for (const std::uint64_t part :
+         {std::uint64_t{info.element.index}, static_cast<std::uint64_t>(info.count),
+          std::uint64_t{info.definition}, std::uint64_t{info.is_optional}})
+        hash = (hash ^ part) * 0x9e3779b97f4a7c15u;
+    return hash;
 }
 
 Type TypeTable::intern(const TypeInfo& info) {
-    const auto found = std::find(types_.begin(), types_.end(), info);
-    if (found != types_.end()) return {static_cast<std::uint16_t>(found - types_.begin())};
-    types_.push_back(info);
-    return {static_cast<std::uint16_t>(types_.size() - 1)};
+    const auto [found, is_new] =
+        interned_.try_emplace(info, static_cast<std::uint32_t>(types_.size()));
+    if (is_new) types_.push_back(info);
+    return {found->second};
 }
 
 Type TypeTable::real(Quantity quantity) {
@@ -126,7 +137,7 @@ Type TypeTable::add_struct(StructInfo info) {
     type.slots = info.slots;
     structs_.push_back(std::move(info));
     types_.push_back(type);
-    return {static_cast<std::uint16_t>(types_.size() - 1)};
+    return {static_cast<std::uint32_t>(types_.size() - 1)};
 }
 
 Type TypeTable::add_enum(EnumInfo info) {
@@ -135,19 +146,37 @@ Type TypeTable::add_enum(EnumInfo info) {
     type.definition = static_cast<std::uint32_t>(enums_.size());
     enums_.push_back(std::move(info));
     types_.push_back(type);
-    return {static_cast<std::uint16_t>(types_.size() - 1)};
+    interned_.try_emplace(type, static_cast<std::uint32_t>(types_.size() - 1));
+    return {static_cast<std::uint32_t>(types_.size() - 1)};
 }
 
-void TypeTable::complete_struct(Type type, std::vector<Member> members) {
-    std::uint16_t offset = 0;
-    for (Member& member : members) {
-        member.offset = offset;
-        offset = static_cast<std::uint16_t>(offset + (*this)[member.type].slots);
-    }
-    types_[type.index].slots = offset;
+TypeTable::Completed TypeTable::complete_struct(Type type, std::vector<Member> members) {
     StructInfo& info = structs_[types_[type.index].definition];
+    std::uint32_t slots = 0;
+    std::uint32_t levels = 0;
+    for (Member& member : members) {
+        member.offset = static_cast<std::uint16_t>(slots);
+        slots += (*this)[member.type].slots;
+        if (slots > kMostRegisters) break;
+        info.holds_array |= holds_array(member.type);
+        if ((*this)[member.type].kind == Kind::Struct)
+            levels = std::max(levels, struct_of(member.type).levels);
+    }
+    const Completed completed = slots > kMostRegisters  ? Completed::TooManyRegisters
+                                : levels >= kMostLevels ? Completed::TooManyLevels
+                                                        : Completed::Good;
+    info.levels = levels + 1;
+    if (completed != Completed::Good) {
+        // All in one register: nothing runs that comes from here.
+        for (Member& member : members) member.type = types::kError, member.offset = 0;
+        slots = 1;
+        info.levels = 1;
+        info.holds_array = false;
+    }
+    types_[type.index].slots = static_cast<std::uint16_t>(slots);
     info.members = std::move(members);
-    info.slots = offset;
+    info.slots = static_cast<std::uint16_t>(slots);
+    return completed;
 }
 
 std::string TypeTable::name(Type type) const {
@@ -214,8 +243,8 @@ std::vector<SlotKind> TypeTable::layout(Type type) const {
 }
 
 bool TypeTable::holds_array(Type type) const {
-    const std::vector<SlotKind> slots = layout(type);
-    return std::find(slots.begin(), slots.end(), SlotKind::Array) != slots.end();
+    const Kind kind = (*this)[type].kind;
+    return kind == Kind::Array || (kind == Kind::Struct && struct_of(type).holds_array);
 }
 
 bool TypeTable::is_numeric(Type type) const {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/source.h"
@@ -16,7 +17,7 @@
 namespace kadr::sema {
 
 struct Type {
-    std::uint16_t index = 0;
+    std::uint32_t index = 0;
     friend bool operator==(Type, Type) = default;
 };
 
@@ -59,11 +60,17 @@ struct Member {
     bool may_be_unset = false;  // a struct with `?`
 };
 
+/// How deep structs may hold structs. Deeper than any real data, and far from where a walk through
+/// the members of members would use up the stack.
+inline constexpr std::uint32_t kMostLevels = 100;
+
 struct StructInfo {
     std::string name;
     std::vector<Member> members;
     std::uint16_t slots = 0;
     SourceRange range;
+    std::uint32_t levels = 1;  // of structs inside of each other, itself among them
+    bool holds_array = false;  // it, or a struct that it holds
 };
 
 struct EnumInfo {
@@ -111,8 +118,11 @@ class TypeTable {
     Type array(Type element, std::int64_t count);
     Type add_struct(StructInfo info);
     Type add_enum(EnumInfo info);
-    /// Fixes the members of a struct that was added empty.
-    void complete_struct(Type type, std::vector<Member> members);
+    /// What a struct can be too large for.
+    enum class Completed : std::uint8_t { Good, TooManyRegisters, TooManyLevels };
+    /// Fixes the members of a struct that was added empty. Members of one that is too large become
+    /// errors, so that the mistake is reported once and not for everything that holds the struct.
+    Completed complete_struct(Type type, std::vector<Member> members);
 
     const StructInfo& struct_of(Type type) const { return structs_[(*this)[type].definition]; }
     const EnumInfo& enum_of(Type type) const { return enums_[(*this)[type].definition]; }
@@ -131,9 +141,13 @@ class TypeTable {
     bool is_numeric(Type type) const;
 
   private:
+    struct Hash {
+        std::size_t operator()(const TypeInfo& info) const;
+    };
     Type intern(const TypeInfo& info);
 
     std::vector<TypeInfo> types_;
+    std::unordered_map<TypeInfo, std::uint32_t, Hash> interned_;  // of equal ones the first
     std::vector<StructInfo> structs_;
     std::vector<EnumInfo> enums_;
 };

@@ -81,7 +81,8 @@ bool is_keyword(Token token) { return token >= Token::If && token <= Token::Cont
 
 // ---------------------------------------------------------------- the tokens
 
-LexemeStream::LexemeStream(const std::vector<Lexeme>& lexemes) {
+LexemeStream::LexemeStream(const std::vector<Lexeme>& lexemes, const LimitedSink* limit)
+    : limit_(limit) {
     tokens_.reserve(lexemes.size());
     for (std::size_t i = 0; i < lexemes.size(); ++i) tokens_.emplace_back(lexemes[i], i);
 }

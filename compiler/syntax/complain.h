@@ -42,10 +42,14 @@ class LexemeToken final : public antlr4::Token {
 /// The lexemes as the stream that ANTLR's parser reads.
 class LexemeStream final : public antlr4::TokenStream {
   public:
-    explicit LexemeStream(const std::vector<Lexeme>& lexemes);
+    /// `limit` outlives the stream; null: there is no clock.
+    explicit LexemeStream(const std::vector<Lexeme>& lexemes, const LimitedSink* limit = nullptr);
 
+    /// Throws what ends the parser where there is no time left.
     void consume() override {
         if (at_ + 1 < tokens_.size()) ++at_;
+        if (at_ % kSlice == 0 && limit_ != nullptr && limit_->is_late())
+            throw antlr4::ParseCancellationException();
     }
     std::size_t LA(ssize_t offset) override { return LT(offset)->getType(); }
     antlr4::Token* LT(ssize_t offset) override;
@@ -68,6 +72,7 @@ class LexemeStream final : public antlr4::TokenStream {
     const Lexeme& lexeme(std::size_t index) const { return tokens_[index].lexeme(); }
 
   private:
+    const LimitedSink* limit_;
     mutable std::vector<LexemeToken> tokens_;
     std::size_t at_ = 0;
 };

@@ -127,6 +127,7 @@ bool Lexing::run(std::uint32_t begin, std::uint32_t end) {
         const std::unique_ptr<antlr4::Token> token = lexer.nextToken();
         if (token->getType() == antlr4::Token::EOF) return true;
         if (limit_.is_full()) return false;
+        if (out_.size() % kSlice == kSlice - 1 && limit_.is_late()) return false;
         if (out_.size() >= kMaxLexemes) {
             const std::uint32_t place = cursor.byte_of(token->getStartIndex());
             file_.sink.report(diag::FileTooLong, file_.range(place, place + 1));

@@ -14,7 +14,7 @@ namespace {
 /// parsed again with full prediction, to be sure that the error is one, and to report it.
 void build_tree(const SourceFile& file, const Prepared& prepared, const nc::Dialect& dialect,
                 const LimitedSink& limit, Ast& ast) {
-    LexemeStream stream(prepared.lexemes);
+    LexemeStream stream(prepared.lexemes, &limit);
     KadrParser parser(&stream);
     parser.removeErrorListeners();
     auto* interpreter = parser.getInterpreter<antlr4::atn::ParserATNSimulator>();
@@ -57,16 +57,16 @@ void parse_into(Ast& ast, std::string_view source, const KeywordTable& keywords,
 }  // namespace
 
 Ast parse(const Sources& sources, FileId file, const KeywordTable& keywords,
-          const nc::Dialect& dialect, DiagnosticSink& sink) {
+          const nc::Dialect& dialect, DiagnosticSink& sink, const std::function<bool()>& is_over) {
     Ast ast;
     ast.file = file;
     ast.language = keywords.name;
     for (const auto& [lexeme, name] : keywords.canonical) {
         if (lexeme != name) ast.keyword_words.emplace(name, lexeme);
     }
-    LimitedSink limit;
+    LimitedSink limit(is_over);
     parse_into(ast, sources.text(file), keywords, dialect, limit);
-    ast.has_errors = limit.has_errors();
+    ast.has_errors = limit.has_errors() || limit.is_late();
     limit.deliver(sink);
     return ast;
 }

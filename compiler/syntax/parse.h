@@ -1,6 +1,7 @@
 // parse.h — Kadr source → Ast. The only door to ANTLR.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,9 +40,11 @@ struct SourceHeader {
 SourceHeader scan_header(std::string_view text);
 
 /// Parses one file. Every syntax error of the file is reported in one run, in a technologist's
-/// words; the tree then has Invalid nodes where errors stood. `dialect` says which identifiers are
-/// words of NC blocks.
+/// words; the tree then has Invalid nodes where errors stood. Where `is_over` becomes true the tree
+/// is not complete, and whoever asked says why. `dialect` says which identifiers are words of NC
+/// blocks.
 Ast parse(const Sources& sources, FileId file, const KeywordTable& keywords,
-          const nc::Dialect& dialect, DiagnosticSink& sink);
+          const nc::Dialect& dialect, DiagnosticSink& sink,
+          const std::function<bool()>& is_over = {});
 
 }  // namespace kadr::syntax

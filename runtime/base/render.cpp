@@ -1,13 +1,16 @@
 #include "base/render.h"
 
 #include <algorithm>
+#include <vector>
 
+#include "base/printable.h"
 #include "base/text.h"
 
 namespace kadr {
 
 namespace {
 
+constexpr std::size_t kMostText = 5000;  // bytes of an argument, a note or a fix that are shown
 constexpr std::size_t kShownLine = 160;  // bytes of a long line that are shown around the caret
 
 LinePlace resolve(const SourceRange& range, const Sources& sources) {
@@ -47,9 +50,18 @@ std::string code_of(const Diagnostic& diagnostic) {
                                            : diagnostic.alarm_number;
 }
 
+/// The wording, with arguments that are whole lines of a program, or files, cut.
+std::string wording_of(const Diagnostic& diagnostic) {
+    std::vector<std::string> arguments;
+    for (const std::string& argument : diagnostic.arguments)
+        arguments.push_back(shortened(argument, kMostText));
+    return format_message(diagnostic.row->message, arguments);
+}
+
 std::string message_of(const Diagnostic& diagnostic) {
-    if (diagnostic.alarm_text.empty()) return diagnostic.message();
-    return diagnostic.alarm_text + ": " + diagnostic.message();
+    const std::string message = wording_of(diagnostic);
+    if (diagnostic.alarm_text.empty()) return message;
+    return diagnostic.alarm_text + ": " + message;
 }
 
 /// Byte offset of the character with number `count` (from 0).
@@ -62,6 +74,19 @@ std::size_t byte_of_character(std::string_view text, std::size_t count) {
         --count;
     }
     return byte;
+}
+
+/// A line as it is shown above its caret: each control character is one blank, so that what stands
+/// behind keeps its column.
+void append_shown(std::string& out, std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const bool has_next = c == 0xC2 && i + 1 < text.size();
+        const bool is_two_bytes =
+            has_next && (static_cast<unsigned char>(text[i + 1]) & 0xE0) == 0x80;
+        if (is_two_bytes) ++i;
+        out += c < 0x20 || c == 0x7f || is_two_bytes ? ' ' : text[i];
+    }
 }
 
 void append_line(std::string& out, const LinePlace& place, std::string_view color) {
@@ -78,7 +103,7 @@ void append_line(std::string& out, const LinePlace& place, std::string_view colo
     const std::string number = std::to_string(place.line);
     const std::string margin(number.size() < 4 ? 4 - number.size() : 0, ' ');
     out += margin + number + " | ";
-    for (const char c : text) out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    append_shown(out, text);
     out += '\n';
     out.append(std::max<std::size_t>(4, number.size()), ' ');
     out += " | ";
@@ -94,7 +119,7 @@ void append_line(std::string& out, const LinePlace& place, std::string_view colo
 
 void append_place(std::string& out, const LinePlace& place) {
     if (place.file.empty()) return;
-    out += place.file;
+    out += printable(place.file);
     if (place.line > 0) {
         out += ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
     }
@@ -132,17 +157,19 @@ std::string render_text(const Diagnostic& diagnostic, const Sources& sources,
     out += severity_name(diagnostic.severity);
     out += '[' + code_of(diagnostic) + "]";
     out += reset;
-    out += ": " + message_of(diagnostic) + '\n';
+    out += ": " + printable(message_of(diagnostic)) + '\n';
     append_line(out, place, color);
     for (const Diagnostic::Note& note : diagnostic.notes) {
         const LinePlace at = note.line ? *note.line : resolve(note.range, sources);
         append_place(out, at);
-        out += (at.file.empty() ? "  note: " : "note: ") + note.text + '\n';
+        out += (at.file.empty() ? "  note: " : "note: ") +
+               printable(shortened(note.text, kMostText)) + '\n';
     }
     for (const Diagnostic::Fix& fix : diagnostic.fixes) {
-        out += "  fix: " + fix.text;
+        out += "  fix: " + printable(shortened(fix.text, kMostText));
         const std::string mended = mended_line(fix, sources);
-        if (!mended.empty()) out += ": `" + mended + '`';
+        // A line that is cut would not show what it mends.
+        if (!mended.empty() && mended.size() <= kMostText) out += ": `" + printable(mended) + '`';
         out += '\n';
     }
     return out;
@@ -197,13 +224,13 @@ std::string render_json(const Diagnostic& diagnostic, const Sources& sources) {
         out += ",\"alarm\":" + json_string(diagnostic.alarm_number);
         out += ",\"alarm_text\":" + json_string(diagnostic.alarm_text);
     }
-    out += ",\"message\":" + json_string(diagnostic.message());
+    out += ",\"message\":" + json_string(wording_of(diagnostic));
     out += ",\"notes\":[";
     for (const Diagnostic::Note& note : diagnostic.notes) {
         if (&note != &diagnostic.notes.front()) out += ',';
         out += '{';
         append_position(out, note.line ? *note.line : resolve(note.range, sources));
-        out += ",\"text\":" + json_string(note.text) + '}';
+        out += ",\"text\":" + json_string(shortened(note.text, kMostText)) + '}';
     }
     out += "],\"fixes\":[";
     for (const Diagnostic::Fix& fix : diagnostic.fixes) {
@@ -211,7 +238,7 @@ std::string render_json(const Diagnostic& diagnostic, const Sources& sources) {
         out += '{';
         append_position(out, resolve(fix.range, sources));
         out += ",\"replacement\":" + json_string(fix.replacement);
-        out += ",\"text\":" + json_string(fix.text) + '}';
+        out += ",\"text\":" + json_string(shortened(fix.text, kMostText)) + '}';
     }
     return out + "]}";
 }

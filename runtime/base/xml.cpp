@@ -209,6 +209,19 @@ std::optional<XmlElement> parse(FileId file, std::string_view text, Fault& fault
     return std::nullopt;
 }
 
+/// A text that does not even begin as XML may have been named by mistake, or by somebody who wants
+/// to see it in messages: its line is not shown.
+DiagnosticBuilder report_malformed(const SourceRange& place, const Sources& sources,
+                                   DiagnosticSink& sink) {
+    const std::string_view text = sources.text(place.file);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || text[first] == '<')
+        return sink.report(diag::XmlMalformed, place);
+    const LineColumn at = sources.locate(place.file, place.begin);
+    return sink.report(diag::XmlMalformed,
+                       LinePlace{std::string(sources.name(place.file)), at.line, at.column, 1, {}});
+}
+
 const XmlRule* find_rule(const XmlShape& shape, std::string_view element) {
     const auto found = std::ranges::find(shape.rules, element, &XmlRule::element);
     return found == shape.rules.end() ? nullptr : &*found;
@@ -287,7 +300,7 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const X
     if (!root) {
         const SourceRange place{file, static_cast<std::uint32_t>(fault.begin),
                                 static_cast<std::uint32_t>(fault.end)};
-        sink.report(diag::XmlMalformed, place).arg(fault.what);
+        report_malformed(place, sources, sink).arg(fault.what);
         return std::nullopt;
     }
     const std::string_view wanted = shape.rules.front().element;

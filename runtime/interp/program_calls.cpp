@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "base/diagnostics/control.h"
+#include "base/diagnostics/control_memory.h"
 #include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "interp/block_words.h"
+#include "interp/declared_size.h"
 #include "interp/named_shape.h"
 #include "interp/program_state.h"
 #include "nc/control_words.h"
@@ -489,6 +491,14 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
     if (given_value.is_given && dimensions != symbol.dimensions) {
         return fail(line, diag::ArgumentDiffers, given_value.span,
                     {quoted(symbol.name), symbol.dimensions > 0 ? "an array" : "one value"});
+    }
+    if (!has_room_for(variables.level(), symbol)) {
+        const std::string name = symbol.name;
+        symbol.sizes.fill(1);  // the lines behind speak of it all the same
+        variables.declare(std::move(symbol));
+        return fail(line, diag::VariablesTooMany,
+                    given_value.is_given ? given_value.span : nc::Span{0, 1},
+                    {name, std::to_string(kMostElements)});
     }
     const nc::Symbol& added = variables.declare(std::move(symbol));
     const nc::Span span = given_value.is_given ? given_value.span : nc::Span{0, 1};

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/diagnostics/control.h"
+#include "base/diagnostics/control_memory.h"
+#include "interp/declared_size.h"
 #include "interp/program_state.h"
 #include "nc/control_words.h"
 
@@ -322,6 +324,13 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
     }
     if (variables.level().symbols.has_own(symbol.name))
         return fail(line, diag::NameTwice, declaration.span, {symbol.name});
+    if (!has_room_for(variables.level(), symbol)) {
+        const std::string name = symbol.name;
+        symbol.sizes.fill(1);  // the lines behind speak of it all the same
+        variables.declare(std::move(symbol));
+        return fail(line, diag::VariablesTooMany, declaration.span,
+                    {name, std::to_string(kMostElements)});
+    }
     const nc::Symbol& added = variables.declare(std::move(symbol));
     std::size_t filled = declaration.values.size();
     if (declaration.fills) {

@@ -235,11 +235,15 @@ class ChainLoader {
             if (is_extended && meant) path = find_dialect_file(*meant, folders_);
             if (!path) return false;
         }
-        if (std::find(chain_.begin(), chain_.end(), *path) != chain_.end()) {
+        // However it is spelt: `./a.xml` beside a file that was named `a.xml`.
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(*path, error);
+        const std::string identity = error ? *path : real.string();
+        if (std::find(chain_.begin(), chain_.end(), identity) != chain_.end()) {
             sink_.report(diag::DialectExtendsItself, place).arg(said);
             return false;
         }
-        chain_.push_back(*path);
+        chain_.push_back(identity);
         const auto file = sources_.read(*path);
         if (!file) {
             sink_.report(diag::FileUnreadable, place).arg(*path);

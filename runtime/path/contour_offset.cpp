@@ -38,6 +38,9 @@ Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 /// What keeps the distance to this, mm, keeps it as well as numbers can tell.
 constexpr double kFirm = 1e-9;
 
+/// Pairs of elements between two looks at the clock.
+constexpr std::size_t kSlice = 4096;
+
 /// A cut-out of a candidate between two neighbouring crossings.
 struct Slice {
     Element element;
@@ -54,8 +57,9 @@ struct Box {
 };
 
 /// Pairs of elements whose boxes, widened by `by`, meet; each pair once, i < j.
+template <typename IsOver>
 std::vector<std::pair<std::size_t, std::size_t>> near_pairs(const std::vector<Element>& elements,
-                                                            double by) {
+                                                            double by, const IsOver& is_over) {
     std::vector<Box> boxes;
     boxes.reserve(elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i) boxes.push_back({bounds(elements[i]), i});
@@ -63,7 +67,7 @@ std::vector<std::pair<std::size_t, std::size_t>> near_pairs(const std::vector<El
         return a.rectangle.lower.x() < b.rectangle.lower.x();
     });
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t i = 0; i < boxes.size() && !is_over(); ++i) {
         const Rectangle& a = boxes[i].rectangle;
         for (std::size_t j = i + 1; j < boxes.size(); ++j) {
             const Rectangle& b = boxes[j].rectangle;
@@ -78,8 +82,9 @@ std::vector<std::pair<std::size_t, std::size_t>> near_pairs(const std::vector<El
 
 class Offsetting {
   public:
-    Offsetting(std::span<const Contour> contours, double distance)
-        : distance_(distance), is_closed_(path::is_closed(contours.front())) {
+    Offsetting(std::span<const Contour> contours, double distance,
+               const std::function<bool()>& is_over)
+        : distance_(distance), is_closed_(path::is_closed(contours.front())), is_over_(is_over) {
         for (const Contour& contour : contours) add_source(contour);
         for (const Element& element : source_) boxes_.push_back(bounds(element));
     }
@@ -88,10 +93,19 @@ class Offsetting {
         make_candidates();
         cut();
         cancel_opposites();
-        return join();
+        auto joined = join();
+        if (is_stopped_) return std::nullopt;
+        return joined;
     }
+    bool is_stopped() const { return is_stopped_; }
 
   private:
+    /// Asked in front of what takes as long as there are elements.
+    bool is_over() {
+        is_stopped_ = is_stopped_ || (is_over_ && is_over_());
+        return is_stopped_;
+    }
+
     double size() const { return std::fabs(distance_); }
 
     void add_source(const Contour& contour) {
@@ -181,7 +195,9 @@ class Offsetting {
 
     void cut() {
         std::vector<std::vector<std::pair<double, Vec2>>> cuts(candidates_.size());
-        for (const auto& [i, j] : near_pairs(candidates_, kShort)) {
+        std::size_t pair = 0;
+        for (const auto& [i, j] : near_pairs(candidates_, kShort, [this] { return is_over(); })) {
+            if (++pair % kSlice == 0 && is_over()) return;
             for (const Crossing& crossing : crossings(candidates_[i], candidates_[j])) {
                 cuts[i].emplace_back(crossing.share_a, crossing.point);
                 cuts[j].emplace_back(crossing.share_b, crossing.point);
@@ -199,7 +215,7 @@ class Offsetting {
                 }
             }
         }
-        for (std::size_t i = 0; i < candidates_.size(); ++i) slice(i, cuts[i]);
+        for (std::size_t i = 0; i < candidates_.size() && !is_over(); ++i) slice(i, cuts[i]);
     }
 
     void slice(std::size_t i, std::vector<std::pair<double, Vec2>>& cuts) {
@@ -233,7 +249,7 @@ class Offsetting {
     /// Where a tool just fits between two walls, their parallels run over each other in opposite
     /// directions: nothing lies between them.
     void cancel_opposites() {
-        for (std::size_t i = 0; i < slices_.size(); ++i) {
+        for (std::size_t i = 0; i < slices_.size() && !is_over(); ++i) {
             if (slices_[i].is_used) continue;
             for (std::size_t j = i + 1; j < slices_.size(); ++j) {
                 if (slices_[j].is_used) continue;
@@ -298,13 +314,13 @@ class Offsetting {
         });
         std::vector<Contour> result;
         for (const bool is_firm : {true, false}) {
-            for (std::size_t start = 0; start < slices_.size(); ++start) {
+            for (std::size_t start = 0; start < slices_.size() && !is_over(); ++start) {
                 const Slice& slice = slices_[start];
                 if (slice.is_used || slice.is_firm != is_firm || !begins_chain(start)) continue;
                 if (!follow(start, result)) return std::nullopt;
             }
             // What is left are rings without a beginning.
-            for (std::size_t start = 0; start < slices_.size(); ++start) {
+            for (std::size_t start = 0; start < slices_.size() && !is_over(); ++start) {
                 const Slice& slice = slices_[start];
                 if (slice.is_used || slice.is_firm != is_firm) continue;
                 if (!follow(start, result)) return std::nullopt;
@@ -439,6 +455,8 @@ class Offsetting {
     std::vector<Rectangle> boxes_;
     double distance_ = 0;
     bool is_closed_ = false;
+    const std::function<bool()>& is_over_;
+    bool is_stopped_ = false;
     double scale_ = 1;
     std::vector<Element> candidates_;
     std::vector<Slice> slices_;
@@ -447,23 +465,25 @@ class Offsetting {
 
 }  // namespace
 
-Result<std::vector<Contour>, OffsetFault> offset(std::span<const Contour> contours,
-                                                 double distance) {
+Result<std::vector<Contour>, OffsetFault> offset(std::span<const Contour> contours, double distance,
+                                                 const std::function<bool()>& is_over) {
     std::vector<Contour> given(contours.begin(), contours.end());
     std::erase_if(given, [](const Contour& contour) { return contour.empty(); });
     if (given.empty() || distance == 0) return given;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         // 0, +1, −1, +2 …: away from what was degenerate, to both sides.
         const int step = (attempt + 1) / 2 * (attempt % 2 == 1 ? 1 : -1);
-        std::optional<std::vector<Contour>> result =
-            Offsetting(given, distance + step * kNudge).run();
+        Offsetting offsetting(given, distance + step * kNudge, is_over);
+        std::optional<std::vector<Contour>> result = offsetting.run();
+        if (offsetting.is_stopped()) return OffsetFault::Stopped;
         if (result) return std::move(*result);
     }
     return OffsetFault::Unresolved;
 }
 
-Result<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance) {
-    return offset(std::span(&contour, 1), distance);
+Result<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance,
+                                                 const std::function<bool()>& is_over) {
+    return offset(std::span(&contour, 1), distance, is_over);
 }
 
 }  // namespace kadr::path

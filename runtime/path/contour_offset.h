@@ -1,6 +1,7 @@
 // contour_offset.h — the path of a tool's centre beside a contour, exact for lines and arcs.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "base/result.h"
@@ -10,6 +11,7 @@ namespace kadr::path {
 
 enum class OffsetFault : std::uint8_t {
     Unresolved,  // the pieces do not join: the contour is degenerate beyond what numbers can tell
+    Stopped,     // `is_over` said so
 };
 
 /// How far a result may come nearer to the contour than was asked for, mm.
@@ -28,13 +30,15 @@ inline constexpr double kOffsetTolerance = 1e-6;
 /// source    the offset is part of: the parallels of the elements and the circles about the
 ///           corners. These are cut where they meet, and the pieces whose distance is right are
 ///           kept and joined.
-Result<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance);
+/// is_over   asked now and then: whether it is to end without a result; empty: nobody is asked
+Result<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance,
+                                                 const std::function<bool()>& is_over = {});
 
 /// The curves at a distance beside several contours together: a wall and the islands within it.
 ///
 /// contours  one, or several that are closed; those that bound one region have it on the same side
 /// promise   as of one contour, with the distance to all of them
-Result<std::vector<Contour>, OffsetFault> offset(std::span<const Contour> contours,
-                                                 double distance);
+Result<std::vector<Contour>, OffsetFault> offset(std::span<const Contour> contours, double distance,
+                                                 const std::function<bool()>& is_over = {});
 
 }  // namespace kadr::path

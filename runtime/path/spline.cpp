@@ -63,6 +63,7 @@ std::array<double, 2> slow_places(const Bezier<N>& spline) {
         rate[static_cast<std::size_t>(i)] = speed(spline, static_cast<double>(i) / kSteps);
         mean += rate[static_cast<std::size_t>(i)] / (kSteps + 1);
     }
+    if (!(mean > 0)) return found;  // a point, where nothing is slower than the rest
     std::size_t count = 0;
     for (std::size_t i = 1; i < kSteps && count < found.size(); ++i) {
         if (rate[i] > rate[i - 1] || rate[i] > rate[i + 1]) continue;

@@ -1,5 +1,6 @@
 // Limits: a program that would not end says so.
 #include <atomic>
+#include <chrono>
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,49 @@ TEST(Limits, Elements) {
                   with_limits(limits))
                   .all_blocks(),
               "X3");
+}
+
+// Arrays that hold hardly anything, and texts that are put together in braces, take memory as well:
+// a copy of itself in itself doubles in each turn.
+TEST(Limits, Memory) {
+    expand::Limits limits;
+    limits.heap_bytes = std::uint64_t{1} << 20;
+    const char* doubling = "struct s { s[] a; } program p() { s x; while (true) x.a.append(x); }";
+    EXPECT_EQ(run(doubling, with_limits(limits)).all_messages(),
+              "1:53 K3630 arrays and texts take more than 1 MiB of memory");
+    limits.array_elements = 100;
+    EXPECT_EQ(
+        run("program p() { string t = \"x\"; while (true) t = \"{t}{t}\"; }", with_limits(limits))
+            .all_messages(),
+        "1:48 K3404 arrays and texts have grown beyond 100 elements");
+    // What is no longer used does not count, however much it was.
+    limits.array_elements = 10'000'000;
+    EXPECT_EQ(run("program p() { string t = \"\"; for (int i = 0; i < 100000; i++) "
+                  "t = \"{i}, which is a text of some length\"; X=t.count; }",
+                  with_limits(limits))
+                  .all_blocks(),
+              "X37");
+}
+
+// A turn that does much is one turn: the clock is looked at while it works, too.
+TEST(Limits, TimeInTurnsThatDoMuch) {
+    expand::Limits limits;
+    limits.seconds = 0.2;
+    for (const char* body :
+         {"while (true) t = \"{t}\";", "while (true) { int[] b = a; X=b.count; }",
+          "while (true) { contour[] c = offset(outline, 1mm); X=c.count; }"}) {
+        SCOPED_TRACE(body);
+        const std::string program =
+            "contour outline { G1 X0 Y0; for (int i = 1; i < 3000; i++) X=i Y=i % 7; }"
+            "program p() { string t = \"x\"; for (int i = 0; i < 20; i++) t = t + t; "
+            "int[] a; for (int i = 0; i < 100000; i++) a.append(i); " +
+            std::string(body) + " }";
+        const auto before = std::chrono::steady_clock::now();
+        const Outcome outcome = run(program, with_limits(limits));
+        EXPECT_NE(outcome.all_messages().find("K3405"), std::string::npos)
+            << outcome.all_messages();
+        EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(20));
+    }
 }
 
 }  // namespace

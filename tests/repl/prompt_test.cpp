@@ -449,12 +449,49 @@ TEST(Prompt, FilesAreLoadedAndSaved) {
     fs::remove_all(folder);
 }
 
+// A file that is there already is replaced when somebody says so; in a pipe nobody does.
+TEST(Prompt, AsksBeforeItReplacesAFile) {
+    const fs::path folder = fs::temp_directory_path() / ("kadr-kept-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const std::string file = (folder / "part.kadr").string();
+    ASSERT_TRUE(write_file_whole(file, "mine\n"));
+    driver::Options options;
+    options.dialect = "iso";
+    std::string heard;
+    std::vector<std::string> questions;
+    bool answer = false;
+    std::atomic<bool> stop{false};
+    Surroundings surroundings{[&](std::string_view text) { heard += text; }, {}, 40};
+    surroundings.ask = [&](std::string_view question) {
+        questions.emplace_back(question);
+        return answer;
+    };
+    Prompt asking(options, driver::share_below(KADR_ROOT), surroundings, &stop);
+    asking.take("G0 X1");
+    asking.take(":save " + file);
+    EXPECT_EQ(questions, std::vector<std::string>{"replace " + file + "?"});
+    EXPECT_EQ(read_file(file), "mine\n");
+    answer = true;
+    asking.take(":save " + file);
+    EXPECT_TRUE(read_file(file)->starts_with("program prompt()"));
+    asking.take(":save " + file);  // it is the prompt's own by now
+    EXPECT_EQ(questions.size(), 2u);
+    ASSERT_TRUE(write_file_whole(file, "mine\n"));
+    Conversation pipe;
+    pipe.say("G0 X1");
+    EXPECT_EQ(pipe.say(":save " + file), "not written: `" + file + "` is there already\n");
+    EXPECT_EQ(pipe.say(":plot " + file), "not written: `" + file + "` is there already\n");
+    EXPECT_EQ(read_file(file), "mine\n");
+    fs::remove_all(folder);
+}
+
 TEST(Prompt, ASavedFileFindsItsImports) {
     const fs::path folder = fs::temp_directory_path() / ("kadr-save-" + std::to_string(::getpid()));
     fs::create_directories(folder / "parts");
     const fs::path before = fs::current_path();
     fs::current_path(folder);
     ASSERT_TRUE(write_file_whole("my.kadr", "cycle hop(length to) { G0 Z=to; }\n"));
+    ASSERT_TRUE(write_file_whole("kadr.toml", ""));  // parts/ may import what lies above it
     Conversation talk;
     talk.say(":load my.kadr");
     talk.say("hop(to: 7mm)");

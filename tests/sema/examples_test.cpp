@@ -21,6 +21,7 @@ RunOptions small_limits() {
     options.expand.limits.loop_turns = 100000;
     options.expand.limits.blocks = 1000;
     options.expand.limits.array_elements = 10000;
+    options.expand.limits.heap_bytes = std::uint64_t{1} << 19;
     return options;
 }
 

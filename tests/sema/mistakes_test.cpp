@@ -407,5 +407,56 @@ TEST(Mistakes, CallsAndFlow) {
     EXPECT_EQ(check(large + "}").messages, std::vector<std::string>{"1:9 K2220"});
 }
 
+// The number of registers is told for what holds them, once, whatever it would be in 16 bits.
+TEST(Mistakes, ValuesThatAreTooLarge) {
+    const auto structs = [](int levels) {
+        std::string text = "struct s1 { int a; int b; }\n";
+        for (int i = 2; i <= levels; ++i) {
+            const std::string inner = "s" + std::to_string(i - 1);
+            text += "struct s" + std::to_string(i) + " { " + inner + " a; " + inner + " b; }\n";
+        }
+        return text;
+    };
+    const auto last = [](int i) { return "s" + std::to_string(i); };
+    for (const int levels : {16, 17, 40}) {
+        SCOPED_TRACE(levels);
+        EXPECT_EQ(check(structs(levels) + "program p() { " + last(levels) + " x; M30; }").messages,
+                  std::vector<std::string>{"16:8 K2220"});
+    }
+    // 32768 registers each: one fits, two do not; outside of functions there is more room.
+    EXPECT_TRUE(check(structs(15) + "program p() { s15 x; M30; }").messages.empty());
+    EXPECT_EQ(check(structs(15) + "program p() { s15 x; s15 y; M30; }").messages,
+              std::vector<std::string>{"16:9 K2220"});
+    EXPECT_EQ(check(structs(15) + "s15 x; s15 y;\nprogram p() { M30; }").messages,
+              std::vector<std::string>{});
+    std::string globals = structs(15);
+    for (int i = 0; i < 31; ++i) globals += "s15 x" + std::to_string(i) + ";\n";
+    EXPECT_EQ(check(globals + "program p() { M30; }").messages,
+              std::vector<std::string>{"46:5 K2622"});
+    EXPECT_EQ(check(structs(15) + "void f(s15 a, s15 b) { }\nprogram p() { M30; }").messages[0],
+              "16:6 K2220");
+    EXPECT_EQ(check(structs(15) + "curve c(s15 a, s15 b; real t = 0..1) = {t, t};\n"
+                                  "program p() { M30; }")
+                  .messages[0],
+              "16:7 K2220");
+    std::string members = "struct s {";
+    for (int i = 0; i < 65540; ++i) members += " int a" + std::to_string(i) + ";";
+    EXPECT_EQ(check(members + " }\nprogram p() { s x; M30; }").messages,
+              std::vector<std::string>{"1:8 K2220"});
+    std::string chain = "struct s1 { int a; }\n";
+    for (int i = 2; i <= 101; ++i)
+        chain += "struct s" + std::to_string(i) + " { s" + std::to_string(i - 1) + " a; }\n";
+    EXPECT_EQ(check(chain + "program p() { s101 x; M30; }").messages,
+              std::vector<std::string>{"101:8 K2621"});
+}
+
+// An instruction names a function by a number of 16 bits.
+TEST(Mistakes, TooManyFunctions) {
+    std::string text = "program p() { M30; }\n";
+    for (int i = 0; i < 65001; ++i) text += "void f" + std::to_string(i) + "() { }\n";
+    EXPECT_EQ(check(text).messages.size(), 1u);
+    EXPECT_TRUE(check(text).messages[0].ends_with("K2620"));
+}
+
 }  // namespace
 }  // namespace kadr::testing
