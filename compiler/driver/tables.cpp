@@ -13,6 +13,7 @@
 #include "driver/pipeline_stages.h"
 #include "interp/rules.h"
 #include "machine/machine.h"
+#include "nc/alarms.h"
 #include "nc/check.h"
 #include "nc/command_names.h"
 #include "nc/lint.h"
@@ -96,6 +97,35 @@ void mark_unknown(Session& session, const std::string& name, const Summaries& su
     if (!is_file && std::ranges::none_of(summaries, has_name)) session.mark_usage();
 }
 
+std::string explanation_of(const DiagnosticRow& row) {
+    std::string out =
+        fmt::format("{}[{}]: {}\n\n", severity_word(row.severity), row.code, wording(row));
+    out += wrapped(row.explanation);
+    if (!row.wrong.empty()) out += "\nwrong:\n" + indented(row.wrong);
+    if (!row.right.empty()) out += "\nright:\n" + indented(row.right);
+    return out;
+}
+
+/// An alarm by the number that controls show, with everything that raises it; empty: no shipped
+/// dialect has it.
+std::string explanation_of_alarm(Session& session, std::string_view number) {
+    std::vector<const DiagnosticRow*> rows;
+    std::string out;
+    for (const nc::DialectSummary& summary : nc::list_dialects(session.share().dialects)) {
+        const nc::Dialect* dialect = summary.is_valid ? session.dialect(summary.name) : nullptr;
+        if (dialect == nullptr) continue;
+        const std::vector<nc::KnownAlarm> found = nc::alarms_numbered(*dialect, number);
+        if (found.empty()) continue;
+        out += fmt::format("alarm {} of {}: {}\n", found[0].alarm.number, dialect->title(),
+                           found[0].alarm.text);
+        for (const nc::KnownAlarm& known : found) {
+            if (std::ranges::find(rows, known.row) == rows.end()) rows.push_back(known.row);
+        }
+    }
+    for (const DiagnosticRow* row : rows) out += '\n' + explanation_of(*row);
+    return out;
+}
+
 /// One after the other as their lines stand in the files, whoever found them.
 void say_in_order(const DiagnosticList& found, DiagnosticSink& sink) {
     std::vector<Diagnostic> all = found.all();
@@ -110,20 +140,14 @@ void say_in_order(const DiagnosticList& found, DiagnosticSink& sink) {
 
 Reply explain_message(Session& session, std::string_view code) {
     if (code.empty()) return {Status::Done, all_messages()};
-    const std::string upper = upper_ascii(code);
-    const DiagnosticRow* row = find_diagnostic(upper);
+    const DiagnosticRow* row = find_diagnostic(upper_ascii(code));
     if (row == nullptr) row = find_diagnostic(code);
-    if (row == nullptr) {
-        session.messages().report(diag::NoDiagnostic).arg(code);
-        session.mark_usage();
-        return {session.status(), {}};
-    }
-    std::string out =
-        fmt::format("{}[{}]: {}\n\n", severity_word(row->severity), row->code, wording(*row));
-    out += wrapped(row->explanation);
-    if (!row->wrong.empty()) out += "\nwrong:\n" + indented(row->wrong);
-    if (!row->right.empty()) out += "\nright:\n" + indented(row->right);
-    return {Status::Done, std::move(out)};
+    if (row != nullptr) return {Status::Done, explanation_of(*row)};
+    if (std::string alarm = explanation_of_alarm(session, code); !alarm.empty())
+        return {Status::Done, std::move(alarm)};
+    session.messages().report(diag::NoDiagnostic).arg(code);
+    session.mark_usage();
+    return {session.status(), {}};
 }
 
 Reply list_dialects(Session& session) {

@@ -550,6 +550,16 @@ TEST_F(CommandLine, ExplainsItsMessages) {
     const ProcessResult all = kadr({"explain"});
     EXPECT_NE(all.out.find("\nK9001"), std::string::npos);
     EXPECT_EQ(kadr({"explain", "K0000"}).status, 2);  // K9010
+    // By the number that the control shows: all that raises it, and on which control.
+    for (const char* number : {"PS0011", "ps11"}) {
+        const ProcessResult alarm = kadr({"explain", number});
+        EXPECT_EQ(alarm.status, 0) << alarm.err;
+        EXPECT_NE(alarm.out.find("alarm PS0011 of FANUC"), std::string::npos) << alarm.out;
+        EXPECT_NE(alarm.out.find("F200"), std::string::npos) << alarm.out;
+    }
+    const ProcessResult siemens = kadr({"explain", "14040"});
+    EXPECT_NE(siemens.out.find("alarm 14040 of SINUMERIK"), std::string::npos) << siemens.out;
+    EXPECT_EQ(kadr({"explain", "PS99999"}).status, 2);  // K9010
 }
 
 TEST_F(CommandLine, WhatTheControlWouldAlarmOnIsNotWritten) {
