@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/diagnostics/driver.h"
+#include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "driver/file_text.h"
 
 namespace kadr::driver {
 
@@ -238,13 +238,14 @@ std::optional<std::vector<interp::ProgramInputs>> machine_inputs(Session& sessio
     std::vector<interp::ProgramInputs> out;
     add_data(session, out);
     for (const std::string& file : session.options().variable_files) {
-        auto source = FileText::open(file);
+        auto source = session.files().read(file);
         if (!source) {
-            session.messages().report(diag::FileUnreadable).arg(file);
+            report_unread(session.messages(), diag::FileUnreadable, {}, file, source.error(),
+                          session.files());
             session.mark_usage();
             return std::nullopt;
         }
-        const std::string text = source->read_all();
+        const std::string text = *std::move(source);
         std::size_t fault = 0;
         auto lines = lines_of_variables(text, fault);
         if (!lines) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/diagnostics/driver.h"
+#include "base/text.h"
 #include "driver/pipeline_stages.h"
 #include "nc/dialect_on_machine.h"
 
@@ -31,10 +32,21 @@ class HeldSink final : public DiagnosticSink {
   public:
     void take(Diagnostic diagnostic) override { held_.push_back(std::move(diagnostic)); }
     void release_to(DiagnosticSink& next) {
-        for (Diagnostic& diagnostic : held_) next.take(std::move(diagnostic));
+        for (Diagnostic& diagnostic : held_) {
+            tell_why(diagnostic);
+            next.take(std::move(diagnostic));
+        }
     }
 
   private:
+    /// The loader knows only that a file could not be read.
+    static void tell_why(Diagnostic& diagnostic) {
+        if (diagnostic.row != &diag::FileUnreadable || diagnostic.arguments.empty()) return;
+        std::string why = why_unreadable(diagnostic.arguments[0]);
+        if (why.empty()) why = "it holds more than " + bytes_text(Files::kMostBytes);
+        diagnostic.notes.insert(diagnostic.notes.begin(), {{}, std::nullopt, std::move(why)});
+    }
+
     std::vector<Diagnostic> held_;
 };
 
@@ -173,6 +185,16 @@ const machine::Machine* Session::machine() {
         }
     }
     return machine_.get();
+}
+
+bool Session::has_output_ended() {
+    if (!output_limit_.is_over()) return false;
+    if (!std::exchange(has_told_of_output_, true)) {
+        messages_.report(diag::OutputLimit)
+            .arg(bytes_text(output_limit_.most()))
+            .fix("if so much is meant, raise the limit: `--max-output`");
+    }
+    return true;
 }
 
 std::string Session::output_name(FileId file) const {

@@ -4,6 +4,7 @@
 // One that nobody has given is 0, and that is told once.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/numbers.h"
@@ -75,12 +76,20 @@ Variables::Answer ControlVariables::read_bits(std::uint32_t form, const Variable
                                               std::int64_t number, Value& out) {
     const auto first = static_cast<std::int64_t>(range.value) + (number - range.first) * kBits;
     std::uint32_t bits = 0;
-    for (int i = 0; i < kBits; ++i) {
+    // Of inputs that nobody has told the number is told that the program reads, and not each.
+    bool is_missing = false;
+    const auto tell = std::exchange(
+        tell_missing_, [&](const std::string&, const std::string&) { is_missing = true; });
+    Answer answered = Answer::Value;
+    for (int i = 0; i < kBits && answered == Answer::Value; ++i) {
         Value bit;
-        const Answer answered = family(form, first + i, bit);
-        if (answered != Answer::Value) return answered;
+        answered = family(form, first + i, bit);
         if (bit.number != 0) bits |= std::uint32_t{1} << i;
     }
+    tell_missing_ = tell;
+    if (answered != Answer::Value) return answered;
+    if (is_missing && tell_missing_)
+        tell_missing_(name_of(language_.variables[form], number), range.meaning);
     out = Value::of(static_cast<std::int32_t>(bits), range.type);
     return Answer::Value;
 }

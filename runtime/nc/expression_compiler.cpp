@@ -772,8 +772,7 @@ bool ExpressionCompiler::take_axis_index() {
         emit_axis(static_cast<Axis>(axis - kAxisNames.begin()), begin);
         return true;
     }
-    if (!language_.has_axes) return fail_here(diag::NameUnknown);
-    if (take_machine_axis()) return true;
+    if (language_.has_axes && take_machine_axis()) return true;
     bool is_logical = false;
     if (!take_level(language_.lowest_level, is_logical)) return false;
     if (language_.has_axes) emit_operation(Operation::ToAxis, 1, begin);

@@ -99,7 +99,9 @@ class Lexer {
     /// `E=0`, `Q1=5`: the control has axes of any letter, and this machine none such.
     void fail_at_missing_axis(std::size_t begin) {
         const std::string name = upper_ascii(line_.substr(begin, at_ - begin));
-        if (!tables_.unsupported_words(name + '=').empty() || !rules_.has_assignment)
+        const bool may_be_variable = compiler_ == nullptr;  // `R1=5`, in text without a language
+        if (may_be_variable || !tables_.unsupported_words(name + '=').empty() ||
+            !rules_.has_assignment)
             return fail_assigned(begin, "the control's own parametric language");
         fail(diag::AxisMissing, begin, at_, {name});
     }

@@ -51,8 +51,7 @@ constexpr Structure kStructures[] = {{Statement::If, Statement::EndIf},
                                      {Statement::Repeat, Statement::Until},
                                      {Statement::ContourBegin, Statement::ContourEnd},
                                      {Statement::ContourCode, Statement::ContourEnd},
-                                     {Statement::CallSection, Statement::EndSection},
-                                     {Statement::CallModal, Statement::EndModal}};
+                                     {Statement::CallSection, Statement::EndSection}};
 
 class SenseCheck {
   public:
@@ -155,10 +154,10 @@ class SenseCheck {
             WholeText source(text->value);
             Reader reader(dialect_, source, "code", messages);
             std::array<Block, 1> blocks;
-            const bool is_read = reader.pull(blocks) == 1 && messages.all().empty();
+            const bool is_read = reader.pull(blocks) == 1 && !messages.has_errors();
             if (is_read) continue;
-            const std::string why = messages.all().empty() ? "no line with it makes a block"
-                                                           : messages.all()[0].message();
+            const std::string why = messages.has_errors() ? messages.all().back().message()
+                                                          : "no line with it makes a block";
             sink_.report(diag::DialectNeverRead, text->value_range).arg(text->value).arg(why);
         }
     }

@@ -132,7 +132,7 @@ const std::vector<XmlRule>& dialect_rules() {
         {"variable", {{"form", Filled}}, {"range", "example"}},
         {"range",
          {"first", "last", "type", "scope", "constant", "quantity", "start", "stride", "second",
-          "initial", "same", "meaning"},
+          "initial", "same", "bits", "meaning"},
          {}},
         {"statement",
          {{"name", Filled}, "closes", "repeats", "operation", "doc"},

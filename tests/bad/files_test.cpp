@@ -23,6 +23,7 @@ class Files : public kadr::test::ScratchFolder {
         ScratchFolder::SetUp();
         fs::create_directories(file("parts/own"));
         fs::create_directories(file("secret"));
+        fs::create_directories(file("controls"));
         save("secret/rows.csv", "d\n77777\n");
         save("secret/other.kadr", "length known() { return 77777mm; }\n");
         save("secret/notes.txt", "the password is 77777\n");
@@ -42,6 +43,10 @@ class Files : public kadr::test::ScratchFolder {
         save("parts/part.kadr", program);
         options.insert(options.begin(), {"expand", file("parts/part.kadr")});
         return kadr(options);
+    }
+    /// A command line as a shell takes it, in parts/.
+    ProcessResult in_parts(const std::string& command) const {
+        return run_process({"/bin/sh", "-c", "cd " + file("parts") + " && " + command});
     }
     void expect_refused(const ProcessResult& result, const char* code) const {
         EXPECT_NE(result.status, 0) << result.out;
@@ -77,9 +82,10 @@ TEST_F(Files, ElsewhereAreNotReadAndNotShown) {
         expect_refused(expand("import \"" + std::string(name) + "\";\nprogram p() { M30; }\n"),
                        "K9032");
     }
-    expect_refused(expand("struct picture { int width; int height; real[] dots; }\nprogram p() { "
-                          "picture a = image(\"../secret/rows.csv\"); G0 X=a.width; M30; }\n"),
-                   "K9032");
+    expect_refused(
+        expand("struct picture { int width; int height; real[] dots; }\nprogram p() { "
+               "picture a = image<picture>(\"../secret/rows.csv\"); G0 X=a.width; M30; }\n"),
+        "K9032");
 }
 
 TEST_F(Files, OfAFolderThatTheUserNamesAreRead) {
@@ -206,8 +212,8 @@ TEST_F(Files, ThatAreReadAreNotReplaced) {
                   .status,
               2);
     EXPECT_FALSE(fs::exists(file("c.jsonl")));
-    const std::string shell = std::string(KADR_BINARY) + " expand - -o " + part + " < " + part;
-    const ProcessResult piped = run_process({"/bin/sh", "-c", shell});
+    const ProcessResult piped =
+        in_parts(std::string(KADR_BINARY) + " expand - -o part.kadr < part.kadr");
     EXPECT_EQ(piped.status, 2) << piped.err;
     EXPECT_EQ(read_file(part), program);
 }
@@ -220,7 +226,8 @@ TEST_F(Files, OfAMachineLieBelowTheWorkingFolder) {
                             "\"/></pipeline>\n");
     save("mine.xml", machine);
     save("parts/part.kadr", "program p() { G0 X1; M30; }\n");
-    const ProcessResult result = kadr({"run", file("parts/part.kadr"), "-m", file("mine.xml")});
+    const ProcessResult result =
+        in_parts(std::string(KADR_BINARY) + " run part.kadr -m " + file("mine.xml"));
     EXPECT_EQ(result.status, 2) << result.err;
     EXPECT_NE(result.err.find("K9035"), std::string::npos) << result.err;
     EXPECT_FALSE(fs::exists(file("taken.csv")));
@@ -319,7 +326,7 @@ TEST_F(Files, WithOldLineEndsAreTables) {
         const ProcessResult result =
             expand(std::string(kRow) +
                    "program p() { row[] rows = table<row>(\"own/rows.csv\"); "
-                   "for (row r in rows) G0 X=r.d; M30; }\n");
+                   "for (row r : rows) G0 X=r.d; M30; }\n");
         EXPECT_EQ(result.status, 0) << result.err;
         EXPECT_NE(result.out.find("X7"), std::string::npos) << result.out;
     }

@@ -533,8 +533,8 @@ TEST(ControlText, WordsOfTheLanguageAreExplained) {
               "`#{n}` from 5001 to 5020 is end_position: axis: last programmed end point in the "
               "programmed system; end of the last block");
     EXPECT_EQ(first("fanuc", "#1000"),
-              "`#{n}` from 1000 to 1035 is known to the control; Kadr does not read it; inputs of "
-              "the machine");
+              "`#{n}` from 1000 to 1031 is a value of the machine; without one 0 and a warning "
+              "(docs/inputs.md); input of the machine");
     EXPECT_EQ(first("fanuc", "GOTO"),
               "`GOTO{target}` is jump: on at a block number or label, looked for to the end of the "
               "program and then from its head; forward to the end of the program, then from its "

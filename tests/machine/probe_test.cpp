@@ -92,7 +92,9 @@ TEST(Probe, FirstTouch) {
         SCOPED_TRACE(row.name);
         const auto part = first_touch(row.scene, row.from, row.to, row.radius);
         ASSERT_EQ(part.has_value(), row.way != kNever);
-        if (part) EXPECT_NEAR(*part * (row.to - row.from).norm(), row.way, 1e-8);
+        if (part) {
+            EXPECT_NEAR(*part * (row.to - row.from).norm(), row.way, 1e-8);
+        }
     }
 }
 

@@ -153,7 +153,7 @@ inline Motion run(const machine::Machine& machine, std::vector<Command> commands
 inline std::vector<Setpoint> sample(const machine::Machine& machine, std::vector<Command> commands,
                                     const PlannerOptions& options = {}) {
     DiagnosticList diagnostics;
-    PathCheck check(machine, options.tick);
+    PathCheck check(machine);
     for (const Command& command : commands) check.read(command);
     CommandList list(std::move(commands));
     Planner planner(list, machine, options, diagnostics);

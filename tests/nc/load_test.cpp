@@ -198,8 +198,10 @@ TEST(Load, UnitsThatNoStartLineSaysAreWritten) {
         writer.end(text);
         EXPECT_EQ(codes(sink), "");
         const auto read = testing::read_blocks(*loaded.dialect, text);
-        EXPECT_EQ(read.blocks.find("inch") != std::string::npos, is_inch) << text;
-        EXPECT_NE(read.blocks.find("X25.4"), std::string::npos) << text << read.blocks;
+        std::string meaning;
+        for (const Block& block : read.blocks) meaning += describe(block) + '\n';
+        EXPECT_EQ(meaning.find("inch") != std::string::npos, is_inch) << text;
+        EXPECT_NE(meaning.find("X25.4"), std::string::npos) << text << meaning;
         DiagnosticList frame;
         check_frame(*loaded.dialect, frame);
         EXPECT_EQ(codes(frame), "");

@@ -27,7 +27,7 @@ void expect_blocks(const char* dialect, std::initializer_list<Row> rows) {
             all += describe(block);
         }
         EXPECT_EQ(all, row.blocks) << dialect << ": " << row.text;
-        EXPECT_EQ(testing::codes(result.messages), "") << dialect << ": " << row.text;
+        EXPECT_EQ(result.messages.errors(), 0u) << dialect << ": " << row.text;
         EXPECT_FALSE(result.failed);
     }
 }

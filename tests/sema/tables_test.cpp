@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "sema/csv.h"
 #include "tests/sema/running.h"
 
 namespace kadr::testing {
@@ -133,6 +134,23 @@ TEST_F(Pictures, AreBrightnessFromTheTopDown) {
                                       std::string(1, '\0') + "\x04" + std::string(1, '\0') + "\n");
     EXPECT_EQ(wide.all_messages(), "");
     EXPECT_EQ(wide.all_blocks(), "comment \"2 x 1\"\ncomment \"0.2500\"\ncomment \"1.0000\"");
+}
+
+/// Each row takes a register for every member of the struct, in the file or not.
+TEST_F(Tables, HaveALimit) {
+    std::string csv = "d\n";
+    for (int i = 0; i < 800; ++i) csv += "1\n";
+    std::ofstream(folder_ / "t.csv", std::ios::binary) << csv;
+    sema::TableSchema schema;
+    schema.type_name = "row";
+    schema.slots = 65535;
+    schema.columns.emplace_back().name = "d";
+    DiagnosticList messages;
+    const auto rows =
+        sema::read_table(schema, {}, (folder_ / "t.csv").string(), {}, nullptr, messages);
+    EXPECT_FALSE(rows);
+    ASSERT_EQ(messages.all().size(), 1u);
+    EXPECT_EQ(messages.all()[0].row->code, "K2624");
 }
 
 bool is_only(const Outcome& outcome, const std::string& code) {

@@ -9,11 +9,13 @@ O0001
 (expect: #105=0)
 (expect: #106=0)
 (expect: #107=1)
-(expect: warning K5950 at 18:6)
-(expect: warning K5950 at 20:9)
-(expect: warning K5950 at 24:6)
-(expect: warning K5950 at 25:6)
+(expect: #108=0)
+(expect: warning K5950 at 20:6)
+(expect: warning K5950 at 22:9)
 (expect: warning K5950 at 26:6)
+(expect: warning K5950 at 27:6)
+(expect: warning K5950 at 28:6)
+(expect: warning K5950 at 30:6)
 #5=1000
 #100=#[#5+4]
 #101=#1004
@@ -25,5 +27,6 @@ O0001
 #105=#3005
 #106=#100251
 #107=#1103
+#108=#1032
 M30
 %

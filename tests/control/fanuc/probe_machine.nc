@@ -3,7 +3,7 @@ O0001
 (rule: F 3.6 G53 beside G31: a probing motion to a place of the machine, at its feed)
 (expect: #1=-10)
 (expect: #2=-13)
-(expect: path X5 X6)
+(expect: path X5 X6Z-13)
 G90G54G94
 S100M03
 G00X5.

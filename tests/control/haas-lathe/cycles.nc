@@ -2,7 +2,7 @@
 O00001
 (rule: Haas lathe: drilling, boring, a thread with its start; L repeats)
 (machine: lathe)
-(expect: path Z5 Z2 z-3f0.1 Z5 Z2 z-4 z2 Z5)
+(expect: path X20Z35 Z32 z27f0.1 Z35 Z32 z26 z32 Z35)
 G55
 T0101
 G97 S1000 M03
