@@ -154,23 +154,27 @@ TypeTable::Completed TypeTable::complete_struct(Type type, std::vector<Member> m
     StructInfo& info = structs_[types_[type.index].definition];
     std::uint32_t slots = 0;
     std::uint32_t levels = 0;
+    bool holds_too_large = false;
     for (Member& member : members) {
         member.offset = static_cast<std::uint16_t>(slots);
         slots += (*this)[member.type].slots;
         if (slots > kMostRegisters) break;
         info.holds_array |= holds_array(member.type);
-        if ((*this)[member.type].kind == Kind::Struct)
-            levels = std::max(levels, struct_of(member.type).levels);
+        if ((*this)[member.type].kind != Kind::Struct) continue;
+        levels = std::max(levels, struct_of(member.type).levels);
+        holds_too_large |= struct_of(member.type).levels > kMostLevels;
     }
-    const Completed completed = slots > kMostRegisters  ? Completed::TooManyRegisters
-                                : levels >= kMostLevels ? Completed::TooManyLevels
-                                                        : Completed::Good;
+    const Completed completed = holds_too_large          ? Completed::Good
+                                : slots > kMostRegisters ? Completed::TooManyRegisters
+                                : levels >= kMostLevels  ? Completed::TooManyLevels
+                                                         : Completed::Good;
     info.levels = levels + 1;
-    if (completed != Completed::Good) {
-        // All in one register: nothing runs that comes from here.
+    if (holds_too_large || completed != Completed::Good) {
+        // All in one register: nothing runs that comes from here. What holds it is not reported
+        // again, which its levels tell.
         for (Member& member : members) member.type = types::kError, member.offset = 0;
         slots = 1;
-        info.levels = 1;
+        info.levels = kMostLevels + 1;
         info.holds_array = false;
     }
     types_[type.index].slots = static_cast<std::uint16_t>(slots);

@@ -138,7 +138,7 @@ TEST(Limits, TimeInTurnsThatDoMuch) {
           "while (true) { contour[] c = offset(outline, 1mm); X=c.count; }"}) {
         SCOPED_TRACE(body);
         const std::string program =
-            "contour outline { G1 X0 Y0; for (int i = 1; i < 3000; i++) X=i Y=i % 7; }"
+            "contour outline = { G1 X0 Y0; for (int i = 1; i < 3000; i++) X=i Y=i % 7; };"
             "program p() { string t = \"x\"; for (int i = 0; i < 20; i++) t = t + t; "
             "int[] a; for (int i = 0; i < 100000; i++) a.append(i); " +
             std::string(body) + " }";

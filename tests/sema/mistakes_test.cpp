@@ -1,5 +1,9 @@
 // Mistakes that the checker finds: where it points, and what it proposes. That each row has a
 // wrong and a right example that work is examples_test.cpp's matter.
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/sema/running.h"
@@ -410,43 +414,50 @@ TEST(Mistakes, CallsAndFlow) {
 // The number of registers is told for what holds them, once, whatever it would be in 16 bits.
 TEST(Mistakes, ValuesThatAreTooLarge) {
     const auto structs = [](int levels) {
-        std::string text = "struct s1 { int a; int b; }\n";
+        std::string text = "struct level1 { int a; int b; }\n";
         for (int i = 2; i <= levels; ++i) {
-            const std::string inner = "s" + std::to_string(i - 1);
-            text += "struct s" + std::to_string(i) + " { " + inner + " a; " + inner + " b; }\n";
+            const std::string inner = "level" + std::to_string(i - 1);
+            text += "struct level" + std::to_string(i) + " { " + inner + " a; " + inner + " b; }\n";
         }
         return text;
     };
-    const auto last = [](int i) { return "s" + std::to_string(i); };
+    const auto has = [](const std::string& program, const std::string& message) {
+        const std::vector<std::string> messages = check(program).messages;
+        return std::ranges::count(messages, message) == 1;
+    };
     for (const int levels : {16, 17, 40}) {
         SCOPED_TRACE(levels);
-        EXPECT_EQ(check(structs(levels) + "program p() { " + last(levels) + " x; M30; }").messages,
-                  std::vector<std::string>{"16:8 K2220"});
+        EXPECT_EQ(
+            check(structs(levels) + "program p() { level" + std::to_string(levels) + " x; M30; }")
+                .messages,
+            std::vector<std::string>{"16:8 K2220"});
     }
     // 32768 registers each: one fits, two do not; outside of functions there is more room.
-    EXPECT_TRUE(check(structs(15) + "program p() { s15 x; M30; }").messages.empty());
-    EXPECT_EQ(check(structs(15) + "program p() { s15 x; s15 y; M30; }").messages,
+    const std::string large = structs(15);
+    EXPECT_EQ(check(large + "program p() { level15 x; M30; }").messages,
+              std::vector<std::string>{"16:23 K2501"});  // it is only never read
+    EXPECT_EQ(check(large + "program p() { level15 x; level15 y; M30; }").messages,
               std::vector<std::string>{"16:9 K2220"});
-    EXPECT_EQ(check(structs(15) + "s15 x; s15 y;\nprogram p() { M30; }").messages,
+    EXPECT_EQ(check(large + "level15 x;\nlevel15 y;\nprogram p() { M30; }").messages,
               std::vector<std::string>{});
-    std::string globals = structs(15);
-    for (int i = 0; i < 31; ++i) globals += "s15 x" + std::to_string(i) + ";\n";
+    std::string globals = large;
+    for (int i = 0; i < 31; ++i) globals += "level15 x" + std::to_string(i) + ";\n";
     EXPECT_EQ(check(globals + "program p() { M30; }").messages,
-              std::vector<std::string>{"46:5 K2622"});
-    EXPECT_EQ(check(structs(15) + "void f(s15 a, s15 b) { }\nprogram p() { M30; }").messages[0],
-              "16:6 K2220");
-    EXPECT_EQ(check(structs(15) + "curve c(s15 a, s15 b; real t = 0..1) = {t, t};\n"
-                                  "program p() { M30; }")
-                  .messages[0],
-              "16:7 K2220");
-    std::string members = "struct s {";
+              std::vector<std::string>{"46:9 K2622"});
+    EXPECT_TRUE(
+        has(large + "void f(level15 a, level15 b) { }\nprogram p() { M30; }", "16:6 K2220"));
+    EXPECT_TRUE(has(large + "curve c(level15 a, level15 b) over real u = 0 .. 1 { x = u*1mm; "
+                            "y = 0mm; }\nprogram p() { M30; }",
+                    "16:7 K2220"));
+    std::string members = "struct many {";
     for (int i = 0; i < 65540; ++i) members += " int a" + std::to_string(i) + ";";
-    EXPECT_EQ(check(members + " }\nprogram p() { s x; M30; }").messages,
+    EXPECT_EQ(check(members + " }\nprogram p() { many x; M30; }").messages,
               std::vector<std::string>{"1:8 K2220"});
-    std::string chain = "struct s1 { int a; }\n";
-    for (int i = 2; i <= 101; ++i)
-        chain += "struct s" + std::to_string(i) + " { s" + std::to_string(i - 1) + " a; }\n";
-    EXPECT_EQ(check(chain + "program p() { s101 x; M30; }").messages,
+    std::string chain = "struct level1 { int a; }\n";
+    for (int i = 2; i <= 150; ++i)
+        chain +=
+            "struct level" + std::to_string(i) + " { level" + std::to_string(i - 1) + " a; }\n";
+    EXPECT_EQ(check(chain + "program p() { level150 x; M30; }").messages,
               std::vector<std::string>{"101:8 K2621"});
 }
 
