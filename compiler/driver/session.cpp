@@ -1,5 +1,6 @@
 #include "driver/session.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -97,12 +98,21 @@ bool Session::admit(std::size_t first, const std::string& beside, const SourceRa
     for (std::size_t i = first; i < sources_.size(); ++i) {
         const std::string name(sources_.name(FileId{static_cast<std::uint32_t>(i)}));
         files_.note(name);
-        if (name == beside || files_.may_be_read(name, beside)) continue;
+        if (name == beside || is_of_share(name) || files_.may_be_read(name, beside)) continue;
         report_unread(messages_, diag::FileUnreadable, place, name,
                       {ReadFault::Kind::Elsewhere, {}}, files_);
         return false;
     }
     return true;
+}
+
+/// Whether a file stands in a folder of Kadr's own, where a link is as good as the file.
+bool Session::is_of_share(const std::string& name) const {
+    if (name.find("..") != std::string::npos) return false;
+    const auto holds = [&](const std::string& folder) { return name.starts_with(folder + '/'); };
+    return holds(share_.library) || std::ranges::any_of(share_.dialects, holds) ||
+           std::ranges::any_of(share_.languages, holds) ||
+           std::ranges::any_of(share_.machines, holds);
 }
 
 const nc::Dialect* Session::dialect(const std::string& name_or_file, const SourceRange& place) {

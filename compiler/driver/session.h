@@ -97,6 +97,7 @@ class Session {
     Status status() const;
 
   private:
+    bool is_of_share(const std::string& name) const;
     bool admit(std::size_t first, const std::string& beside, const SourceRange& place);
 
     Options options_;

@@ -14,6 +14,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "nc/check.h"
+#include "nc/lint.h"
 #include "nc/statement_holes.h"
 #include "nc/tables.h"
 #include "nc/writer.h"
@@ -205,6 +206,22 @@ TEST(Load, UnitsThatNoStartLineSaysAreWritten) {
         DiagnosticList frame;
         check_frame(*loaded.dialect, frame);
         EXPECT_EQ(codes(frame), "");
+    }
+}
+
+/// `-d` finds a dialect by the name of its file.
+TEST(Load, ADialectIsCalledAsItsFile) {
+    for (const char* name : {"mine", "ours"}) {
+        const Folder folder;
+        const std::string file =
+            folder.add("mine.xml", "<dialect name=\"" + std::string(name) +
+                                       "\" extends=\"iso\" title=\"Mine\" suffix=\"nc\"/>");
+        Sources sources;
+        DiagnosticList found;
+        const InspectedDialect inspected = inspect_dialect(file, folder.search(), sources, found);
+        ASSERT_TRUE(inspected.dialect);
+        check_sense(inspected.root, *inspected.dialect, found);
+        EXPECT_EQ(codes(found), std::string_view(name) == "mine" ? "" : "K4275");
     }
 }
 
