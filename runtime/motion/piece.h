@@ -28,8 +28,6 @@ struct Piece {
     /// them leaves …
     double ramp = 1;
     double ramp_before = 1;
-    /// … to all pieces within a tick of it, if other corners are so near
-    double crowd_ramp = 1;
     /// … on so much of their ways beside the corner, mm (deg); 0: on all of them.
     double corner_zone = 0;
     double corner_zone_before = 0;

@@ -47,9 +47,7 @@ void Planner::State::fill() {
     while (!has_ended && !lookahead.is_full()) {
         if (fresh == 0) fresh = preparer.next();
         if (fresh == 0) {
-            while (waiting > 1) hand_on_oldest(0);
-            if (waiting > 0) hand_on_waiting(0, Piece{});
-            waiting = 0;
+            if (is_waiting) hand_on_waiting(0, Piece{});
             gathered.finish();
             append_complete();
             lookahead.finish();
@@ -57,43 +55,9 @@ void Planner::State::fill() {
             return;
         }
         --fresh;
-        if (waiting > 0 && !axes.limits_jerk()) share_crowd();
-        ++waiting;
-        while (waiting > 1 && is_out_of_reach()) hand_on_oldest(fresh);
+        if (is_waiting) hand_on_waiting(fresh + 1, pieces.back(fresh));
+        is_waiting = true;
     }
-}
-
-/// Hands on the piece that waits longest; so many pieces are `fresh_ones`.
-void Planner::State::hand_on_oldest(std::size_t fresh_ones) {
-    --waiting;
-    const std::size_t place = fresh_ones + waiting;
-    hand_on_waiting(place, pieces.back(place - 1));
-}
-
-/// Without a limit of the jerk the setpoints of a tick may see several corners with the ramps of
-/// all pieces between them: within a tick of a crowded one the ramps have what it leaves.
-void Planner::State::share_crowd() {
-    Piece& newest = pieces.back(fresh);
-    double time = 0;  // at least, from the newest corner back
-    for (std::size_t k = 1; k <= waiting && time < tick; ++k) {
-        Piece& behind = pieces.back(fresh + k - 1);
-        behind.ramp_before = std::min(behind.ramp_before, newest.crowd_ramp);
-        Piece& before = pieces.back(fresh + k);
-        time += before.length / before.speed;
-        if (time < tick) newest.ramp = std::min(newest.ramp, before.crowd_ramp);
-    }
-}
-
-/// Whether no corner that is still to come lies within a tick of the piece that waits longest.
-bool Planner::State::is_out_of_reach() {
-    if (axes.limits_jerk()) return true;
-    double time = 0;
-    for (std::size_t k = 0; k + 1 < waiting && time < tick; ++k) {
-        const Piece& piece = pieces.back(fresh + k);
-        if (piece.entry_limit == 0) return true;  // it rests there
-        time += piece.length / piece.speed;
-    }
-    return time >= tick;
 }
 
 /// The piece that waited for `next`, with what the corners at both its ends leave of its
@@ -104,7 +68,7 @@ void Planner::State::hand_on_waiting(std::size_t behind, const Piece& next) {
     piece.jerk *= std::min(1.0, next.jerk_before / piece.jerk_share);
     piece.acceleration =
         std::min(piece.acceleration, piece.turning_acceleration * next.jerk_before);
-    piece.is_cell = piece.is_cell && piece.ramp == 1 && next.ramp_before == 1;
+    piece.is_cell = piece.is_cell && next.ramp_before == 1;
     const double head = piece.corner_zone;
     const double tail = next.corner_zone_before;
     const double all = piece.acceleration;

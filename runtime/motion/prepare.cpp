@@ -87,7 +87,6 @@ Piece& Preparer::State::fresh_piece() {
     piece.entry_limit = 0;
     piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
     piece.corner_zone = piece.corner_zone_before = 0;
-    piece.crowd_ramp = 1;
     piece.rests_at_corner = false;
     piece.is_cell = piece.is_geared = piece.has_dynamics = piece.follows_spindle = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;

@@ -94,7 +94,6 @@ void Preparer::State::take_corner(Piece& piece) const {
         if (ends_smoothly(piece)) return;
     }
     piece.ramp = piece.ramp_before = ramp;
-    if (!share.is_alone) piece.crowd_ramp = ramp;
     if (ramp >= kWholeRamp || !allows_zones(piece)) return;
     const double zone = corner_zone(piece, share.speed);
     if (piece.length >= kZones * zone) piece.corner_zone = zone;
@@ -247,6 +246,8 @@ double Preparer::State::shared_speed_at(const Piece& piece, const CornerShare& s
 /// speed at most.
 double Preparer::State::ramp_beside(const Piece& piece, const CornerShare& share) const {
     const double speed = std::min({share.speed, last.speed, piece.speed});
+    // Several corners within a tick of each other: their neighbours share it as well.
+    if (!share.is_alone && !axes.limits_jerk()) return share.ramp;
     const SidesOfCorner whole{last.acceleration, piece.acceleration};
     const bool is_bent = last.is_bent || !is_straight(piece.segment);
     double ramp = 1;
