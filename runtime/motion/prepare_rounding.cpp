@@ -31,12 +31,8 @@ struct Alternative {
     double half = 0;  // of the shorter one of both motions, mm
 };
 
-/// Under a limit of the jerk a curve and what is beside it may become one stretch, which costs up to
-/// this part of a ramp to its speed (stretch.h).
-constexpr double kGathering = 0.1;
-
-/// Whether the curve takes less time than the corner, which may be passed or be a stop, whatever
-/// becomes of it when its pieces are planned. Ramps end in the middles of both motions.
+/// Whether the curve takes less time than the corner, which may be passed or be a stop. Ramps end
+/// in the middles of both motions.
 bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& beside) {
     double on_curve = 0;
     double through_corner = 0;
@@ -45,8 +41,6 @@ bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& besid
         RampLimits ramp{limits.acceleration, limits.jerk};
         on_curve += curve.way / curve.on_curve +
                     time_over(curve.half - curve.way, curve.on_curve, limits.speed, ramp);
-        if (std::isfinite(ramp.jerk))
-            on_curve += kGathering * smooth_ramp_time(0, curve.on_curve, ramp);
         with_stop += time_over(curve.half, 0, limits.speed, ramp);
         ramp.acceleration *= curve.corner.ramp;
         ramp.jerk *= curve.corner.jerk_share;
