@@ -47,48 +47,25 @@ void Planner::State::fill() {
     while (!has_ended && !lookahead.is_full()) {
         if (fresh == 0) fresh = preparer.next();
         if (fresh == 0) {
-            if (is_waiting) hand_on_waiting(0, Piece{});
+            if (is_waiting) hand_on(pieces.back(0), 0);
             gathered.finish();
             append_complete();
             lookahead.finish();
             has_ended = true;
             return;
         }
-        --fresh;
-        if (is_waiting) hand_on_waiting(fresh + 1, pieces.back(fresh));
+        const Piece& piece = pieces.back(--fresh);
+        // The corner behind a piece has its say in the piece's acceleration.
+        if (is_waiting) {
+            Piece& before = pieces.back(fresh + 1);
+            before.acceleration *= std::min(1.0, piece.ramp_before / before.ramp);
+            before.jerk *= std::min(1.0, piece.jerk_before / before.jerk_share);
+            before.acceleration =
+                std::min(before.acceleration, before.turning_acceleration * piece.jerk_before);
+            before.is_cell = before.is_cell && piece.ramp_before == 1;
+            hand_on(before, piece.entry_limit);
+        }
         is_waiting = true;
-    }
-}
-
-/// The piece that waited for `next`, with what the corners at both its ends leave of its
-/// acceleration and its jerk; so many pieces are `behind` it.
-void Planner::State::hand_on_waiting(std::size_t behind, const Piece& next) {
-    const double exit_limit = next.entry_limit;
-    Piece& piece = pieces.back(behind);
-    piece.jerk *= std::min(1.0, next.jerk_before / piece.jerk_share);
-    piece.acceleration =
-        std::min(piece.acceleration, piece.turning_acceleration * next.jerk_before);
-    piece.is_cell = piece.is_cell && next.ramp_before == 1;
-    const double head = piece.corner_zone;
-    const double tail = next.corner_zone_before;
-    const double all = piece.acceleration;
-    if (head == 0) piece.acceleration = std::min(piece.acceleration, piece.ramp * all);
-    if (tail == 0) piece.acceleration = std::min(piece.acceleration, next.ramp_before * all);
-    if (head == 0 && tail == 0) return hand_on(piece, exit_limit);
-
-    // Beside a corner it has less on a short way alone: that is a piece of its own.
-    const Piece whole = piece;
-    const std::array<double, 4> bounds{0, head, whole.length - tail, whole.length};
-    const std::array<double, 3> most{piece.ramp * all, all, next.ramp_before * all};
-    bool is_first = true;
-    for (std::size_t i = 0; i < most.size(); ++i) {
-        if (bounds[i] == bounds[i + 1]) continue;
-        Piece& part = is_first ? pieces.back(behind) : pieces.insert_behind(behind);
-        part = part_of(whole, bounds[i], bounds[i + 1], axes);
-        part.acceleration = std::min(whole.acceleration, most[i]);
-        if (!is_first) part.issues = 0;
-        is_first = false;
-        hand_on(part, whole.speed);
     }
 }
 

@@ -46,7 +46,6 @@ struct Planner::State {
     bool next(Segment& segment);
     bool end();
     void fill();
-    void hand_on_waiting(std::size_t behind, const Piece& next);
     void hand_on(const Piece& piece, double exit_limit);
     void append_complete();
     void begin_stretch();

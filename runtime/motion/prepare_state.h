@@ -77,24 +77,6 @@ struct CornerPassage {
     double jerk_share = 1;
 };
 
-/// What ramps have beside a corner, within a tick of it: a part of what they have all along, or
-/// less there alone; or they end there without acceleration.
-enum class RampEnd : std::uint8_t { Whole, Zone, Smooth };
-
-/// A way to share what the axes have between the jump at a corner and the ramps beside it.
-struct CornerShare {
-    double speed = 0;      // of the corner
-    double ramp = 1;       // part of their acceleration along the path that the ramps keep at least
-    bool is_alone = true;  // no other corner comes within two ticks
-    RampEnd end = RampEnd::Whole;
-};
-
-/// Of something that both sides of a corner have.
-struct SidesOfCorner {
-    double before = 0;
-    double behind = 0;
-};
-
 /// What is beside a corner.
 struct Beside {
     const Segment& segment;
@@ -177,21 +159,9 @@ struct Preparer::State {
     void ask(const path::Command& command, Piece& piece) const;
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
     void take_corner(Piece& piece) const;
-    CornerShare quickest_share(const Piece& piece) const;
-    bool allows_zones(const Piece& piece) const;
-    double corner_zone(const Piece& piece, double speed) const;
-    bool ends_smoothly(const Piece& piece) const;
-    bool has_own_ramps(const Piece& piece, double speed) const;
     bool is_alone(const Piece& piece) const;
-    double time_beside(const Piece& piece, const CornerShare& share) const;
-    SidesOfCorner sides_of(const Piece& piece, const CornerShare& share) const;
-    SidesOfCorner loads_beside(const Piece& piece, std::size_t axis, double speed,
-                               const SidesOfCorner& along) const;
-    double shared_speed(const Piece& piece, const CornerShare& share) const;
-    double shared_speed_at(const Piece& piece, const CornerShare& share, const SidesOfCorner& along,
-                           double at) const;
-    double ramp_beside(const Piece& piece, const CornerShare& share) const;
-    double crowded_jump(const Piece& piece, std::size_t axis, double speed) const;
+    double time_beside(const Piece& piece, double speed, double ramp) const;
+    double shared_speed(const Piece& piece, bool alone, double ramp) const;
     double corner_acceleration_limit(const AxisRates& in) const;
     void take_bend(Piece& piece) const;
     void remember(const Piece& piece);
@@ -200,8 +170,6 @@ struct Preparer::State {
     void set_jumps();
     double acceleration_at_corner(std::size_t axis) const;
     double jerk_at_corner(std::size_t axis) const;
-    double most_at_corner(std::size_t axis) const;
-    double jerk_of_bend(std::size_t axis) const;
     double programmed_override(const path::Command& command) const;
     double feed_override(const path::Command& command) const;
     bool stands_for_ever(const path::Command& command);
@@ -220,7 +188,6 @@ struct Preparer::State {
 
     std::optional<double> feed_of(const path::Command& command, const Segment& segment,
                                   double length) const;
-    void rest_at_points(const path::Command& command);
     bool has_pulses() const { return machine.laser && machine.laser->pulse > 0; }
     bool can_be_rounded(const path::Command& command, const Segment& segment,
                         const Arrival& arrival) const;
@@ -249,7 +216,7 @@ struct Preparer::State {
     bool is_plain = true;     // nothing is said there
     const PlannerOptions& options;
     DiagnosticSink& sink;
-    double tick = 0;   // s, of the machine
+    double tick = 0;   // s
     AxisRates jump{};  // by how much an axis may change its velocity at a corner
 
     std::vector<path::Command> batch = std::vector<path::Command>(kBatch);
@@ -264,7 +231,6 @@ struct Preparer::State {
     bool is_threading = false;    // the latest motion is a thread …
     bool thread_goes_on = false;  // … that goes on with the one before it
     bool leaves_thread = false;   // the latest motion is none, and the one before it was
-    bool burns_point = false;     // the latest motion ends with a pulse of the laser
 
     Standing standing;
     Spindle spindle;
