@@ -262,6 +262,7 @@ void Run::execute() {
     if (outputs_.summary) times_ = std::make_unique<WorkTimes>(*execution_, session_);
     CommandTap tap(*execution_, look, debugger_ ? 1 : 0);
     motion::PlannerOptions options;
+    options.tick = session_.options().tick.value_or(0);
     options.lookahead = machine.pipeline.ahead;
     options.feed_override = job_.feed_override;
     options.rapid_override = job_.rapid_override;
@@ -298,7 +299,7 @@ void Run::execute() {
             session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
         });
     if (samples()) {
-        sample(segments, session_.options().tick.value_or(0));
+        sample(segments, options.tick);
         finish_check(options);
     } else {
         std::vector<motion::Segment> batch(kBatch);
