@@ -276,7 +276,7 @@ void Run::execute() {
         if (scanner_) scanner_->write(list);
     };
     if (samples()) {
-        check_ = std::make_unique<motion::PathCheck>(machine, session_.options().tick.value_or(0));
+        check_ = std::make_unique<motion::PathCheck>(machine, options.tick);
         onlookers.command = [this](const path::Command& command) { check_->read(command); };
     }
     if (limits_) options.tell_loss = [this](const motion::SpeedLoss& loss) { limits_->lose(loss); };
