@@ -94,9 +94,16 @@ bool take_when(std::string_view& text, OperatorEvent& event) {
 /// Takes one of the words that stand in front of the rest.
 bool take_words(std::string_view& text, std::string_view first, std::string_view second) {
     if (!text.starts_with(first)) return false;
-    const std::string_view behind = trimmed(text.substr(first.size()));
-    if (!behind.starts_with(second)) return false;
-    text = trimmed(behind.substr(second.size()));
+    std::string_view behind = text.substr(first.size());
+    if (!second.empty()) {
+        behind = trimmed(behind);
+        if (!behind.starts_with(second)) return false;
+        behind.remove_prefix(second.size());
+    }
+    // `sets` is another word.
+    const char next = behind.empty() ? ' ' : behind.front();
+    if ((next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z')) return false;
+    text = trimmed(behind);
     return true;
 }
 

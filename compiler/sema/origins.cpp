@@ -73,7 +73,8 @@ Origin Checker::origin_of_result(Operator op, const Value& left, const Value& ri
             const TypeInfo& a = type_info(left.type);
             const TypeInfo& b = type_info(right.type);
             const bool is_ratio = a.kind == Kind::Real && b.kind == Kind::Real &&
-                                  a.quantity == b.quantity && !a.quantity.is_number();
+                                  a.quantity == b.quantity && !a.quantity.is_number() &&
+                                  !right.is_constant();  // `a/1mm` makes a number on purpose
             return is_ratio ? Origin::Ratio : Origin::Any;
         }
         case Operator::Add:

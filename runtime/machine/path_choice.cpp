@@ -150,7 +150,10 @@ class Choice {
         ends_at_pole_ = solutions[0].is_pole;
         if (starts_at_pole_ || ends_at_pole_ || query_.mode == PathMode::Axis) return;
         const PoleApproach approach = pole_approach(chain_, from, end_direction_);
-        const bool is_near = approach.distance < std::max(query_.pole_tolerance, kPoleWidth);
+        // Exactly through the pole R1 need not turn there, unless axes out of square leave a gap.
+        const bool is_exact =
+            approach.distance < kPoleWidth && !crosses_gap(chain_, from, end_direction_);
+        const bool is_near = approach.distance < query_.pole_tolerance || is_exact;
         const double angle =
             std::atan2(from.cross(end_direction_).norm(), from.dot(end_direction_));
         const double margin = std::min(approach.fraction, 1 - approach.fraction) * angle;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -130,6 +131,7 @@ class Layer {
         lay_way(command, target, out);
         standing_.arrive(command, target);
         const path::Blending behind = command.exact_stop ? path::Blending{} : command.blending;
+        if (command.op == path::Op::Parametric) has_unjudged_ = true;
         set_tolerance(command, behind, out);
         before_ = behind;
         return out.length > 0;
@@ -181,7 +183,14 @@ class Layer {
             out.straight.standing[i] = standing_.followers()[index(machine_.axes[i + 3].axis) - 3];
     }
 
+  public:
+    /// Whether a curve of a registered kind has come: in its cusps the nearest place cannot be
+    /// followed, and from there on nothing is judged.
+    bool has_unjudged() const { return has_unjudged_; }
+
   private:
+    std::atomic<bool> has_unjudged_ = false;  // asked by the thread of the setpoints
+
     /// Of curves around both of its corners, and of one that takes the place of lines.
     void set_tolerance(const Command& command, const path::Blending& behind, Waiting& out) const {
         const double room = std::max(room_of(before_), room_of(behind));
@@ -287,6 +296,7 @@ double PathCheck::State::reach() const {
 
 void PathCheck::State::fail(PathFault fault, const Waiting& waiting, double distance,
                             double allowed) {
+    if (layer.has_unjudged()) return;
     deviation = PathDeviation{fault, distance, allowed, time, {waiting.line, waiting.source, {}}};
 }
 

@@ -138,7 +138,16 @@ class Matcher {
         const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
         return !forms.empty() && tables_.forms[forms[0]].words[0].address == word.address &&
                word.number >= 0 && word.number <= tables_.rules.most_builder_code &&
-               word.number == std::floor(word.number);
+               word.number == std::floor(word.number) && !is_program_call(word);
+    }
+
+    /// M98 and M99: the control has them, though no form of a block does.
+    bool is_program_call(const GivenWord& word) const {
+        const std::string& name = tables_.addresses[word.address].name;
+        return std::ranges::any_of(tables_.language.calls.calls, [&](const CallForm& call) {
+            return !call.is_name && !call.any_number && name.size() == 1 &&
+                   call.letter == name[0] && call.number == word.number;
+        });
     }
 
     Fault take_for_builder(std::size_t i) {

@@ -41,6 +41,7 @@ constexpr RuleDefault kDefaults[] = {
     {"tool_change_activates_length", "no"},
     {"tool_change_moves_plane", "no"},
     {"tool_change_stops_spindle", "no"},
+    {"tool_select_changes", "no"},
     {"transformation_wants_offset", "no"},
 };
 

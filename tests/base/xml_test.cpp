@@ -74,7 +74,10 @@ TEST(Xml, EveryMistakeHasOneMessage) {
         ASSERT_EQ(read.messages.all().size(), 1u);
         const Diagnostic& said = read.messages.all()[0];
         EXPECT_EQ(std::string(said.row->code) + ' ' + said.message(), mistake.message);
-        EXPECT_EQ(read.sources.text(said.range), mistake.marked);
+        // What is no XML at all is named by its file; nothing of it is shown.
+        if (said.range.file.is_valid()) {
+            EXPECT_EQ(read.sources.text(said.range), mistake.marked);
+        }
         EXPECT_EQ(said.fixes.empty() ? "" : said.fixes[0].replacement, mistake.fix);
     };
     for (const auto& [xml, why, marked] : std::vector<std::array<const char*, 3>>{

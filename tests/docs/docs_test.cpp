@@ -122,11 +122,23 @@ TEST_F(Docs, PicturesAreWhatIsDrawnToday) {
     EXPECT_GT(pictures, 30);
 }
 
-/// Words of a command line up to a comment.
+/// Words of a command line up to a comment; what stands between '' is of one word.
 std::vector<std::string> words_of(const std::string& line) {
-    std::istringstream in(line.substr(0, line.find('#')));
     std::vector<std::string> words;
-    for (std::string word; in >> word;) words.push_back(word);
+    bool is_inside = false;
+    bool is_quoted = false;
+    for (const char c : line) {
+        const bool is_blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
+        if (c == '#' && !is_quoted) break;
+        if (is_blank && !is_quoted) {
+            is_inside = false;
+            continue;
+        }
+        if (!is_inside) words.emplace_back();
+        is_inside = true;
+        if (c == '\'') is_quoted = !is_quoted;
+        else words.back() += c;
+    }
     return words;
 }
 

@@ -46,13 +46,13 @@ TEST_F(Compare, SaysWhereProgramsPart) {
     save("a.mpf", "S1000 M3 F200\nG0 X0 Y0\nG1 X10\nY10\nM30\n");
     save("b.nc", "%\nO1\nS1000M3F200.\nG0X0.Y0.\nG1X10.\nY10.02\nM30\n%\n");
     const auto result = kadr({"compare", file("a.mpf"), file("b.nc"), "-d", "sinumerik", "-d",
-                              "fanuc", "--summary", "json"});
+                              "fanuc", "-m", "mill", "--summary", "json"});
     ASSERT_EQ(result.status, 1) << result.err;
     const json said = json::parse(result.out);
     EXPECT_EQ(said["parting"], "length");
     EXPECT_EQ(said["parted"][1]["at"], "b.nc:6");
     const auto wide = kadr({"compare", file("a.mpf"), file("b.nc"), "-d", "sinumerik", "-d",
-                            "fanuc", "--tolerance", "50um"});
+                            "fanuc", "-m", "mill", "--tolerance", "50um"});
     EXPECT_EQ(wide.status, 0) << wide.out;
 }
 

@@ -29,7 +29,7 @@ using kadr::testing::Message;
 /// What nothing may stand in front of; nor in front of declarations.
 const std::set<std::string_view> kAtTheHead = {"K5024", "K5210", "K5213", "K5214", "K5217",
                                                "K5228", "K5243", "K5265", "K5270", "K5453",
-                                               "K5774", "K5923", "K5924"};
+                                               "K5774", "K5903", "K5923", "K5924"};
 
 /// What cannot be run as it stands; tests of their own cause these messages.
 const std::set<std::string_view> kNotRun = {
@@ -69,6 +69,8 @@ Control control_of(const std::string& example) {
         return {"fanuc-lathe", ".nc", driven, "T0101\nG97 S1000 M3\nG98 F200\nG0 X100. Z50. C0\n"};
     if (matches("^(TRANSMIT|TRACYL)") && !has("without"))
         return {"sinumerik", ".mpf", driven, "T1 D1 M6\nS1000 M3\nG0 X100 Z50 C0 F200\n"};
+    if (has("FANUC lathe with a C axis"))
+        return {"fanuc-lathe", ".nc", driven, "T0101\nG97 S1000 M3\nG99 F0.2\nG0 X100. Z50. C0\n"};
     if (has("FANUC lathe") || matches("G7[0-6] [PUWR]"))
         return {"fanuc-lathe", ".nc", "lathe.xml",
                 "T0101\nG97 S1000 M3\nG99 F0.2\nG0 X100. Z50.\n"};

@@ -141,9 +141,14 @@ TEST_F(Inputs, NamesOfMachineAxesAreAnIndex) {
 
 /// A variable that the program has declared with such a name comes first.
 TEST_F(Inputs, ADeclaredNameComesBeforeAMachineAxis) {
-    const Ran ran = run("sinumerik", "DEF AXIS X1\nX1=Y\nG0 X10 Y20\nR1=$AA_IM[X1]\nM30\n");
+    save("m.xml", machine_with(""));
+    const Ran ran = run("sinumerik",
+                        "DEF AXIS YM, AX3\nYM=X AX3=Y\nG0 X10 Y20 Z30\nR1=$AA_IM[YM]\n"
+                        "R2=$AA_IM[AX3]\nM30\n",
+                        {"-m", file("m.xml")});
     EXPECT_EQ(ran.result.status, 0) << ran.result.err;
-    EXPECT_EQ(number(ran, "R1"), 20);
+    EXPECT_EQ(number(ran, "R1"), 10) << "not Y, as the machine calls it";
+    EXPECT_EQ(number(ran, "R2"), 20) << "not the third axis";
 }
 
 // ------------------------------------------------------------------------------ files
@@ -170,7 +175,12 @@ TEST_F(Inputs, VariablesThatAProgramHadDeclaredArePassedOver) {
     EXPECT_EQ(ran.result.status, 0) << ran.result.err;
     EXPECT_EQ(number(ran, "R1"), 2.5);
     EXPECT_EQ(count(ran.result.err, "warning[K9052]"), 2) << ran.result.err;
-    EXPECT_NE(ran.result.err.find("no variable `LEN` of the control"), std::string::npos);
+    for (const char* name : {"LEN", "FLAG"}) {
+        EXPECT_NE(ran.result.err.find("the variable `" + std::string(name) +
+                                      "` is not known, and passed over"),
+                  std::string::npos)
+            << ran.result.err;
+    }
 }
 
 /// F 6.5: what the control puts out, variables with and without the sign, offsets as G10.
@@ -222,7 +232,7 @@ TEST(InputLines, KeepTheirPlaces) {
         return kadr::driver::lines_of_variables(text, fault).value_or("none");
     };
     EXPECT_EQ(lines("{\n \"#500\": 12.5,\n \"#1\": null,\n \"A\": true, \"T\": \"ab\"\n}\n"),
-              " \n  #500 = 12.5 \n             \n  A = 1      T = \"ab\"\n \n");
+              " \n  #500 = 12.5 \n            \n  A = 1      T = \"ab\"\n \n");
     EXPECT_EQ(lines("%\n#500 1.5 (A)\r\n  #501=2\nO12(X)\nN3 M30\n#5 #6"),
               "\n#500=1.5 (A)\r\n  #501=2\n\n\n#5 #6");
     EXPECT_EQ(lines("{\"#500\": [1, 2]}"), "none");
@@ -317,7 +327,10 @@ TEST_F(Inputs, WrongEventsAreToldWithTheirLine) {
     EXPECT_EQ(ran.result.status, 1) << ran.result.err;
     EXPECT_NE(ran.result.err.find("run.txt:2:"), std::string::npos) << ran.result.err;
     EXPECT_NE(ran.result.err.find("K9050"), std::string::npos) << ran.result.err;
-    for (const char* wrong : {"5s set", "5s set #1004", "set #1004=1", "5s sets #1004=1"})
+    EXPECT_TRUE(kadr::driver::input_event("5s set #1004=1").has_value());
+    EXPECT_TRUE(kadr::driver::input_event("5s set$A_IN[3]=1").has_value());
+    for (const char* wrong :
+         {"5s set", "5s set #1004", "set #1004=1", "5s sets #1004=1", "5s setR1=1"})
         EXPECT_FALSE(kadr::driver::input_event(wrong).has_value()) << wrong;
     for (const char* wrong :
          {"5s touch X3", "N10 touch", "N10 touch X", "N10 touch 3", "N10+1s touch X3"})
@@ -443,7 +456,8 @@ std::string bore_machine(const std::string& error) {
 /// off, called by a program and by `--call`.
 TEST_F(Inputs, AProbingMacroOfAShopFindsABore) {
     const std::string call =
-        "%\nO0001\nT9 M6\nG54 G0 X0 Y0 Z-10.\nM5\nG65 P9810 D40. S1\nG0 G54 X0 Y0\nM30\n%\n";
+        "%\nO0001\nT9 M6\nG54 G0 X0 Y0\nG31 Z-10. F2000.\n"
+        "G65 P9810 D40. S1\nG0 G54 X0 Y0\nM30\n%\n";
     save("O9810.nc", kBoreFanuc);
     for (const double off : {0.0, 0.3}) {
         SCOPED_TRACE(off);
@@ -460,7 +474,7 @@ TEST_F(Inputs, AProbingMacroOfAShopFindsABore) {
     }
     // The work offset holds what was found.
     const Ran corrected = run("fanuc",
-                              "%\nO0001\nT9 M6\nG54 G0 X0 Y0 Z-10.\nM5\nG65 P9810 D40. S1\n"
+                              "%\nO0001\nT9 M6\nG54 G0 X0 Y0\nG31 Z-10. F2000.\nG65 P9810 D40. S1\n"
                               "#100=#5221\n#101=#5222\nM30\n%\n",
                               {"-m", file("m.xml"), "--set", "#503=3"});
     EXPECT_NEAR(number(corrected, "#100"), 100.3, 0.0011);
@@ -468,11 +482,11 @@ TEST_F(Inputs, AProbingMacroOfAShopFindsABore) {
     // Of another size it is 0.6 mm wider; and 12 mm wider is beyond the overtravel.
     save("m.xml", bore_machine("0 0 0 mm"));
     const Ran wide =
-        run("fanuc", "%\nO0001\nT9 M6\nG54 G0 X0 Y0 Z-10.\nM5\nG65 P9810 D39.4\nM30\n%\n",
+        run("fanuc", "%\nO0001\nT9 M6\nG54 G0 X0 Y0\nG31 Z-10. F2000.\nG65 P9810 D39.4\nM30\n%\n",
             {"-m", file("m.xml"), "--set", "#503=3"});
     EXPECT_NEAR(number(wide, "#502"), 40, 0.0021);
     const Ran missed =
-        run("fanuc", "%\nO0001\nT9 M6\nG54 G0 X0 Y0 Z-10.\nM5\nG65 P9810 D28.\nM30\n%\n",
+        run("fanuc", "%\nO0001\nT9 M6\nG54 G0 X0 Y0\nG31 Z-10. F2000.\nG65 P9810 D28.\nM30\n%\n",
             {"-m", file("m.xml"), "--set", "#503=3"});
     EXPECT_EQ(missed.result.status, 3);
     EXPECT_NE(missed.result.err.find("MC3092"), std::string::npos) << missed.result.err;
@@ -557,19 +571,34 @@ TEST_F(Inputs, TheLibrarysProbingFindsABore) {
         EXPECT_NEAR(end["to"]["X"].get<double>(), 100.3, 0.0011) << last;
         EXPECT_NEAR(end["to"]["Y"].get<double>(), 49.7, 0.0011) << last;
     }
-    save("m.xml", bore_machine("8 0 0 mm"));
-    const ProcessResult missed =
-        kadr({"run", file("part.kadr"), "-d", "sinumerik", "-m", file("m.xml")});
-    EXPECT_EQ(missed.status, 3) << missed.err;
-    EXPECT_NE(missed.err.find("alarm[65001]"), std::string::npos) << "in its way\n" << missed.err;
-    EXPECT_NE(missed.err.find("K5954"), std::string::npos) << missed.err;
-    save("m.xml", machine_with(std::string(kProbeTool) +
-                               "<probe><plane axis=\"Z\" at=\"-900 mm\"/></probe>"));
-    const ProcessResult empty =
-        kadr({"run", file("part.kadr"), "-d", "sinumerik", "-m", file("m.xml")});
-    EXPECT_EQ(empty.status, 3) << empty.err;
-    EXPECT_NE(empty.err.find("alarm[65000]"), std::string::npos) << "nothing there\n" << empty.err;
-    EXPECT_NE(empty.err.find("K5953"), std::string::npos) << empty.err;
+    // A wall in the way to the first point, one beyond its range, no part at all.
+    struct Wrong {
+        std::string machine;
+        const char* code;
+        const char* alarm;
+    };
+    constexpr const char* kMet =
+        "alarm[65001]: the probe has triggered on its way: "
+        "the probe has triggered where its way should be free";
+    constexpr const char* kMissed =
+        "alarm[65000]: the probe has not triggered: the probe has not triggered on its way";
+    for (const Wrong& row :
+         {Wrong{bore_machine("-8 0 0 mm"), "alarm[K5954]", kMet},
+          Wrong{bore_machine("8 0 0 mm"), "alarm[K5953]", kMissed},
+          Wrong{machine_with(std::string(kProbeTool) +
+                             "<probe><plane axis=\"Z\" at=\"-900 mm\"/></probe>"),
+                "alarm[K5953]", kMissed}}) {
+        SCOPED_TRACE(row.machine);
+        save("m.xml", row.machine);
+        for (const std::string dialect : {"fanuc", "sinumerik", "axioma"}) {
+            const ProcessResult ran =
+                kadr({"run", file("part.kadr"), "-d", dialect, "-m", file("m.xml")});
+            EXPECT_EQ(ran.status, 3) << ran.err;
+            EXPECT_NE(ran.err.find(dialect == "fanuc" ? row.code : row.alarm), std::string::npos)
+                << dialect << '\n'
+                << ran.err;
+        }
+    }
 }
 
 // ------------------------------------------------------------------------------ calls
@@ -594,7 +623,8 @@ TEST_F(Inputs, AMacroIsCalledFromTheCommandLine) {
 
 TEST_F(Inputs, AProcedureIsCalledFromTheCommandLine) {
     const std::string program =
-        "PROC FIT(INT N, REAL D, STRING[20] T)\nR1=N R2=D R3=STRLEN(T) R4=$P_SUBPAR[3]\nRET\n";
+        "PROC FIT(INT NUM, REAL DIA, STRING[20] TXT)\nR1=NUM R2=DIA R3=STRLEN(TXT) "
+        "R4=$P_SUBPAR[3]\nRET\n";
     const Ran whole = run("sinumerik", program, {"--call", "(1, 2.5, \"text\")"});
     EXPECT_EQ(whole.result.status, 0) << whole.result.err;
     EXPECT_EQ(number(whole, "R1"), 1);
@@ -616,8 +646,8 @@ TEST_F(Inputs, WrongCallsAreTold) {
     for (const Wrong& row : {
              Wrong{"fanuc", "%\nO1\nM99\n%\n", "A1. A"},
              Wrong{"fanuc", "%\nO1\nM99\n%\n", "G2."},
-             Wrong{"sinumerik", "PROC P(INT N)\nRET\n", "(1,2)"},
-             Wrong{"sinumerik", "PROC P(INT N)\nRET\n", "(\"a\")"},
+             Wrong{"sinumerik", "PROC P(INT NUM)\nRET\n", "(1,2)"},
+             Wrong{"sinumerik", "PROC P(INT NUM)\nRET\n", "(\"a\")"},
              Wrong{"sinumerik", "G0 X1\nM30\n", "(1)"},
          }) {
         SCOPED_TRACE(row.call);

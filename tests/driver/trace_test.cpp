@@ -505,12 +505,15 @@ TEST_F(TraceTest, WhatWaitsForABlockBehindThePlaceIsNotMissing) {
 }
 
 TEST_F(TraceTest, PlacesThatAreNoneAreRefused) {
-    for (const char* place : {":0", ":x", "a b", "", "part.mpf:"}) {
+    for (const char* place : {":0", ":x", "a b", "part.mpf:"}) {
         SCOPED_TRACE(place);
         const ProcessResult result = kadr({"run", file("a.mpf"), "--until", place});
         EXPECT_EQ(result.status, 2);
         EXPECT_NE(result.err.find("K9016"), std::string::npos) << result.err;
     }
+    const ProcessResult nowhere = kadr({"run", file("a.mpf"), "--until", ""});
+    EXPECT_EQ(nowhere.status, 2);
+    EXPECT_NE(nowhere.err.find("--until: the value is empty"), std::string::npos) << nowhere.err;
 }
 
 /// What is said when the answers at the stops are these.

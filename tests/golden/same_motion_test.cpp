@@ -102,8 +102,14 @@ bool are_equal_arcs(const json& a, const json& b) {
     for (std::size_t i = 0; i < 3; ++i)
         apart =
             std::max(apart, std::fabs(a["center"][i].get<double>() - b["center"][i].get<double>()));
-    constexpr double kShortArc = 10;  // times the rounding: of arcs of five degrees and more
-    return apart <= kShortArc * kRounding && std::fabs(radius(a) - radius(b)) <= kRounding;
+    // The rounding of the ends turns the chord, and the centre with it, the more the shorter it is.
+    double chord = 0;
+    for (const char* axis : {"X", "Y", "Z"}) {
+        const double way = a["to"].value(axis, 0.0) - a["from"].value(axis, 0.0);
+        chord = std::hypot(chord, way);
+    }
+    const double turned = std::max(10.0, 4 * radius(a) / chord);
+    return apart <= turned * kRounding && std::fabs(radius(a) - radius(b)) <= kRounding;
 }
 
 /// Equal but for rounding; tells the first difference.
@@ -135,8 +141,19 @@ std::string difference(const json& a, const json& b, const std::string& where = 
 }
 
 void expect_same(const std::vector<json>& a, const std::vector<json>& b, const std::string& what) {
+    // An arc with where it begins: the end of the motion before.
+    const auto with_start = [](const std::vector<json>& all, std::size_t i) {
+        json command = all[i];
+        command["from"] = json::object();
+        for (std::size_t before = i; command["op"] == "arc" && before > 0; --before) {
+            if (!all[before - 1].contains("to")) continue;
+            command["from"] = all[before - 1]["to"];
+            break;
+        }
+        return command;
+    };
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-        const std::string d = difference(a[i], b[i]);
+        const std::string d = difference(with_start(a, i), with_start(b, i));
         ASSERT_EQ(d, "") << what << ", command " << i << "\n" << a[i] << "\n" << b[i];
     }
     ASSERT_EQ(a.size(), b.size()) << what;

@@ -155,7 +155,7 @@ TEST(Compensation, Fanuc) {
            {"D0 is no radius", "G42 D0 G1 X10. F500.\nX20.\nG40 Y20.\n", "L10,0 L20,0 L20,20"},
            {"another offset in the mode",
             "G0 X0. Y-20.\nG42 D1 G1 X0. Y0. F500.\nX40.\nD2 X80.\nX90.\nG40 Y20.\n",
-            "R0,-20 L0,-5 L40,-5 L80,-3 L93,-3 L90,20"},
+            "R0,-20 L0,-5 L40,-5 L80,-3 L93,-3 L90,20", "K5977"},
            {"more empty blocks than can be read: to the normal",
             "G0 X-20. Y0.\nG41 D1 G1 X0. Y0. F500.\nX40.\nM8\nM9\nM8\nM9\nY30.\nG40 X0.\n",
             "R-20,0 L0,5 L40,5 coolant coolant coolant coolant L35,30 L0,30"},

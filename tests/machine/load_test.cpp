@@ -71,7 +71,7 @@ TEST(MachineFile, StockMachinesLoad) {
 
 TEST(MachineFile, ListsByName) {
     const auto machines = list({kStock, "/no/such/folder"});
-    ASSERT_EQ(machines.size(), 15u);
+    ASSERT_EQ(machines.size(), 17u);
     std::map<std::string, std::string> axes;
     for (const MachineSummary& machine : machines) axes[machine.name] = machine.axes;
     EXPECT_EQ(axes["laser"], "X Y Z");
@@ -436,8 +436,8 @@ TEST(MachineFile, UnknownName) {
     EXPECT_EQ(diagnostics.all()[0].row->code, "K6001");
     EXPECT_EQ(diagnostics.all()[0].fixes.at(0).text, "there is `mill`");
     EXPECT_EQ(diagnostics.all()[0].notes.at(0).text,
-              "known are `borer`, `head-ab`, `head-cb`, `laser`, `lathe`, `lathe-c`, `mill`, "
-              "`mill-fast`, "
+              "known are `borer`, `head-ab`, `head-cb`, `laser`, `lathe`, `lathe-c`, "
+              "`lathe-set-up`, `mill`, `mill-fast`, `mill-set-up`, "
               "`mixed-cb`, `nutating`, `rotary-a`, `scanner`, `six-axis`, `trunnion-ac`, "
               "`trunnion-bc`");
 }

@@ -531,7 +531,7 @@ TEST(Prompt, CompletesNamesWordsAndCommands) {
     };
     EXPECT_EQ(found(":di"), "dialect ");
     EXPECT_EQ(found(":dialect si"), "sinumerik ");
-    EXPECT_EQ(found(":machine lat"), "lathe lathe-c ");
+    EXPECT_EQ(found(":machine lat"), "lathe lathe-c lathe-set-up ");
     EXPECT_TRUE(has(found("G0 X=dia"), "diameter "));
     EXPECT_TRUE(has(found("drill_p"), "drill_peck "));
     EXPECT_TRUE(has(found("drill_peck(to: -5mm, pe"), "peck: "));

@@ -48,10 +48,27 @@ CycleRun run_cycle(const std::string& module, const std::string& call, const std
 
 namespace {
 
+/// Whether an arc goes on where another one about the same centre ends: a control may take an arc
+/// in two parts, so that its centre stays where it is meant.
+bool goes_on(const json& arc, const json& before) {
+    if (arc.value("op", "") != "arc" || before.value("op", "") != "arc") return false;
+    if (arc.value("dir", "") != before.value("dir", "")) return false;
+    constexpr double kRounding = 0.003;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double apart = arc["center"][i].get<double>() - before["center"][i].get<double>();
+        if (std::fabs(apart) > kRounding) return false;
+    }
+    return true;
+}
+
 std::vector<json> places_of(const std::vector<json>& commands) {
     std::vector<json> result;
+    const json* before = nullptr;
     for (const json& command : commands) {
         if (!command.contains("to")) continue;
+        const bool is_part = before != nullptr && goes_on(command, *before);
+        before = &command;
+        if (is_part) result.pop_back();
         if (result.empty() || result.back() != command["to"]) result.push_back(command["to"]);
     }
     return result;
