@@ -505,7 +505,9 @@ void Parser::add_repl() {
 
 void Parser::add_tables() {
     CLI::App* explain = add(app_, "explain", "what a message means, with examples", Verb::Explain);
-    explain->add_option("CODE", line_.word, "its number, K1001, or that of an alarm, PS0011; without one all are listed");
+    explain->add_option(
+        "CODE", line_.word,
+        "its number, K1001, or that of an alarm, PS0011; without one all are listed");
 
     CLI::App* dialect = app_.add_subcommand("dialect", "the descriptions of controls");
     dialect->require_subcommand(1);

@@ -33,9 +33,8 @@ std::vector<KnownAlarm> alarms_numbered(const Dialect& dialect, std::string_view
     std::erase_if(found, [](const KnownAlarm& known) { return known.row == nullptr; });
     const auto code = [](const KnownAlarm& known) { return known.row->code; };
     std::ranges::stable_sort(found, {}, code);
-    const auto doubled = std::ranges::unique(
-        found, [](const KnownAlarm& a, const KnownAlarm& b) { return a.row == b.row; });
-    found.erase(doubled.begin(), doubled.end());
+    const auto is_same = [](const KnownAlarm& a, const KnownAlarm& b) { return a.row == b.row; };
+    found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
     return found;
 }
 
