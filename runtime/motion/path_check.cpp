@@ -108,10 +108,12 @@ class Layer {
         if (!machine.kinematics) return;
         const machine::Kinematics& kinematics = *machine.kinematics;
         // A way near a pole is led through it; one beside a gap that the axes cannot reach, beside
-        // it by half as much again.
-        pole_ = kinematics.pole_tolerance;
+        // it by half as much again. There the axes run evenly, so that the tool may be on one side
+        // of the pole while the path is on the other.
+        double width = kinematics.pole_tolerance;
         if (kinematics.chain.orients())
-            pole_ = std::max(pole_, 1.5 * machine::tilt_reach(kinematics.chain).lower);
+            width = std::max(width, 1.5 * machine::tilt_reach(kinematics.chain).lower);
+        pole_ = 2 * width;
     }
 
     /// False: it moves nothing.
