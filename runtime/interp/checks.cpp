@@ -95,11 +95,11 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
     return true;
 }
 
-/// A probe must not turn, so the spindle may stand; a feed per revolution would wait for ever then.
+/// Nothing is cut: the spindle may stand, and what is in it need not be a tool. A feed per
+/// revolution would wait for ever where it stands.
 bool Executor::check_probe(const Block& block) {
-    const bool turns = spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw;
     const bool has_feed = modal_.has_feed && modal_.feed > 0;
-    if (!turns && has_feed && modal_.feed_mode == FeedMode::PerMinute) return true;
+    if (has_feed && modal_.feed_mode == FeedMode::PerMinute) return true;
     return check_feed(block, "probing move");
 }
 
