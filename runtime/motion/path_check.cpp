@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -133,7 +132,6 @@ class Layer {
         lay_way(command, target, out);
         standing_.arrive(command, target);
         const path::Blending behind = command.exact_stop ? path::Blending{} : command.blending;
-        if (command.op == path::Op::Parametric) has_unjudged_ = true;
         set_tolerance(command, behind, out);
         before_ = behind;
         return out.length > 0;
@@ -184,14 +182,6 @@ class Layer {
         for (std::size_t i = 0; i < followers_; ++i)
             out.straight.standing[i] = standing_.followers()[index(machine_.axes[i + 3].axis) - 3];
     }
-
-  public:
-    /// Whether a curve of a registered kind has come: in its cusps the nearest place cannot be
-    /// followed, and from there on nothing is judged.
-    bool has_unjudged() const { return has_unjudged_; }
-
-  private:
-    std::atomic<bool> has_unjudged_ = false;  // asked by the thread of the setpoints
 
     /// Of curves around both of its corners, and of one that takes the place of lines.
     void set_tolerance(const Command& command, const path::Blending& behind, Waiting& out) const {
@@ -298,7 +288,6 @@ double PathCheck::State::reach() const {
 
 void PathCheck::State::fail(PathFault fault, const Waiting& waiting, double distance,
                             double allowed) {
-    if (layer.has_unjudged()) return;
     deviation = PathDeviation{fault, distance, allowed, time, {waiting.line, waiting.source, {}}};
 }
 
@@ -392,8 +381,10 @@ bool PathCheck::State::search() {
             const double from = i == 0 ? place : 0;
             const bool was_seen = i == 0 && !is_thorough;
             if (!was_seen) {
-                const Nearness near = is_thorough ? nearest_on_rest(*chain, motion, there, from)
-                                                  : nearest_on(*chain, motion, there, from);
+                const double ahead = kLonger * reach() + behind;
+                const Nearness near = is_thorough
+                                          ? nearest_on_rest(*chain, motion, there, {from, ahead})
+                                          : nearest_on(*chain, motion, there, from);
                 if (keeps(motion, near)) return stand(i, near);
                 if (best == nullptr || near.distance < nearest.distance) {
                     best = &motions[i];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "motion/transformed.h"
 #include "path/curve.h"
@@ -20,6 +22,8 @@ constexpr int kSteps = 12;
 constexpr double kSameShare = 1e-13;  // of the way
 /// Places at which all of a motion is looked at.
 constexpr int kLooks = 64;
+/// More of them are not looked at at once, beside an arc around the tip.
+constexpr std::size_t kMostLooks = 10000;
 /// An axis may be beside its way by so much, rad or mm: rounding of degrees and of lengths.
 constexpr double kSameFollower = 1e-7;
 /// Width of the difference that stands for a derivative, of the way.
@@ -273,9 +277,60 @@ Nearness judged(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
     return near;
 }
 
-/// A place may be looked for so far before the one that was found last.
+/// Of some places from end to end of the search, the nearest to the tool.
+double nearest_look(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+                    const StandingTool& tool, const Search& search) {
+    const bool by_tool = walk == Walk::Turn && !follows_axes(motion.way);
+    double nearest = search.guess;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= kLooks; ++i) {
+        const double place = search.lower + (search.upper - search.lower) * i / kLooks;
+        const Vec3 off = by_tool ? Vec3(direction_on(chain, motion.way, place) - tool.tool)
+                                 : Vec3(tip_on(chain, motion, walk, place) - tool.tip);
+        const double apart = off.squaredNorm();
+        if (apart >= least) continue;
+        least = apart;
+        nearest = place;
+    }
+    return nearest;
+}
+
+/// The place of the least distance from a tip, to a part of the tolerance. By arc length the
+/// distance changes no faster than the place: halves that cannot hold the least one are left out.
+double place_by_halves(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
+    struct Look {
+        double place;
+        double distance;
+    };
+    double width = (search.upper - search.lower) / kLooks;
+    std::vector<Look> looks(kLooks);
+    for (int i = 0; i < kLooks; ++i)
+        looks[static_cast<std::size_t>(i)].place = search.lower + (i + 0.5) * width;
+    Look least{search.guess, std::numeric_limits<double>::infinity()};
+    for (;; width /= 2) {
+        for (Look& look : looks) {
+            look.distance = (path::position(motion.way.curve, look.place) - tip).norm();
+            if (look.distance < least.distance) least = look;
+        }
+        const bool is_known = least.distance <= motion.tolerance || width < motion.tolerance / 4;
+        if (is_known || looks.size() > kMostLooks) return least.place;
+        std::vector<Look> halves;
+        for (const Look& look : looks) {
+            if (look.distance - width / 2 > least.distance) continue;
+            halves.push_back({look.place - width / 4, 0});
+            halves.push_back({look.place + width / 4, 0});
+        }
+        looks = std::move(halves);
+    }
+}
+
+/// A place may be looked for so far before the one that was found last. Beside a cusp that may have
+/// been on the other branch: of a curve as wide as the motion is long, the branches are within the
+/// tolerance t of each other over ∛(t²·length).
 double lower_bound_of(const ProgrammedMotion& motion, Walk walk, double from) {
-    const double back = walk == Walk::Turn ? 0 : 2 * motion.tolerance;
+    double back = walk == Walk::Turn ? 0 : 2 * motion.tolerance;
+    if (walk == Walk::Length && !std::holds_alternative<path::Line>(motion.way.curve))
+        back += 2 * std::cbrt(motion.tolerance * motion.tolerance * motion.length);
     const double share = motion.length > 0 ? back / motion.length : 0;
     return std::max(0.0, from - share * end_place(motion, walk));
 }
@@ -324,23 +379,20 @@ Nearness nearest_on(const Chain& chain, const ProgrammedMotion& motion, const St
 }
 
 Nearness nearest_on_rest(const Chain& chain, const ProgrammedMotion& motion,
-                         const StandingTool& tool, double from) {
+                         const StandingTool& tool, const Reach& reach) {
     const Walk walk = walk_of(motion);
-    const double lower = lower_bound_of(motion, walk, from);
-    const double upper = end_place(motion, walk);
-    Search search{from, lower, upper};
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= kLooks; ++i) {
-        const double place = lower + (upper - lower) * i / kLooks;
-        const bool by_tool = walk == Walk::Turn && !follows_axes(motion.way);
-        const Vec3 off = by_tool ? Vec3(direction_on(chain, motion.way, place) - tool.tool)
-                                 : Vec3(tip_on(chain, motion, walk, place) - tool.tip);
-        const double apart = off.squaredNorm();
-        if (apart >= least) continue;
-        least = apart;
-        search.guess = place;
-    }
-    return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, search));
+    const double lower = lower_bound_of(motion, walk, reach.from);
+    double upper = end_place(motion, walk);
+    if (walk == Walk::Length || walk == Walk::Touch)
+        upper = std::min(upper, reach.from + reach.ahead);
+    Search search{reach.from, lower, upper};
+    search.guess = nearest_look(chain, motion, walk, tool, search);
+    const double place = place_on(chain, motion, walk, tool, search);
+    const Nearness near = judged(chain, motion, walk, tool, place);
+    if (near.distance <= motion.tolerance) return near;
+    if (walk != Walk::Length) return near;
+    // Where the curve bends without limit, beside a cusp, steps by its slope do not arrive.
+    return judged(chain, motion, walk, tool, place_by_halves(motion, tool.tip, search));
 }
 
 Vec3 end_of(const Chain& chain, const ProgrammedMotion& motion) {

@@ -49,9 +49,17 @@ struct Nearness {
 Nearness nearest_on(const machine::Chain& chain, const ProgrammedMotion& motion,
                     const StandingTool& tool, double from);
 
-/// The same, looked for along all of the motion behind `from`.
+/// Where a place is looked for: from this one on, along so many mm.
+struct Reach {
+    double from = 0;
+    double ahead = 0;
+};
+
+/// The same, looked for along all of the reach: also behind a cusp, where what is nearest in the
+/// neighbourhood does not lead on. Of arcs, and of splines by their parameter, along all that is
+/// left.
 Nearness nearest_on_rest(const machine::Chain& chain, const ProgrammedMotion& motion,
-                         const StandingTool& tool, double from);
+                         const StandingTool& tool, const Reach& reach);
 
 /// Where the tip is when the motion ends.
 path::Vec3 end_of(const machine::Chain& chain, const ProgrammedMotion& motion);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/assert.h"
 #include "path/helix.h"
@@ -38,9 +39,31 @@ double speed(const Parametric& curve, double u) {
     return std::isfinite(rate) ? rate : 0;
 }
 
+/// Where the curve turns back between two places, in a cusp: there its speed has a kink, and what
+/// quadrature takes for its error may be nothing by chance.
+std::optional<double> cusp_between(const Parametric& curve, double from, double to) {
+    constexpr int kHalvings = 50;
+    const SplinePoint before = point_at(curve, from);
+    const SplinePoint behind = point_at(curve, to);
+    const bool turns_back = before.first.dot(behind.first) < 0;
+    const bool has_least =
+        before.first.dot(before.second) < 0 && behind.first.dot(behind.second) > 0;
+    if (!turns_back || !has_least) return std::nullopt;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (from + to);
+        const SplinePoint here = point_at(curve, middle);
+        (here.first.dot(here.second) > 0 ? to : from) = middle;
+    }
+    return 0.5 * (from + to);
+}
+
 double length_between(const Parametric& curve, double from, double to) {
     const auto rate = [&](double u) { return speed(curve, u); };
-    return integrate(rate, from, to, 0.1 * kArcLengthTolerance).value;
+    const auto length = [&](double lower, double upper) {
+        return integrate(rate, lower, upper, 0.1 * kArcLengthTolerance).value;
+    };
+    const auto cusp = cusp_between(curve, from, to);
+    return cusp ? length(from, *cusp) + length(*cusp, to) : length(from, to);
 }
 
 void measure(Parametric& curve) {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/common/test_curves.h"
 #include "tests/motion/any_program.h"
 #include "tests/motion/support.h"
 
@@ -171,6 +172,29 @@ TEST(PathCheck, FindsEveryMistake) {
             EXPECT_NEAR(found->distance, mistake.distance, 1e-6);
         }
         EXPECT_GT(found->distance, found->allowed);
+    }
+}
+
+// In a cusp a curve comes back beside itself: the tip is followed round it, and whatever is beside
+// the curve or behind it is found.
+TEST(PathCheck, FollowsCurvesRoundTheirCusps) {
+    const machine::Machine machine = machine_of();
+    const path::CurveShape arches = kadr::testing::shape_of(kadr::testing::kCycloid, 8, 3);
+    Command curve = line_to(path::end_of(arches, Vec3::Zero()), 3000);
+    curve.op = Op::Parametric;
+    curve.curve.assign(1, arches);
+    const std::vector<Command> program =
+        numbered({curve, line_to(path::end_of(arches, Vec3::Zero()) + Vec3(0, 20, 0), 3000)});
+    const std::vector<Setpoint> right = sample(machine, program);
+    EXPECT_FALSE(deviation_of(machine, program, right).has_value());
+    for (const std::uint32_t line : {1u, 2u}) {
+        std::vector<Setpoint> wrong = right;
+        Setpoint& off = wrong[range_of(wrong, line).second - 30];
+        off.tip[2] = off.axis[2] = 0.001;
+        const auto found = deviation_of(machine, program, wrong);
+        ASSERT_TRUE(found.has_value());
+        EXPECT_EQ(found->motion.line, line);
+        EXPECT_NEAR(found->distance, 0.001, 1e-6);
     }
 }
 
