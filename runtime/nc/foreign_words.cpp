@@ -123,6 +123,12 @@ std::string_view word_before(std::string_view line, std::size_t at) {
                                                 : std::string_view();
 }
 
+/// Whether a value stands at the place, in brackets or behind an equals sign: what could be read
+/// there is the control's own.
+bool is_value(std::string_view line, std::size_t at) {
+    return line.substr(0, at).find_first_of("[(=") != line.npos;
+}
+
 }  // namespace
 
 std::string_view instead_of_foreign(const DialectTables& tables, std::string_view line,
@@ -135,7 +141,7 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
     }
     // `POPEN` where programs have names: it was called, and there is none.
     const bool is_word = fault.begin < line.size() && is_letter(line[fault.begin]);
-    if (place.is_executed && !is_word) return {};
+    if (place.is_executed && (!is_word || is_value(line, fault.begin))) return {};
     if (const std::string* found = entry_at(tables, line, fault.begin)) return *found;
     if (place.is_executed) return {};
     for (std::size_t at = 0; at < line.size();) {

@@ -69,7 +69,10 @@ class LineReader {
     bool read(std::string_view line, std::uint64_t number, Block& block);
 
     // The same in steps, for who knows more kinds of lines.
-    void begin(std::uint64_t number) { line_number_ = number; }
+    void begin(std::uint64_t number) {
+        line_number_ = number;
+        lexed_ = nullptr;  // of a line before, which may be gone
+    }
     /// The line with blanks in place of a program's head that words stand behind: `O0001 G20`. Any
     /// other line as it is. The text lives until the next head.
     std::string_view without_head(std::string_view line);
@@ -210,7 +213,7 @@ class LineReader {
     std::uint64_t line_number_ = 0;
     bool failed_ = false;
     std::uint64_t first_fault_ = 0;
-    LexedLine* lexed_ = nullptr;  // of the line that is read
+    LexedLine* lexed_ = nullptr;  // of the line that is read, once it is
     LexedLine own_lexed_;
     Match match_;
     PointWatch points_;
