@@ -13,6 +13,7 @@ import argparse
 import datetime
 import os
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -146,6 +147,14 @@ class Bench:
             self.compare("read and interpret flat blocks, against rs274", BLOCKS, mine, other,
                          (20, 50))
             self.add("… memory", mib(mine.peak), mib(other.peak))
+        plain = self.folder / "plain.mpf"
+        signs = self.folder / "signs.mpf"
+        plain.write_bytes(flat.read_bytes().replace(b"G21", b"G71", 1))
+        signs.write_bytes(re.sub(rb"([XYZF])(?=[-.0-9])", rb"\1=", plain.read_bytes()))
+        without = self.cost(self.check_command(plain, "sinumerik"))
+        signed = self.cost(self.check_command(signs, "sinumerik"))
+        self.compare("… SINUMERIK, `X=1.5` in every word, against `X1.5`", BLOCKS, signed, without,
+                     (0.33, 0.9))
         for room in ("read", "interpret"):
             speed = self.items(room, flat, "iso")
             self.add(f"… `bench_runtime {room}`", rate(speed, "blocks"))
@@ -278,8 +287,8 @@ class Bench:
             raise BenchError(f"{peer[0]} writes other bytes than kadr")
         return other
 
-    def check_command(self, flat):
-        return self.kadr("check", flat, "-d", "iso", "-m", HERE / "machine.xml")
+    def check_command(self, flat, dialect="iso"):
+        return self.kadr("check", flat, "-d", dialect, "-m", HERE / "machine.xml")
 
     # ------------------------------------------------------------ input
 

@@ -47,6 +47,27 @@ bool LineReader::are_of_motions(const Address& address) {
     }
     return true;
 }
+/// How the fast way reads a word of the address.
+FastLetter LineReader::fast_word(AddressId id) {
+    const Address& address = tables_.addresses[id];
+    FastLetter fast;
+    fast.address = id;
+    fast.format = &address.format;
+    fast.dimension = address.dimension;
+    fast.is_literal = is_literal(address.format);
+    fast.is_position = counts_increments(address);
+    if (address.is_block_number) {
+        fast.kind = FastLetter::Kind::Number;
+    } else if (address.kind == Address::Kind::Code) {
+        fast.kind = FastLetter::Kind::Code;
+    } else if (address.slot >= 0 && !address.is_incremental && !address.is_coordinate &&
+               are_of_motions(address) && tables_.code_index[id].empty()) {
+        fast.kind = FastLetter::Kind::Slot;
+        fast.slot = static_cast<Slot>(address.slot);
+    }
+    return fast;
+}
+
 void LineReader::prepare(std::size_t letter) {
     const AddressId id = tables_.letters[letter];
     FastLetter& fast = letters_[letter];
@@ -55,24 +76,41 @@ void LineReader::prepare(std::size_t letter) {
         std::ranges::any_of(tables_.language.calls.calls, [letter](const CallForm& call) {
             return call.any_number && static_cast<unsigned char>(call.letter) == letter;
         });
-    if (id != kNoAddress && !calls) {
-        const Address& address = tables_.addresses[id];
-        fast.address = id;
-        fast.format = &address.format;
-        fast.dimension = address.dimension;
-        fast.is_literal = is_literal(address.format);
-        fast.is_position = counts_increments(address);
-        if (address.is_block_number) {
-            fast.kind = FastLetter::Kind::Number;
-        } else if (address.kind == Address::Kind::Code) {
-            fast.kind = FastLetter::Kind::Code;
-        } else if (address.slot >= 0 && !address.is_incremental && !address.is_coordinate &&
-                   are_of_motions(address) && tables_.code_index[id].empty()) {
-            fast.kind = FastLetter::Kind::Slot;
-            fast.slot = static_cast<Slot>(address.slot);
-        }
-    }
+    if (id != kNoAddress && !calls) fast = fast_word(id);
     if (letter >= 'A' && letter <= 'Z' && tables_.rules.ignores_case) letters_[letter + 32] = fast;
+}
+
+/// Words of several letters with a value behind `=`.
+void LineReader::prepare_names() {
+    if (!tables_.has_names || !tables_.rules.has_assignment) return;
+    const auto is_large = [](char c) { return c >= 'A' && c <= 'Z'; };
+    for (std::size_t i = 0; i < tables_.addresses.size(); ++i) {
+        const std::string_view name = tables_.addresses[i].name;
+        if (name.size() < 2 || !std::ranges::all_of(name, is_large)) continue;
+        const FastLetter word = fast_word(static_cast<AddressId>(i));
+        if (word.kind == FastLetter::Kind::Slot && word.is_literal) names_.push_back({name, word});
+    }
+    std::ranges::sort(names_, {}, &FastName::name);
+}
+
+/// The word of several letters that begins in front of `p`, which is led behind its `=`.
+const FastLetter* LineReader::fast_name(const char*& p, const char* end) const {
+    constexpr std::size_t kLongest = 8;
+    std::array<char, kLongest> letters;
+    std::size_t length = 0;
+    for (const char* at = p - 1; at != end && length < kLongest; ++at, ++length) {
+        const char c = *at;
+        if (c == '=') {
+            const std::string_view name(letters.data(), length);
+            const auto found = std::ranges::lower_bound(names_, name, {}, &FastName::name);
+            if (found == names_.end() || found->name != name) return nullptr;
+            p = at + 1;
+            return &found->word;
+        }
+        const bool is_small = c >= 'a' && c <= 'z' && tables_.rules.ignores_case;
+        letters[length] = is_small ? static_cast<char>(c - 32) : c;
+    }
+    return nullptr;
 }
 
 /// Gives up on anything that needs a second look; the slow way reads the line again from its start.
@@ -91,8 +129,18 @@ bool LineReader::read_fast(std::string_view line, Block& block) {
     while (p != end) {
         const auto letter = static_cast<unsigned char>(*p);
         if (letter >= 128) return false;
-        const FastLetter& fast = letters_[letter];
+        const FastLetter* word = &letters_[letter];
         ++p;
+        if (p != end && *p == '=') {
+            // `X=10` says what `X10` says.
+            const bool is_value = word->kind == FastLetter::Kind::Slot && word->is_literal;
+            if (!is_value || !tables_.rules.has_assignment) return false;
+            ++p;
+        } else if (p != end && is_letter(*p)) {
+            word = fast_name(p, end);
+            if (word == nullptr) return false;
+        }
+        const FastLetter& fast = *word;
         std::uint8_t wrong_ends = kGoesOn;
         if (fast.kind == FastLetter::Kind::Slot) {
             if (block.has(fast.slot)) return false;

@@ -35,6 +35,7 @@ bool takes_number(const Form& form, double number) {
 LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink)
     : dialect_(dialect), tables_(dialect.tables()), own_text_{std::move(name), {}}, sink_(sink) {
     for (std::size_t letter = 0; letter < letters_.size(); ++letter) prepare(letter);
+    prepare_names();
     modal_ = ModalFunctions{tables_.power_on};
     modal_[static_cast<std::size_t>(Group::Motion)] = Function::None;
     last_forms_.assign(tables_.groups.size(), kNoForm);

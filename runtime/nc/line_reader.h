@@ -30,6 +30,12 @@ struct FastLetter {
     bool is_literal = false;   // a number means what it says, and the control takes every one
 };
 
+/// A word of several letters that the fast way reads, `CR=5`.
+struct FastName {
+    std::string_view name;
+    FastLetter word;
+};
+
 /// What a computed value of a line has come to; in the order of ControlLine::computed.
 struct WordValue {
     enum class Kind : std::uint8_t { Number, Text, Vacant };
@@ -185,6 +191,9 @@ class LineReader {
     bool has_wrong_number(std::string_view line) const;
     bool are_of_motions(const Address& address);
     void prepare(std::size_t letter);
+    void prepare_names();
+    FastLetter fast_word(AddressId id);
+    const FastLetter* fast_name(const char*& p, const char* end) const;
     void follow(const Block& block);
     void follow_units();
     enum class FaultOf : std::uint8_t { Writing, Execution };
@@ -202,6 +211,7 @@ class LineReader {
     DiagnosticSink& sink_;
     std::function<void(DiagnosticBuilder&)> notes_;
     std::array<FastLetter, 128> letters_;
+    std::vector<FastName> names_;  // by name
     ModalFunctions modal_{};
     std::bitset<kFunctions> closely_read_;  // modes under which words have other meanings
     TextUnits units_;

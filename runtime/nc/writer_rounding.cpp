@@ -66,7 +66,10 @@ void BlockWriter::check_turn(const Block& block) {
         }
         return std::sqrt(square);
     };
-    const double half = end_increment() / to_text(static_cast<Slot>(plane_axes()[0]), 1) / 2;
+    // A text in nanometres asks for no more than machines resolve.
+    constexpr double kSeen = 1e-4;  // mm
+    const double half =
+        std::max(kSeen, end_increment() / to_text(static_cast<Slot>(plane_axes()[0]), 1) / 2);
     const auto report = [&](const TurnMiss& turn, double beside, const DiagnosticRow& row) {
         const bool has_place = turn.source.index < statements_.size();
         DiagnosticBuilder message = sink_.report(row, place(block));

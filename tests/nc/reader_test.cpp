@@ -146,6 +146,32 @@ TEST(Reader, SinumerikWords) {
         });
 }
 
+// An equals sign sends no line the long way, and says nothing by itself.
+TEST(Reader, ASignBeforeANumberSaysNothing) {
+    const struct {
+        const char* with;
+        const char* without;
+    } rows[] = {
+        {"G1 X=1.5 Y=-.5 Z=+3 F=100", "G1 X1.5 Y-.5 Z+3 F100"},
+        {"N10 G0X=1Y=2", "N10 G0X1Y2"},
+        {"g1 x=1 f=5", "G1 X1 F5"},
+        {"G17 G2 X=10 Y=0 I=5 J=0 F=100", "G17 G2 X10 Y0 I5 J0 F100"},
+        {"G700\nG1 X=1 F=10", "G700\nG1 X1 F10"},
+    };
+    for (const auto& row : rows) {
+        const auto with = read_blocks(shipped("sinumerik"), row.with);
+        const auto without = read_blocks(shipped("sinumerik"), row.without);
+        ASSERT_EQ(with.blocks.size(), without.blocks.size()) << row.with;
+        for (std::size_t i = 0; i < with.blocks.size(); ++i)
+            EXPECT_EQ(describe(with.blocks[i]), describe(without.blocks[i])) << row.with;
+        EXPECT_EQ(with.messages.errors(), 0u) << row.with;
+    }
+    expect_blocks("sinumerik", {{"G17 G2 X10 CR=5 F100", "arc_cw X10 F100 R5 | plane_xy"},
+                                {"G17 G2 X10 CR=-5", "arc_cw X10 R-5 | plane_xy"}});
+    EXPECT_TRUE(read_blocks(shipped("sinumerik"), "G1 N=5").failed);
+    EXPECT_TRUE(read_blocks(shipped("fanuc"), "G1 X=5.").failed);
+}
+
 TEST(Reader, FanucLatheWords) {
     // Reference fanuc.md chapters 2.3, 2.5, 3.6 and 5.6.
     expect_blocks("fanuc-lathe",
