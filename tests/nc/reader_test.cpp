@@ -166,7 +166,7 @@ TEST(Reader, ASignBeforeANumberSaysNothing) {
             EXPECT_EQ(describe(with.blocks[i]), describe(without.blocks[i])) << row.with;
         EXPECT_EQ(with.messages.errors(), 0u) << row.with;
     }
-    expect_blocks("sinumerik", {{"G17 G2 X10 CR=5 F100", "arc_cw X10 F100 R5 | plane_xy"},
+    expect_blocks("sinumerik", {{"G17 G2 X10 CR=5 F100", "arc_cw X10 R5 F100 | plane_xy"},
                                 {"G17 G2 X10 CR=-5", "arc_cw X10 R-5 | plane_xy"}});
     EXPECT_TRUE(read_blocks(shipped("sinumerik"), "G1 N=5").failed);
     EXPECT_TRUE(read_blocks(shipped("fanuc"), "G1 X=5.").failed);
