@@ -388,6 +388,12 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
             .fix("name the struct that takes it: `image<picture>(…)`");
         return error_value();
     }
+    if (name == "table") {
+        report(diag::TableType, expr.range)
+            .arg("table(…)")
+            .fix("name the struct of a row: `table<row>(…)`");
+        return error_value();
+    }
     if (name == "orient") return orient_call(expr);
     if (name == "tcp") return tcp_call(expr);
     if (name == "distance") return distance_call(expr);

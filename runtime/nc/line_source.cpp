@@ -10,6 +10,10 @@ namespace {
 /// Editors put it before a text in UTF-8; no control sees it.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+/// A line without an end is no text: behind so many bytes nothing is read, as of a device that
+/// gives zeros for ever.
+constexpr std::size_t kEndlessLine = std::size_t{1} << 30;
+
 }  // namespace
 
 /// The first line of the text, of a piece, or one that goes over from one piece to the next.
@@ -23,7 +27,14 @@ bool LineSource::next_at_edge(std::string_view& line, bool& is_too_long) {
 bool LineSource::take(std::string_view& line, bool& is_too_long) {
     carry_.clear();
     is_too_long = false;
+    if (is_endless_) return false;
+    std::size_t skipped = 0;
     while (true) {
+        is_endless_ = skipped > kEndlessLine;
+        if (is_endless_) {
+            line = carry_;
+            return true;
+        }
         if (at_ == piece_.size()) {
             base_ += piece_.size();
             piece_ = source_.next();
@@ -47,6 +58,7 @@ bool LineSource::take(std::string_view& line, bool& is_too_long) {
         }
         const std::size_t room = longest_ - carry_.size();
         if (length > room) is_too_long = true;
+        skipped += length;
         carry_.append(begin, std::min(length, room));
         if (end == nullptr) continue;
         if (!is_too_long && !carry_.empty() && carry_.back() == '\r') carry_.pop_back();

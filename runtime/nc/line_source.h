@@ -68,6 +68,7 @@ class LineSource {
     std::uint64_t base_ = 0;  // where the piece begins
     std::size_t at_ = 0;
     std::string carry_;
+    bool is_endless_ = false;  // a line was so long that nothing behind it is looked for
 };
 
 /// A text that cannot be read again, kept so that it can; until it is too long.

@@ -406,6 +406,22 @@ TEST(Reader, LongLinesAreAnAlarmAndNotMemory) {
     EXPECT_EQ(sink.all()[0].alarm_number, "12540");
 }
 
+TEST(Reader, ALineWithoutAnEndEndsTheText) {
+    class Zeros final : public TextSource {
+      public:
+        std::string_view next() override { return piece_; }
+
+      private:
+        std::string piece_ = std::string(1 << 20, '\0');
+    };
+    Zeros source;
+    DiagnosticList sink;
+    Reader reader(shipped("fanuc"), source, "part.nc", sink);
+    std::vector<Block> blocks(2);
+    EXPECT_EQ(reader.pull(blocks), 0u);
+    EXPECT_EQ(testing::codes(sink), "K5016");
+}
+
 TEST(Reader, Places) {
     const std::string text = "N10 G1 X1 F200\nN20 G2 X5 Y5 CR=3 M8\n";
     Pieces pieces(text, text.size());
