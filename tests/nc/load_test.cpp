@@ -348,6 +348,18 @@ TEST(Load, ExplainsWhatIsNotRead) {
               "`SONS` (punching and nibbling) is a word of the control; Kadr does not read it");
 }
 
+// Whatever is read can be explained, words of the language as well.
+TEST(Load, ExplainsWordsOfTheLanguage) {
+    for (const char* word : {"AC", "IC", "DC", "ACP", "ACN", "REAL", "AXIS", "SAVE", "VAR", "TO",
+                             "DEFAULT", "GOTOF", "ENDIF", "DIV", "XOR"}) {
+        const std::vector<std::string> lines = explain(testing::shipped("sinumerik"), word);
+        ASSERT_FALSE(lines.empty()) << word;
+        EXPECT_NE(lines[0].find(word), std::string::npos) << lines[0];
+    }
+    for (const char* word : {"GOTO", "WHILE", "EQ", "MOD", "FUP"})
+        EXPECT_FALSE(explain(testing::shipped("fanuc"), word).empty()) << word;
+}
+
 TEST(Load, Explanations) {
     const auto text = [](const char* dialect, const char* word) {
         std::string all;
