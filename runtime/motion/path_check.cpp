@@ -89,6 +89,7 @@ struct Waiting {
     double length = 0;
     double tolerance = 0;
     double lean = 0;
+    double pole = 0;
     bool is_straight = false;
     StraightWay straight;                      // if it is
     std::unique_ptr<ProgrammedMotion> motion;  // else, or once it is asked for
@@ -107,12 +108,10 @@ class Layer {
         if (!machine.kinematics) return;
         const machine::Kinematics& kinematics = *machine.kinematics;
         // A way near a pole is led through it; one beside a gap that the axes cannot reach, beside
-        // it by half as much again. There the axes run evenly, so that the tool may be on one side
-        // of the pole while the path is on the other.
-        double width = kinematics.pole_tolerance;
+        // it by half as much again.
+        pole_ = kinematics.pole_tolerance;
         if (kinematics.chain.orients())
-            width = std::max(width, 1.5 * machine::tilt_reach(kinematics.chain).lower);
-        pole_ = 2 * width;
+            pole_ = std::max(pole_, 1.5 * machine::tilt_reach(kinematics.chain).lower);
     }
 
     /// False: it moves nothing.
@@ -151,6 +150,7 @@ class Layer {
         motion.system = waiting.system;
         motion.tolerance = waiting.tolerance;
         motion.lean = waiting.lean;
+        motion.pole = waiting.pole;
     }
 
     /// Axes of the machine behind X, Y and Z; 0 where these do not stand in front.
@@ -192,11 +192,13 @@ class Layer {
             is_distance ? room + command.compress : std::max(room, command.compress);
         out.tolerance = curved + (was_turned_ ? kExactBehindTurn : kExact);
         out.lean = kExactLean + pole_ + std::max(lean_of(before_), lean_of(behind));
+        out.pole = pole_;
         if (!out.motion) return;
         out.motion->length = out.length;
         out.motion->system = out.system;
         out.motion->tolerance = out.tolerance;
         out.motion->lean = out.lean;
+        out.motion->pole = out.pole;
     }
 
     const machine::Machine& machine_;

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "motion/transformed.h"
 #include "path/curve.h"
 
@@ -239,8 +241,12 @@ double place_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
 void judge_tool(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
                 double distance, Nearness& near) {
     near.lean_allowed = motion.lean;
-    near.lean = path::angle_between(direction_on(chain, motion.way, distance), tool.tool);
+    const Vec3 wanted = direction_on(chain, motion.way, distance);
+    near.lean = path::angle_between(wanted, tool.tool);
     if (!(near.lean > motion.lean)) return;
+    // Where axes run evenly past a pole the tool may be on one side of it, its path on the other.
+    const Vec3 pole = chain.joints[machine::kR1].direction;
+    if (wanted.cross(pole).norm() <= motion.pole) near.lean_allowed += motion.pole;
     // Where the tip may be beside its path, it may be on as well.
     const double beside = 2 * motion.tolerance;
     const Vec3 before = direction_on(chain, motion.way, std::max(0.0, distance - beside));

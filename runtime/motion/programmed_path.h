@@ -16,6 +16,7 @@ struct ProgrammedMotion {
     double length = 0;     // of its path, mm (deg)
     double tolerance = 0;  // mm, of the tip
     double lean = 0;       // rad, of the tool
+    double pole = 0;       // rad, the way may be led otherwise so near to a pole
     /// Motions with the same number tell the tip in the same coordinates of the same tool.
     std::uint32_t system = 0;
 };
