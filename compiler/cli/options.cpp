@@ -126,12 +126,12 @@ CLI::Validator one_of(std::vector<std::string> values) {
     return CLI::IsMember(std::move(values)).description("");
 }
 
-CLI::Validator is_count() {
-    const auto check = [](const std::string& text) -> std::string {
+CLI::Validator is_count(const char* of) {
+    const auto check = [of](const std::string& text) -> std::string {
         const Decimal number = parse_decimal(text.data(), text.data() + text.size());
         const bool is_number = number.end == text.data() + text.size() && !text.empty();
         if (is_number && number.value >= 1) return {};
-        return '`' + text + "` is not a number of blocks: it is 1 or more";
+        return '`' + text + "` is not a number of " + of + ": it is 1 or more";
     };
     return {check, ""};
 }
@@ -327,7 +327,7 @@ void Parser::add_limits(CLI::App& command) {
         .add_option("--max-blocks", line_.options.max_blocks,
                     "stop after so many blocks, lines of the control's own language among them "
                     "(made: 20000000 unless it is given)")
-        ->check(is_count())
+        ->check(is_count("blocks"))
         ->type_name("N");
     command.add_option("--max-time", max_time_, "stop after so much time of computing")
         ->type_name("TIME");
@@ -427,6 +427,11 @@ void Parser::add_run() {
         ->type_name("LEVEL")
         ->allow_extra_args(false);
     command->add_flag("--optional-stop", options.optional_stop, "M1 stops");
+    command
+        ->add_option("--passes", options.passes,
+                     "how often a main program is executed that begins itself again (M99)")
+        ->check(is_count("passes"))
+        ->type_name("N");
 }
 
 void Parser::add_compare() {

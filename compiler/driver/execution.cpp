@@ -350,6 +350,7 @@ void Execution::connect(DiagnosticSink& sink) {
     held_ = std::make_unique<HeldMessages>(*sink_);
     interp::ProgramOptions program_options;
     program_options.skip_levels = options.skip_levels;
+    program_options.passes = options.passes;
     program_options.files = called_.get();
     program_options.inputs = inputs_;
     program_options.call = options.call;

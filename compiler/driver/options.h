@@ -41,13 +41,14 @@ struct Options {
     std::vector<std::string> allow_read;                // … whose files programs may read besides
     std::uint64_t max_input = Files::kMostBytes;        // bytes of a file that is read whole
     std::uint64_t max_output = std::uint64_t{4} << 30;  // … of all outputs together
-    bool native_cycles = true;      // cycles as the control's own where it has them
-    bool verbose_modal = false;     // repeat modal words in the text
-    std::uint64_t max_blocks = 0;   // blocks after which expanding and executing are cut;
-                                    // 0: kMaxBlocks made, any number executed
-    double max_time = 0;            // s of computing after which they are cut; 0: no limit
-    std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
-    bool optional_stop = false;     // M1 stops
+    bool native_cycles = true;            // cycles as the control's own where it has them
+    bool verbose_modal = false;           // repeat modal words in the text
+    std::uint64_t max_blocks = 0;         // blocks after which expanding and executing are cut;
+                                          // 0: kMaxBlocks made, any number executed
+    double max_time = 0;                  // s of computing after which they are cut; 0: no limit
+    std::uint16_t skip_levels = 0;        // bit n: blocks with skip level n are left out
+    bool optional_stop = false;           // M1 stops
+    std::optional<std::uint64_t> passes;  // of a main program that begins itself again
     std::vector<std::string> variable_files;  // what the machine tells before a program begins …
     std::optional<std::string> call;          // arguments with which ISO-7bit text is called
     std::vector<std::string> sets;            // … `NAME=VALUE`, which comes behind the files

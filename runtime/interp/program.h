@@ -43,7 +43,9 @@ struct InputEvent {
 };
 
 struct ProgramOptions {
-    std::uint16_t skip_levels = 0;                 // bit n: blocks with skip level n are left out
+    std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
+    // How often a main program that begins itself again is executed; nothing: once, and a warning.
+    std::optional<std::uint64_t> passes;
     std::uint64_t max_turns = 10'000'000;          // jumps back without a block between them
     std::uint64_t max_repeated = 20'000'000;       // blocks that lines give when they run again
     std::uint64_t max_blocks = 0;                  // statements and blocks; asked at statements

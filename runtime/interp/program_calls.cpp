@@ -927,7 +927,7 @@ static bool has_number_behind(const nc::DialectTables& tables, nc::LineSource& s
 }
 
 /// The main program is begun again, or ends: one whose last block begins it again never ends by
-/// itself, so it is executed once.
+/// itself, so it is executed as often as was asked for, which is once.
 ///
 /// source  F 6.8
 Program::State::Done Program::State::return_in_main(CompiledLine& line,
@@ -951,13 +951,20 @@ Program::State::Done Program::State::return_in_main(CompiledLine& line,
     // program's.
     const bool is_jump = target && found.line.offset > frame->here.offset;
     const bool is_skipped_at_will = line.line.words.skip >= 0;
-    if (is_jump || (!is_skipped_at_will && has_number_behind(tables, source(), line.place.next))) {
+    const auto is_own_loop = [&] {
+        return !options.passes && !is_skipped_at_will &&
+               has_number_behind(tables, source(), line.place.next);
+    };
+    const std::uint64_t passes = options.passes.value_or(1);
+    if (is_jump || is_own_loop() || ++passes_done < passes) {
         if (!target) frame->text.has_content = false;
         return go(line, found, statement.span);
     }
-    const nc::Span& span = statement.span;
-    sink.report(diag::MainBeginsAgain, lines.place(line.text, frame->here.line, span))
-        .arg(line.text.substr(span.begin, span.end - span.begin));
+    if (!options.passes) {
+        const nc::Span& span = statement.span;
+        sink.report(diag::MainBeginsAgain, lines.place(line.text, frame->here.line, span))
+            .arg(line.text.substr(span.begin, span.end - span.begin));
+    }
     out.add(Function::End);
     return Done::Block;
 }

@@ -234,6 +234,7 @@ struct Program::State {
     std::vector<ReturnedVariable> references;  // of the call that is prepared
     std::size_t given = 0;                     // blocks of this batch
     std::uint64_t turns = 0;                   // jumps back since the last block
+    std::uint64_t passes_done = 0;             // of the main program
     std::uint64_t repeated = 0;                // blocks of lines that ran again
     std::uint64_t most_line = 0;
     bool is_waiting = false;        // the line in `scratch` is to be run again

@@ -20,6 +20,7 @@
 //   expect: fix TEXT         the fix of the first alarm or warning that has one
 //   expect: called 5:3       … and where the program of that line was called, the nearest first
 //   skip: 1                  blocks of this level are left out
+//   passes: 3                of a main program that begins itself again
 //   machine: lathe           it runs on a lathe: X is a diameter, the tools are
 //                            1 a point, 2 a nose of 0.4, 3 a groove tool of 4 mm
 //   machine: driven          a lathe with driven tools: X, Z and C without end, no Y
@@ -38,6 +39,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -97,6 +99,7 @@ struct Expected {
     std::string called;
     std::string fix;
     std::uint16_t skip_levels = 0;
+    std::optional<std::uint64_t> passes;
     std::string machine;
     bool has_rule = false;
 };
@@ -122,6 +125,8 @@ Expected parse(const std::string& text) {
         expected.has_rule |= !value_of("rule: ").empty();
         if (const std::string level = value_of("skip: "); !level.empty())
             expected.skip_levels = static_cast<std::uint16_t>(1u << std::stoi(level));
+        if (const std::string passes = value_of("passes: "); !passes.empty())
+            expected.passes = std::stoull(passes);
         if (const std::string name = value_of("machine: "); !name.empty()) expected.machine = name;
         const std::string value = value_of("expect: ");
         if (value.empty()) continue;
@@ -349,6 +354,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     PiecedText source(text, can_seek);
     ProgramOptions options;
     options.skip_levels = expected.skip_levels;
+    options.passes = expected.passes;
     options.max_turns = 20'000;
     options.max_repeated = 5'000;
     driver::ProgramFolders files({(folder / "called").string()});

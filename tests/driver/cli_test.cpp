@@ -113,6 +113,7 @@ TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
                  1},                                                   // K5443
              Row{"of several controls", {"run", file("flat.nc")}, 2},  // K9015
              Row{"not a number of blocks", {"run", file("flat.nc"), "--max-blocks", "0"}, 2},
+             Row{"not a number of passes", {"run", file("flat.nc"), "--passes", "0"}, 2},
              Row{"two results to standard output",
                  {"run", file("flat.nc"), "--commands", "-", "--summary", "json"},
                  2},
