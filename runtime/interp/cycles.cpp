@@ -694,12 +694,17 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
     return missing.empty();
 }
 
-/// What a call does not say because the control knows it: the cutter's diameter, the plane (17 to
+/// What a call does not say because the control knows it: the cutter's diameter, the radius of the
+/// offset that it names or else the last D (whatever has ended the compensation), the plane (17 to
 /// 19), and whether a cycle is called at the places of a pattern.
 void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     set_argument(call, find_parameter(info, "tool_d"),
                  2 * tool_offsets_.radius(tool_.edge_number()));
+    const auto said = find_parameter(info, "radius_offset");
+    const std::int64_t offset =
+        is_given(call, said) ? std::llround(call.arguments[*said]) : tool_.radius_offset;
+    set_argument(call, find_parameter(info, "offset_r"), tool_offsets_.radius(offset));
     const bool calls = calls_program || cycles_said_.behind_motions || cycles_said_.modal.is_active;
     set_argument(call, find_parameter(info, kPatternParameter), calls ? 1 : 0);
     const path::Plane plane = cycle_plane();
