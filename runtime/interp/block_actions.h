@@ -90,6 +90,19 @@ struct Probed {
     bool is_found = true;  // the probe has triggered
 };
 
+/// What a probing motion meets on its way.
+struct Probing {
+    std::optional<Target> touched;  // where the axes are then; nothing: it meets nothing
+    bool goes_on = false;           // to the end of its way all the same
+    bool ends_way() const { return touched.has_value() && !goes_on; }
+};
+
+/// A way in the coordinates of the words that say it, mm and deg.
+struct ProgrammedWay {
+    AxisValues from{};
+    AxisValues to{};
+};
+
 /// The pitch of a thread along an arc, mm a turn, and the axis along which it is said.
 struct Lead {
     double pitch = 0;

@@ -230,11 +230,11 @@ class Executor {
     // probing.cpp
     bool knows_touches() const;
     Target part_of_way(const Target& target, double part) const;
-    std::optional<Target> touched_along(const nc::Block& block, const Target& target);
-    std::optional<double> touch_of_event(const nc::Block& block, const Target& target,
+    Probing probe_along(const nc::Block& block, const Target& target, const ProgrammedWay& way);
+    std::optional<double> touch_of_event(const nc::Block& block, const ProgrammedWay& way,
                                          bool& is_said);
     std::optional<double> touch_of_scene(const Target& target, bool springs_back);
-    void note_probed(bool is_found);
+    void note_probed(const Probing& probing);
     void use_probed(const nc::Block& block, const nc::Invocation& invocation);
     void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
     bool is_without_frames(const Actions& actions) const;

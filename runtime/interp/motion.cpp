@@ -266,7 +266,7 @@ void Executor::arrive(const Target& target) {
 
 void Executor::line(const Block& block, const Target& programmed, Op op, bool exact_stop) {
     Target target = programmed;
-    std::optional<Target> touched;
+    Probing probing;
     if (op == Op::Line && !check_feed(block, "line")) return;
     if (op == Op::Probe && !check_probe(block)) return;
     if (op == Op::Rapid) check_rapid(block, target);
@@ -277,8 +277,8 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
         !lay_course(block, straight_way(linear(position_.base), linear(target.base)), target))
         return;
     if (op == Op::Probe) {
-        touched = touched_along(block, target);
-        if (touched) target = *touched;
+        probing = probe_along(block, target, {position_.here, target.here});
+        if (probing.ends_way()) target = *probing.touched;
     }
     if (!check_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
@@ -293,7 +293,7 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
         put_positioning(command);
     if (op != Op::Rapid && may_count_degrees(block)) count_degrees(block, command);
     arrive(target);
-    if (op == Op::Probe) note_probed(touched.has_value());
+    if (op == Op::Probe) note_probed(probing);
 }
 
 }  // namespace kadr::interp

@@ -30,23 +30,29 @@ Target Executor::part_of_way(const Target& target, double part) const {
     return out;
 }
 
-/// Where the probe meets something on its way; nothing: nowhere.
-std::optional<Target> Executor::touched_along(const Block& block, const Target& target) {
+/// What the probe meets on its way.
+///
+/// way  in the coordinates of the block's words, which are the machine's under G53
+Probing Executor::probe_along(const Block& block, const Target& target, const ProgrammedWay& way) {
+    Probing probing;
     const Invocation& call = *block.find(Function::Probe);
+    probing.goes_on = (call.given & 2u) != 0 && block.argument(call, 1) != 0;
     if (!knows_touches()) {
         if (!std::exchange(told_.touch, true)) report(diag::TouchMissing, block, Function::Probe);
-        return target;
+        probing.touched = target;
+        return probing;
     }
     const bool springs_back = (call.given & 1u) != 0 && block.argument(call, 0) < 0;
     bool is_said = false;
-    std::optional<double> part = touch_of_event(block, target, is_said);
+    std::optional<double> part = touch_of_event(block, way, is_said);
     if (!is_said && options_.probe != nullptr) part = touch_of_scene(target, springs_back);
-    return part ? std::optional(part_of_way(target, *part)) : std::nullopt;
+    if (part) probing.touched = part_of_way(target, *part);
+    return probing;
 }
 
 /// The part of the way that an event says. Of several for one block each is for one run of it, the
 /// last one for all behind.
-std::optional<double> Executor::touch_of_event(const Block& block, const Target& target,
+std::optional<double> Executor::touch_of_event(const Block& block, const ProgrammedWay& way,
                                                bool& is_said) {
     const ProbeTouch* found = nullptr;
     for (std::size_t i = 0; i < options_.touches.size(); ++i) {
@@ -67,8 +73,8 @@ std::optional<double> Executor::touch_of_event(const Block& block, const Target&
         const bool is_inch = units_ == Function::Inch && !is_rotary(static_cast<Axis>(i));
         const double unit = axes_.word_scale[i] * (is_inch ? kMmPerInch : 1);
         const double at = found->at[i] * unit;
-        const double from = position_.here[i];
-        const double to = target.here[i];
+        const double from = way.from[i];
+        const double to = way.to[i];
         const double part = (at - from) / (to - from);
         constexpr double kRounding = 1e-9;
         if (std::isfinite(part) && part >= -kRounding && part <= 1 + kRounding)
@@ -108,14 +114,21 @@ std::optional<double> Executor::touch_of_scene(const Target& target, bool spring
 }
 
 /// Behind the motion: what the probe has found.
-void Executor::note_probed(bool is_found) {
+void Executor::note_probed(const Probing& probing) {
+    const Position end = position_;
+    // Where the probe goes on, the axes stood elsewhere as it triggered.
+    if (probing.touched && probing.goes_on) {
+        position_.here = probing.touched->here;
+        position_.base = probing.touched->base;
+    }
     probed_.emplace();
-    probed_->is_found = is_found;
+    probed_->is_found = probing.touched.has_value();
     probed_->tip = position_.here;
     for (std::size_t i = 0; i < kAxes; ++i) {
         probed_->head[i] = *place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));
         probed_->machine[i] = *place_of(nc::Quantity::MachinePosition, static_cast<Axis>(i));
     }
+    position_ = end;
 }
 
 /// The library's words about what was probed last. Where nobody has said where the part lies, it

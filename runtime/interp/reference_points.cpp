@@ -107,10 +107,17 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     Target target{{}, to, static_cast<AxisMask>(targets)};
     for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];
     target.here = frames_.from_base(target.base);
-    std::optional<Target> touched;
-    if (probes) touched = touched_along(block, target);
-    if (touched) {
-        target = *touched;
+    Probing probing;
+    if (probes) {
+        ProgrammedWay way{position_.base, target.base};
+        for (std::size_t i = 0; i < kAxes && !has_length; ++i) {
+            way.from[i] += length_shift_[i];
+            way.to[i] += length_shift_[i];
+        }
+        probing = probe_along(block, target, way);
+    }
+    if (probing.ends_way()) {
+        target = *probing.touched;
         for (std::size_t i = 0; i < kAxes; ++i) to[i] = target.base[i] + length_shift_[i];
     }
     if (!check_limits(block, target.base, target.moved)) return;
@@ -123,7 +130,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     command.exact_stop = true;
     command.feed = is_rapid ? 0 : modal_.feed;
     arrive(target);
-    if (probes) note_probed(touched.has_value());
+    if (probes) note_probed(probing);
 }
 
 /// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.

@@ -380,6 +380,47 @@ TEST_F(Inputs, EventsSayWhereAProbeTouches) {
         << ran.result.err;
 }
 
+/// sinumerik.md 17: MEAW measures, and the motion goes on to its end.
+TEST_F(Inputs, AMeasuringMotionGoesOn) {
+    save("m.xml",
+         machine_with(
+             std::string(kProbeTool) +
+             "<probe radius=\"0 mm\"><plane axis=\"X\" at=\"30 mm\" material=\"above\"/></probe>"));
+    save("run.txt", "N20 touch X12.5\n");
+    for (const auto& [option, at] :
+         {std::pair{std::vector<std::string>{"-m", file("m.xml")}, 30.0},
+          std::pair{std::vector<std::string>{"--events", file("run.txt")}, 12.5}}) {
+        SCOPED_TRACE(option[0]);
+        const Ran ran = run("sinumerik",
+                            "N10 T9 D1\nG0 X0 Y0 Z0\nN20 G1 X50 MEAW=1 F100\n"
+                            "R1=$AA_MW[X] R2=$AA_IW[X] R3=$AA_MM[X]\nM30\n",
+                            option);
+        EXPECT_EQ(ran.result.status, 0) << ran.result.err;
+        EXPECT_NEAR(number(ran, "R1"), at, 1e-6);
+        EXPECT_NEAR(number(ran, "R2"), 50, 1e-6);
+        EXPECT_NEAR(number(ran, "R3"), at, 1e-6);
+    }
+}
+
+/// fanuc.md 10 and 15: a touch is said in the coordinates of the block's words, and those of G53
+/// are the machine's, whatever offset and length act.
+TEST_F(Inputs, TouchesOfMachineCoordinatesAreSaidInThem) {
+    for (const auto& [words, touch, at] :
+         {std::tuple{"G90 G53 G31 Z-10. F100", "touch Z-4", -4.0},
+          std::tuple{"G91 G53 G31 Z-20. F100", "touch Z-4", -4.0},
+          std::tuple{"G90 G31 Z-120. F100", "touch Z-104", -104.0 + 10}}) {
+        SCOPED_TRACE(words);
+        save("run.txt", std::string("N20 ") + touch + "\n");
+        const Ran ran = run("fanuc",
+                            std::string("%\nO0001\nG10 L2 P1 X0 Y0 Z10.\nG54\nG53 G0 Z10.\nN20 ") +
+                                words + "\n#100=#5023\nM30\n%\n",
+                            {"--events", file("run.txt")});
+        EXPECT_EQ(ran.result.status, 0) << ran.result.err;
+        EXPECT_EQ(ran.result.err.find("K5952"), std::string::npos) << ran.result.err;
+        EXPECT_NEAR(number(ran, "#100"), at, 1e-6);
+    }
+}
+
 TEST_F(Inputs, WithoutASurfaceThatIsToldOnce) {
     const Ran ran =
         run("fanuc", "%\nO0001\nG0 Z10.\nG31 Z-10. F100\nG0 Z10.\nG31 Z-10.\n#100=#5063\nM30\n%\n");
