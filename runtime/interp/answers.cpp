@@ -139,28 +139,9 @@ std::optional<double> Executor::calendar(Quantity quantity) {
 
 /// As SINUMERIK counts the data of a tool; S 5.1.
 std::optional<double> Executor::tool_datum(std::int64_t number) const {
-    using Column = ToolOffsets::Column;
-    const auto of = [this](Column column) {
-        return tool_offsets_.value(column, tool_.edge_number());
-    };
-    switch (number) {
-        case 1: return of(Column::Type);
-        case 2: return of(Column::Tip);
-        case 3: return of(Column::First);
-        case 4: return of(Column::Second);
-        case 5: return of(Column::Third);
-        case 6: return of(Column::Radius);
-        case 12: return of(Column::FirstWear);
-        case 13: return of(Column::SecondWear);
-        case 14: return of(Column::ThirdWear);
-        case 15: return of(Column::RadiusWear);
-        case 21: return of(Column::FirstBase);
-        case 22: return of(Column::SecondBase);
-        case 23: return of(Column::ThirdBase);
-        default: break;
-    }
-    constexpr std::int64_t kMost = 25;
-    if (number < 1 || number > kMost) return std::nullopt;
+    if (const auto column = ToolOffsets::column_of_datum(number))
+        return tool_offsets_.value(*column, tool_.edge_number());
+    if (number < 1 || number > ToolOffsets::kMostNumberedDatum) return std::nullopt;
     return tool_offsets_.datum(tool_.edge_number(), number);
 }
 

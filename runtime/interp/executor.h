@@ -118,6 +118,7 @@ class Executor {
     bool has_edge(std::int64_t tool, std::int64_t edge) const;
     ControlState::Write set_edge_offset(nc::Quantity quantity, std::int64_t tool, std::int64_t edge,
                                         double value);
+    ControlState::Write set_active_datum(std::int64_t datum, double value);
     bool set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value);
     double timer(std::int64_t number);
     void set_timer(std::int64_t number, double value);

@@ -72,6 +72,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         }
         case Quantity::ToolDatum:
             return set_tool_datum(first, second, value) ? Write::Done : Write::NoPlace;
+        case Quantity::ActiveToolDatum: return set_active_datum(first, value);
         case Quantity::CarrierDatum:
         case Quantity::CarrierAxis: return set_carrier(quantity, first, second, value);
         case Quantity::FirstExtraLength: return set_extra(Quantity::ExtraLength, 1, value);
@@ -144,6 +145,16 @@ bool Executor::set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, 
     if (!has_edge(number, edge)) return false;
     tool_offsets_.set_datum(ToolOffsets::of_edge(number, edge), datum_and_edge / nc::kDatum, value);
     return true;
+}
+
+/// Of the edge that acts, whose data are the same by its number, $TC_DPx[T,D].
+Write Executor::set_active_datum(std::int64_t datum, double value) {
+    const std::int64_t number = tool_.edge_number();
+    if (const auto column = ToolOffsets::column_of_datum(datum))
+        return set_tool_offset(*column, number, value);
+    if (number < 1 || datum < 1 || datum > ToolOffsets::kMostNumberedDatum) return Write::NoPlace;
+    tool_offsets_.set_datum(number, datum, value);
+    return Write::Done;
 }
 
 /// Acts with the next motion; S 5.1. Whether the two kinds of lengths end each other is not told

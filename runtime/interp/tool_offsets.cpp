@@ -113,6 +113,25 @@ Column ToolOffsets::column_at(std::int64_t place, std::int64_t number) const {
     return *column_of(kPlaces.at(static_cast<std::size_t>(place) - 1), number);
 }
 
+std::optional<Column> ToolOffsets::column_of_datum(std::int64_t datum) {
+    switch (datum) {
+        case 1: return Column::Type;
+        case 2: return Column::Tip;
+        case 3: return Column::First;
+        case 4: return Column::Second;
+        case 5: return Column::Third;
+        case 6: return Column::Radius;
+        case 12: return Column::FirstWear;
+        case 13: return Column::SecondWear;
+        case 14: return Column::ThirdWear;
+        case 15: return Column::RadiusWear;
+        case 21: return Column::FirstBase;
+        case 22: return Column::SecondBase;
+        case 23: return Column::ThirdBase;
+        default: return std::nullopt;
+    }
+}
+
 double ToolOffsets::value(Column column, std::int64_t number) const {
     const auto found = offsets_.find(number);
     return found == offsets_.end() ? 0 : found->second[place_of(column)];
