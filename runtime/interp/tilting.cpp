@@ -289,7 +289,9 @@ std::optional<Vec3> Executor::joints_for_plane(const Block& block, Function func
     query.start = joints_of(position_.base);
     query.rule = kinematics.rule;
     query.sense = sense;
-    query.reference = chain.has(machine::kR2) ? machine::kR2 : machine::kR1;
+    const std::size_t last = chain.has(machine::kR2) ? machine::kR2 : machine::kR1;
+    query.reference =
+        function == Function::Swivel ? kinematics.swivel_reference.value_or(last) : last;
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
         const std::size_t i = index(chain.joints[k].axis);

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "base/axes.h"
 #include "base/result.h"
@@ -123,6 +124,9 @@ struct Kinematics {
     PathRule rule = PathRule::LongInAxisMode;
     /// A path that passes the pole of R1 nearer than this is led through it, rad.
     double pole_tolerance = 0;
+    /// R1 or R2: its value tells the two solutions of a swivelled plane apart, SINUMERIK's _DIR.
+    /// Nothing: R2, or R1 where it is alone.
+    std::optional<std::size_t> swivel_reference = std::nullopt;
 };
 
 }  // namespace kadr::machine

@@ -112,7 +112,7 @@ const XmlShape& machine_shape() {
          {}},
         {"kinematics",
          {"tool_direction", "l1", "l2", "start", "uvw_compensation", "path_choice",
-          "pole_tolerance"},
+          "pole_tolerance", "swivel_reference"},
          {"rotary", "tool_rotation"}},
         {"rotary", {{"axis", Filled}, {"on", Filled}, {"direction", Filled}, "point", "sign"}, {}},
         {"tool_rotation", {{"axis", Filled}, "sign"}, {}},

@@ -45,6 +45,7 @@ class KinematicsReader {
             if (child.name == "rotary") read_rotary(child);
             if (child.name == "tool_rotation") read_tool_rotation(child);
         }
+        read_swivel_reference();
         read_vectors();
         check_linear_axes();
         if (!is_sound_) return std::nullopt;
@@ -166,6 +167,24 @@ class KinematicsReader {
         joint.direction = chain().tool_direction;
         if (reader.has("axis")) read_axis(reader, joint);
         joint.sign = reader.choice("sign", kSigns).value_or(0) == 0 ? 1 : -1;
+    }
+
+    /// The axis that tells two solutions apart is R1 or R2: both have the same third one.
+    void read_swivel_reference() {
+        if (!reader_.has("swivel_reference")) return;
+        const std::string name = reader_.text("swivel_reference");
+        const auto named = std::ranges::find_if(joints_, [&](const XmlElement* joint) {
+            const XmlAttribute* axis = joint->find("axis");
+            return axis != nullptr && axis->value == name;
+        });
+        if (named != joints_.end()) {
+            kinematics_.swivel_reference = static_cast<std::size_t>(named - joints_.begin());
+            return;
+        }
+        auto message = refuse(diag::KinematicsSwivelReference, reader_.place("swivel_reference"));
+        message.arg(name);
+        for (const XmlElement* joint : joints_)
+            message.note(joint->range, "axis " + axis_text(*joint));
     }
 
     /// The axes lie by points, or by the vectors between them; not by both, and not by neither.

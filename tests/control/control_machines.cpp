@@ -54,8 +54,12 @@ machine::Machine stock(const std::string& name) {
 
 machine::Machine machine_named(const std::string& name, bool control_is_of_lathe) {
     const bool is_own = name.empty() || name == "lathe" || name == "driven" || name == "edges" ||
-                        name == "spindles" || name == "four-spindles";
+                        name == "spindles" || name == "four-spindles" || name == "five-axis-by-c";
     machine::Machine machine = is_own ? mill() : name == "five-axis" ? trunnion() : stock(name);
+    if (name == "five-axis-by-c") {
+        machine = trunnion();
+        machine.kinematics->swivel_reference = machine::kR1;
+    }
     machine.work_offsets = {{}, {}, {10, 20, 30}};
     machine.tools[0].length = 0;
     machine.is_lathe = control_is_of_lathe;

@@ -27,6 +27,7 @@
 //   machine: edges           a drill, tool 2, has edges 2 and 12 besides its first one
 //   machine: spindles        spindles 2 and 3 besides the first one; four-spindles: 4 as well
 //   machine: five-axis       a table that tilts about X (A) and turns about Z in it (C)
+//   machine: five-axis-by-c  … whose C tells two solutions of a swivelled plane apart
 //   machine: six-axis        a machine of runtime/machines, by its name
 //   only: sinumerik WHY      a program of SINUMERIK that AxiOMA executes otherwise
 // Programs that are called stand in the same file, or in the folder `called` beside it.

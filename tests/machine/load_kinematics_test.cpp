@@ -129,6 +129,8 @@ TEST(LoadKinematics, Mistakes) {
             {"K6272", "kinematics", ">CCAA", "XYAC"},
             {"K6273", "yes", R"( uvw_compensation="yes">CC)"},
             {"K6274", "20 deg", R"( pole_tolerance="20 deg">CC)"},
+            {"K6280", "A", R"( swivel_reference="A">CC)"},
+            {"K6280", "B", R"( swivel_reference="B">CCAA<tool_rotation axis="B"/>)"},
             {"K6014", "C", R"(>CC<rotary axis="C" on="head" direction="1 0 0" point="0 0 9 mm"/>)"},
             {"K6014", "tool_rotation",
              R"(>CCAA<tool_rotation axis="B"/><tool_rotation axis="B"/>)"},
