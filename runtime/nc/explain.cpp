@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/text.h"
+#include "nc/builder_codes.h"
 #include "nc/explain_parts.h"
 #include "nc/mode_words.h"
 #include "nc/quoted.h"
@@ -136,10 +137,19 @@ class Explainer {
         const Decimal number = parse_decimal(text.data() + digits, text.data() + text.size());
         if (number.end != text.data() + text.size()) return;
         const Code* code = tables_.find_code(id, number.value);
-        if (code == nullptr) return;
+        if (code == nullptr) return explain_builder_code(id, number.value);
         for (const FormId form : code->forms) {
             explain_meaning(tables_.forms[form]);
         }
+    }
+
+    /// `M117`: of the builder by its number, without a form of its own.
+    void explain_builder_code(AddressId id, double number) {
+        if (!is_passed_to_builder(tables_, id, number)) return;
+        const FunctionInfo& row = info(Function::MachineFunction);
+        lines_.push_back(std::string(row.name).append(": ").append(row.meaning));
+        for (const Form& form : tables_.forms)
+            if (form.is_by_number && is_builder_code(tables_, id, number)) explain_form(form);
     }
 
     /// `AC`, `IC`: around the value of a word.

@@ -5,6 +5,7 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
+#include "nc/builder_codes.h"
 #include "nc/load.h"
 
 namespace kadr::nc {
@@ -16,6 +17,7 @@ class Finisher {
     Finisher(DialectTables& tables, DiagnosticSink& sink) : tables_(tables), sink_(sink) {}
 
     bool finish() {
+        add_builder_form(tables_);
         index_forms();
         index_codes();
         index_slots();

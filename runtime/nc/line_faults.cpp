@@ -16,12 +16,6 @@ namespace kadr::nc {
 
 namespace {
 
-/// Whether codes of the address are the machine builder's as well; the control passes them on.
-bool is_for_builder(const DialectTables& tables, AddressId address) {
-    const auto& forms = tables.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
-    return !forms.empty() && tables.forms[forms[0]].words[0].address == address;
-}
-
 bool writes_data(Function function) {
     return function == Function::WorkOffsetData || function == Function::ToolOffsetData;
 }
@@ -226,7 +220,7 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             const std::string known = tables_.unsupported_words(word);
             out.row = known.empty() ? &diag::IsoUnknownCode : &diag::IsoNotSupported;
             out.arguments = {known.empty() ? word : known};
-            if (known.empty() && is_for_builder(tables_, lexed_->words[fault.word].address)) {
+            if (known.empty() && lexed_->words[fault.word].address == tables_.builder_address) {
                 out.row = &diag::IsoNotSupported;
                 out.arguments = {'`' + word + "` (a function of the machine's builder)"};
             }

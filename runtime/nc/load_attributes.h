@@ -22,6 +22,9 @@ using Names = std::vector<std::string_view>;
 /// An attribute that the shape of the file demands.
 const XmlAttribute& needed(const XmlElement& element, std::string_view name);
 
+/// `1..6` or `0`, whole numbers.
+bool read_range(std::string_view text, Constraint& out);
+
 /// Reads attributes. A `read_…` leaves `out` as it is when the attribute is not there or is wrong;
 /// what is wrong has then been reported, and `has_failed` says so.
 class Attributes {

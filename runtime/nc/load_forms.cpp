@@ -247,20 +247,6 @@ Names names_of(std::span<const Parameter> parameters) {
     return names;
 }
 
-/// `1..6` or `0`, whole numbers.
-bool read_range(std::string_view text, Constraint& out) {
-    const char* const end = text.data() + text.size();
-    int least = 0;
-    const auto first = std::from_chars(text.data(), end, least);
-    out.least = out.most = least;
-    if (first.ec != std::errc() || first.ptr == end) return first.ec == std::errc();
-    if (end - first.ptr < 3 || first.ptr[0] != '.' || first.ptr[1] != '.') return false;
-    int most = 0;
-    const auto second = std::from_chars(first.ptr + 2, end, most);
-    out.most = most;
-    return second.ec == std::errc() && second.ptr == end && least <= most;
-}
-
 }  // namespace
 
 /// Names of parameters.

@@ -142,6 +142,12 @@ void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes)
         out.clear();
         for (const XmlWord& word : words_of(*attribute)) out.push_back(word.text);
     };
+    if (const XmlAttribute* codes = element.find("builder_codes")) {
+        Constraint range;
+        if (codes->value == "none") rules.builder_codes = {};
+        else if (read_range(codes->value, range)) rules.builder_codes = {range.least, range.most};
+        else attributes.bad_value(*codes, "two whole numbers, `100..999`, or `none` are expected");
+    }
     attributes.read_number(element, "most_builder_code", rules.most_builder_code);
     read_words("spindle_words", rules.spindle_words);
     read_words("code_words", rules.code_words);

@@ -4,6 +4,7 @@
 #include <bitset>
 #include <cmath>
 
+#include "nc/builder_codes.h"
 #include "nc/number_text.h"
 
 namespace kadr::nc {
@@ -122,7 +123,8 @@ class Matcher {
             if (!word.has_value) return MatchFault{MatchFault::Kind::NoValue, i};
             if (!word.is_known) return MatchFault{MatchFault::Kind::CodeComputed, i};
             const Code* code = tables_.find_code(word.address, word.number);
-            if (code == nullptr && is_for_builder(word)) return take_for_builder(i);
+            if (code == nullptr && is_passed_to_builder(tables_, word.address, word.number))
+                return take_for_builder(i);
             if (code == nullptr) return MatchFault{MatchFault::Kind::UnknownCode, i};
             return take_form(i, code->forms);
         }
@@ -130,24 +132,6 @@ class Matcher {
         if (!word.is_known || tables_.code_index[word.address].empty()) return {};
         const Code* code = tables_.find_code(word.address, word.number);
         return code == nullptr ? Fault{} : take_form(i, code->forms);
-    }
-
-    /// `M123`: so many that no form names them; also a low one that the control leaves free, `M6`
-    /// of a lathe.
-    bool is_for_builder(const GivenWord& word) const {
-        const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
-        return !forms.empty() && tables_.forms[forms[0]].words[0].address == word.address &&
-               word.number >= 0 && word.number <= tables_.rules.most_builder_code &&
-               word.number == std::floor(word.number) && !is_program_call(word);
-    }
-
-    /// M98 and M99: the control has them, though no form of a block does.
-    bool is_program_call(const GivenWord& word) const {
-        const std::string& name = tables_.addresses[word.address].name;
-        return std::ranges::any_of(tables_.language.calls.calls, [&](const CallForm& call) {
-            return !call.is_name && !call.any_number && name.size() == 1 &&
-                   call.letter == name[0] && call.number == word.number;
-        });
     }
 
     Fault take_for_builder(std::size_t i) {

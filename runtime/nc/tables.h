@@ -162,6 +162,7 @@ struct Form {
     bool remembers = false;     // parameters that are left out keep their value
     bool is_verbatim = false;   // a line of the control's own language, letter by letter
     bool is_comment = false;    // stands between the comment signs
+    bool is_by_number = false;  // of all codes that are the builder's by their number
     bool feed_every_block = false;   // F has to be repeated in every block
     bool feed_by_radius = false;     // … and of an arc it is feed/radius
     bool feed_is_pitch = false;      // of a `thread` code: F is the pitch
@@ -226,6 +227,12 @@ struct ProgramFrame {
 /// What happens if a block says something twice.
 enum class Repeated : std::uint8_t { Alarm, LastWins };
 
+/// Codes from one number to another; none if there are none between.
+struct CodeRange {
+    double least = 0;
+    double most = -1;
+};
+
 struct Rules {
     Repeated address = Repeated::Alarm;
     Repeated group = Repeated::Alarm;
@@ -240,7 +247,8 @@ struct Rules {
     std::string modal_call;            // word that makes the cycle behind it modal; empty: none
     std::vector<std::string> spindle_words;  // that may name the spindle: `S1=500`, `SPOS[1]=90`
     std::vector<std::string> code_words;     // codes whose number cannot stand behind `=`
-    double most_builder_code = 0;  // M functions from 100 up to this one are the builder's
+    CodeRange builder_codes;       // M functions that are the builder's, unless a form has them
+    double most_builder_code = 0;  // … and up to this one where they are read
     int skip_levels = 10;          // `/0` … `/9`
     int default_skip = 0;          // what `/` alone means; the lowest level
     std::size_t max_line = 512;    // bytes, read
@@ -330,6 +338,7 @@ struct DialectTables {
     bool has_incremental_letters = false;  // distances have letters of their own; no code says it
     std::vector<Slot> slot_order;          // in which slots are written
     std::array<Function, kGroups> power_on{};
+    AddressId builder_address = kNoAddress;    // of the codes that are the builder's: M
     std::vector<FormId> verbatim_forms;        // in the order of the file
     std::vector<FormId> comment_forms;         // `(MSG,{text})`
     std::bitset<kFunctions> said_with_others;  // functions of forms that also set others

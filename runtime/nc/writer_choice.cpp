@@ -8,6 +8,7 @@
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"
 #include "nc/block_writer.h"
+#include "nc/builder_codes.h"
 #include "nc/frame_words.h"
 #include "nc/quoted.h"
 #include "nc/refusals.h"
@@ -79,6 +80,8 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
         const double value = argument(c.parameter, c.least);
         expect(c.parameter, value >= c.least && value <= c.most);
     }
+    if (form.is_by_number)
+        expect(0, is_builder_code(tables_, form.words[0].address, argument(0, 0)));
     misfit.parameters |= invocation.given & ~said;
     misfit.lacking = misfit.parameters & ~invocation.given;
     for (const Function needed : form.during) {

@@ -253,9 +253,24 @@ TEST_F(Warnings, DoNotMeetTheMFunctionsOfTheBuilder) {
             EXPECT_EQ(said("part.kadr", of(number), {"expand", "part.kadr", "-d", dialect}), "");
             const std::string text =
                 run_process({KADR_BINARY, "expand", "part.kadr", "-d", dialect}).out;
-            EXPECT_NE(text.find(std::string("M") + number), std::string::npos) << dialect << text;
+            const std::string word = std::string("M") + number;
+            EXPECT_NE(text.find(word), std::string::npos) << dialect << text;
+            EXPECT_EQ(said("part.nc", word + "\nM30\n", {"run", "part.nc", "-d", dialect}),
+                      "1:1 K5241");
+            const auto explained = run_process({KADR_BINARY, "dialect", "explain", dialect, word});
+            EXPECT_NE(explained.out.find("machine_function"), std::string::npos) << explained.err;
         }
     }
+    // M198 calls a program there.
+    EXPECT_EQ(said("part.kadr", of("198"), {"expand", "part.kadr", "-d", "fanuc"}), "1:15 K4201");
+    ASSERT_TRUE(
+        kadr::write_file_whole("own.xml",
+                               "<dialect name=\"own\" extends=\"fanuc\" title=\"t\" "
+                               "suffix=\"nc\"><rules builder_codes=\"200..299\"/>"
+                               "<unsupported words=\"M210\" meaning=\"a door\"/></dialect>"));
+    for (const auto& [number, wanted] :
+         {std::pair{"200", ""}, {"299", ""}, {"117", "1:15 K4201"}, {"210", "1:15 K4201"}})
+        EXPECT_EQ(said("part.kadr", of(number), {"expand", "part.kadr", "-d", "own.xml"}), wanted);
     EXPECT_EQ(said("part.kadr", of("29"), {"expand", "part.kadr", "-d", "fanuc"}), "1:15 K4201");
     const std::string err = run_process({KADR_BINARY, "expand", "part.kadr", "-d", "fanuc"}).err;
     EXPECT_NE(err.find("`M29` is `tap_rigid` on this control"), std::string::npos) << err;
