@@ -88,20 +88,40 @@ class Front {
         if (has_loop) front_.loop = number_at_end(at);
     }
 
-    /// `G98 L{from}`: the words of the pattern, then the label.
+    /// `G98 L{from}`, `O{from} SUB`: the words of the pattern and the label among them. A statement
+    /// that begins with the same word is told from the label by a word behind it, `O{from} CALL`,
+    /// or by more behind it than a label has, `SUB {from},{count}`.
     bool take_label_of(const StatementForm& form, std::size_t at) {
+        std::string_view label;
         for (const StatementToken& token : form.tokens) {
             at = words_.skip_blanks(at);
             if (token.kind == StatementToken::Kind::Hole) {
-                front_.label = label_at(line_, at);
-                front_.statement = Statement::Label;
-                return !front_.label.empty();
+                label = label_at(line_, at);
+                if (label.empty()) return false;
+                at = behind_label(label);
+                continue;
             }
             const Word word = words_.word_at(at);
             if (!words_.says_with_digits(word, token.text)) return false;
             at += words_.length_of(word, token.text);
         }
-        return false;
+        if (label.empty() || (has_rival(form) && !says_nothing_from(at))) return false;
+        front_.label = label;
+        front_.statement = Statement::Label;
+        return true;
+    }
+
+    std::size_t behind_label(std::string_view label) const {
+        const auto end = static_cast<std::size_t>(label.data() - line_.data()) + label.size();
+        const bool is_quoted = end < line_.size() && line_[end] == '"';
+        return end + (is_quoted ? 1 : 0);
+    }
+
+    bool has_rival(const StatementForm& label) const {
+        return std::ranges::any_of(language_.statements, [&](const StatementForm& other) {
+            return other.statement != Statement::Label &&
+                   other.tokens[0].text == label.tokens[0].text;
+        });
     }
 
     /// Whether comments and the sign of the block's end are all that follows.

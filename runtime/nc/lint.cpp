@@ -244,7 +244,8 @@ class SenseCheck {
         check_first_word(element, *form);
     }
 
-    /// Of a label and a call with one first word the search for the label finds the call.
+    /// Of a label and a call with one first word the search for the label finds the call, unless
+    /// what stands behind tells them apart.
     void check_first_word(const XmlElement& element, const StatementForm& form) {
         if (form.statement != Statement::Label) return;
         for (const StatementForm& other : tables_.language.statements) {
@@ -260,7 +261,8 @@ class SenseCheck {
         }
     }
 
-    /// A word or a sign of one pattern, at a place where the other has another one.
+    /// A word or a sign of one pattern, at a place where the other has another one; or a pattern
+    /// that goes on where the other one has ended.
     static bool is_told_apart(const StatementForm& a, const StatementForm& b) {
         const std::size_t both = std::min(a.tokens.size(), b.tokens.size());
         for (std::size_t i = 0; i < both; ++i) {
@@ -270,7 +272,8 @@ class SenseCheck {
                 one.kind != StatementToken::Kind::Hole && other.kind != StatementToken::Kind::Hole;
             if (has_text && one.text != other.text) return true;
         }
-        return false;
+        const StatementForm& longer = a.tokens.size() > both ? a : b;
+        return longer.tokens.size() > both && !longer.tokens[both].is_optional;
     }
 
     /// `O{n}` begins a program, `O{loop} WHILE …` would be a head for the reader.
