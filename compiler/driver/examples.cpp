@@ -106,7 +106,8 @@ void check_program(Session& session, const nc::Dialect& dialect, const nc::Examp
         .report(diag::DialectExampleMeans, example.gives_range)
         .arg(example.text)
         .arg(found)
-        .arg(example.gives);
+        .arg(example.gives)
+        .note(nc::first_difference(found, example.gives));
 }
 
 }  // namespace

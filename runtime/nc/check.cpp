@@ -72,6 +72,13 @@ struct Reading {
     std::string fault;
 };
 
+/// The message about a text, and of several lines the one that it is about.
+std::string fault_of(const Diagnostic& message, std::string_view text) {
+    const bool has_lines = text.find('\n') != std::string_view::npos;
+    if (!has_lines || !message.line) return message.message();
+    return message.message() + ", in line " + std::to_string(message.line->line);
+}
+
 Reading read(const Dialect& dialect, std::string_view text) {
     Reading reading;
     DiagnosticList messages;
@@ -84,7 +91,7 @@ Reading read(const Dialect& dialect, std::string_view text) {
             reading.blocks += with_names(dialect, describe(block));
         }
     }
-    if (!messages.all().empty()) reading.fault = messages.all()[0].message();
+    if (!messages.all().empty()) reading.fault = fault_of(messages.all()[0], text);
     return reading;
 }
 
@@ -108,6 +115,29 @@ bool is_same_meaning(std::string_view a, std::string_view b) {
         }
     }
     return a.empty() && b.empty();
+}
+
+/// Words of a meaning or of an outcome: `drill(to=-10, retract=2)` are three.
+std::vector<std::string_view> words_of_meaning(std::string_view line) {
+    constexpr std::string_view kBetween = " (,)|";
+    std::vector<std::string_view> words;
+    while (true) {
+        const std::size_t first = line.find_first_not_of(kBetween);
+        if (first == std::string_view::npos) return words;
+        const std::size_t end = std::min(line.find_first_of(kBetween, first), line.size());
+        words.push_back(line.substr(first, end - first));
+        line.remove_prefix(end);
+    }
+}
+
+/// The line with this number, from 0, and how many there are.
+std::string_view line_of(std::string_view text, std::size_t number) {
+    for (; number > 0; --number) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return {};
+        text.remove_prefix(end + 1);
+    }
+    return text.substr(0, text.find('\n'));
 }
 
 /// A text of several lines in one.
@@ -142,6 +172,26 @@ void note_refusals(const std::vector<Refusal>& refusals, DiagnosticBuilder& mess
 }
 
 }  // namespace
+
+std::string first_difference(std::string_view found, std::string_view said) {
+    const auto lines = static_cast<std::size_t>(
+        std::max(std::ranges::count(found, '\n'), std::ranges::count(said, '\n')));
+    for (std::size_t i = 0; i <= lines; ++i) {
+        const std::string_view line = line_of(found, i);
+        const std::string_view other = line_of(said, i);
+        if (is_same_meaning(line, other)) continue;
+        const std::vector<std::string_view> words = words_of_meaning(line);
+        const std::vector<std::string_view> others = words_of_meaning(other);
+        std::size_t k = 0;
+        while (k < words.size() && k < others.size() && is_same_meaning(words[k], others[k])) ++k;
+        const auto shown = [&](const std::vector<std::string_view>& all) {
+            return k < all.size() ? '`' + std::string(all[k]) + '`' : std::string("nothing more");
+        };
+        std::string text = lines > 0 ? "in block " + std::to_string(i + 1) + ": " : "";
+        return text + "it is " + shown(words) + " where the example says " + shown(others);
+    }
+    return {};
+}
 
 void check_frame(const Dialect& dialect, DiagnosticSink& sink) {
     for (const bool is_inch : {false, true}) {
@@ -182,6 +232,9 @@ void check_example(const Dialect& dialect, const Example& example, std::span<con
             DiagnosticBuilder message =
                 sink.report(diag::DialectExampleWritten, example.text_range);
             message.arg(one_line(text)).arg(one_line(example.text));
+            if (text.find('\n') != std::string::npos)  // both stand in the message
+                message.note(
+                    first_difference(without_returns(text), without_returns(example.text)));
             note_refusals(refusals, message);
             return;
         }
@@ -202,7 +255,8 @@ void check_example(const Dialect& dialect, const Example& example, std::span<con
                     example.block.empty() ? example.text_range : example.block_range)
             .arg(one_line(example.text))
             .arg(one_line(reading.blocks))
-            .arg(one_line(meant));
+            .arg(one_line(meant))
+            .note(first_difference(reading.blocks, meant));
     }
 }
 

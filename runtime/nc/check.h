@@ -26,6 +26,9 @@ struct InspectedDialect {
 InspectedDialect inspect_dialect(const std::string& name_or_file, const SearchPath& folders,
                                  Sources& sources, DiagnosticSink& sink);
 
+/// Where two meanings, a block a line, or two outcomes part: the block and the first word in it.
+std::string first_difference(std::string_view found, std::string_view said);
+
 /// Writes the frame of a program, in mm and in inches, and reads it again. An alarm is reported at
 /// the file's `<program>`.
 void check_frame(const Dialect& dialect, DiagnosticSink& sink);
