@@ -290,7 +290,7 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
     if (frame->goes_on != next) frame->here = frame->goes_on;
     if (!frame->repeats.empty()) advance();
     if (done == Done::Block) {
-        deliver(out, text, number, false);
+        deliver(out, lines.shown(text, number), number, false);
         if (out.function_count != 0) follow_shape(out, text, {{offset, number}, next});
         if (modal_shape) follow_modal_shape(out);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "nc/head_words.h"
+
 namespace kadr::nc {
 
 namespace {
@@ -13,6 +15,11 @@ constexpr std::size_t kChunk = 1024;  // lines, at least, that are forgotten tog
 template <typename IsWanted>
 Span find_word(const DialectTables& tables, std::string_view line, IsWanted is_wanted) {
     ControlLine compiled;
+    // The words behind the head of a program are where they stand, the head itself is none.
+    std::string words(line);
+    const std::size_t head = words_behind_head(tables, line);
+    if (head != std::string_view::npos) std::fill_n(words.begin(), head, ' ');
+    line = words;
     if (tables.language.is_present) {
         (void)compile_line(tables, SymbolTable(), line, compiled);
     } else {

@@ -91,7 +91,8 @@ std::string_view LineReader::without_head(std::string_view line) {
     const std::size_t begin = line.find_first_not_of(" \t");
     if (words == std::string_view::npos || has_wrong_number(line.substr(begin))) return line;
     note_program(line);
-    head_line_ = line;
+    head_line_ = head_text_ = line;
+    head_number_ = line_number_;
     std::fill_n(head_line_.begin(), words, ' ');
     return head_line_;
 }

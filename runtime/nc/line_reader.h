@@ -152,7 +152,11 @@ class LineReader {
     /// The number of the last M function; 0: none was said.
     double machine_code() const { return machine_code_; }
     LinePlace place(std::string_view line, std::uint64_t number, const Span& span) const {
-        return place(text_->name, line, number, span);
+        return place(text_->name, shown(line, number), number, span);
+    }
+    /// The line as it stands in the text: what without_head gives has blanks for the head.
+    std::string_view shown(std::string_view line, std::uint64_t number) const {
+        return number == head_number_ && line == head_line_ ? head_text_ : line;
     }
     static LinePlace place(const std::string& file, std::string_view line, std::uint64_t number,
                            const Span& span);
@@ -217,9 +221,11 @@ class LineReader {
     TextUnits units_;
     std::array<double, static_cast<std::size_t>(Dimension::Text) + 1> slot_scales_{};
     bool feed_stays_metric_ = false;
-    bool feed_is_time_ = false;   // … of a block, s
-    bool feed_is_pitch_ = false;  // of threads, with the digits of a pitch
-    std::string head_line_;       // what without_head gives
+    bool feed_is_time_ = false;                      // … of a block, s
+    bool feed_is_pitch_ = false;                     // of threads, with the digits of a pitch
+    std::string head_line_;                          // what without_head gives …
+    std::string head_text_;                          // … of this line …
+    std::uint64_t head_number_ = ~std::uint64_t{0};  // … and its number
     std::uint64_t line_number_ = 0;
     bool failed_ = false;
     std::uint64_t first_fault_ = 0;
