@@ -245,7 +245,8 @@ std::optional<std::vector<interp::ProgramInputs>> machine_inputs(Session& sessio
             session.mark_usage();
             return std::nullopt;
         }
-        const std::string text = *std::move(source);
+        std::string text = *std::move(source);
+        end_lines_with_feeds(text);
         std::size_t fault = 0;
         auto lines = lines_of_variables(text, fault);
         if (!lines) {

@@ -224,8 +224,8 @@ std::optional<RunEvents> read_events(Session& session, const std::string& file) 
                       session.files());
         return std::nullopt;
     }
-    const std::string all = *std::move(text);
-    const FileId id = session.sources().add(file, all);
+    const FileId id = session.sources().add(file, *std::move(text));
+    const std::string_view all = session.sources().text(id);
     RunEvents events;
     bool is_good = true;
     std::size_t begin = 0;

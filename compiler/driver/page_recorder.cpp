@@ -58,8 +58,12 @@ void PageRecorder::read_texts() {
         const PageTexts::Text& text = texts_.all()[i];
         if (text.is_kadr || !text.text.empty()) continue;
         const auto index = static_cast<std::int32_t>(i);
-        if (text.name == execution_->text_name() && !made_.empty()) texts_.append(index, made_);
-        else if (const auto read = read_file(text.name)) texts_.append(index, *read);
+        if (text.name == execution_->text_name() && !made_.empty()) {
+            texts_.append(index, made_);
+        } else if (auto read = read_file(text.name)) {
+            end_lines_with_feeds(*read);
+            texts_.append(index, *read);
+        }
     }
 }
 

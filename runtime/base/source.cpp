@@ -13,6 +13,7 @@ namespace kadr {
 
 FileId Sources::add(std::string name, std::string text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    end_lines_with_feeds(text);
     File file{std::move(name), std::move(text), {0}};
     for (std::size_t i = 0; i < file.text.size(); ++i) {
         if (file.text[i] == '\n') file.line_starts.push_back(static_cast<std::uint32_t>(i + 1));

@@ -136,6 +136,25 @@ std::string lower_letters(std::string_view text) {
     });
 }
 
+LineEnds line_ends(std::string_view text) {
+    const std::size_t end = text.find_first_of("\r\n");
+    if (end == std::string_view::npos) return LineEnds::Unknown;
+    // Several CR in front of an LF are what is left of a text that went through many hands.
+    const std::size_t behind = text.find_first_not_of('\r', end);
+    if (behind == std::string_view::npos) return LineEnds::Unknown;
+    return text[behind] == '\n' ? LineEnds::Feeds : LineEnds::Returns;
+}
+
+void end_lines_with_feeds(std::string& text) {
+    const LineEnds ends = line_ends(text);
+    const bool is_one_line = ends == LineEnds::Unknown && text.ends_with('\r');
+    if (ends != LineEnds::Returns && !is_one_line) return;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_pair = i + 1 < text.size() && text[i + 1] == '\n';
+        if (text[i] == '\r' && !is_pair) text[i] = '\n';
+    }
+}
+
 std::optional<std::string> read_file(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return std::nullopt;

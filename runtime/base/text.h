@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,16 @@ std::string utf8_text(std::string_view bytes);
 /// Letters of Latin-1 and of the Cyrillic alphabet in the other case; other characters stay.
 std::string upper_letters(std::string_view text);
 std::string lower_letters(std::string_view text);
+
+/// How the lines of a text end, as far as it is there.
+enum class LineEnds : std::uint8_t {
+    Unknown,  // no line has ended yet, or a CR is its last character
+    Feeds,    // LF, or CR LF
+    Returns,  // CR alone, as old editors and some controls write it
+};
+LineEnds line_ends(std::string_view text);
+/// A text whose lines end with CR alone gets LF for it; every character stays in its place.
+void end_lines_with_feeds(std::string& text);
 
 /// The whole file as bytes, or nothing if it cannot be read (missing, a folder, no permission).
 std::optional<std::string> read_file(const std::string& path);

@@ -24,6 +24,27 @@ bool LineSource::next_at_edge(std::string_view& line, bool& is_too_long) {
     return true;
 }
 
+/// The next piece, and how lines end if it shows that. Of CR alone every one becomes the LF that
+/// the rest of Kadr looks for, those at the end of the piece before among them.
+void LineSource::next_piece() {
+    base_ += piece_.size();
+    piece_ = source_.next();
+    at_ = 0;
+    std::size_t waiting = 0;  // CR of which it was open whether they end lines
+    if (ends_ == LineEnds::Unknown) {
+        const std::size_t text = carry_.find_last_not_of('\r');
+        waiting = carry_.size() - (text == std::string::npos ? 0 : text + 1);
+        ends_ = line_ends(std::string(waiting, '\r').append(piece_));
+    }
+    if (ends_ != LineEnds::Returns) return;
+    carry_.resize(carry_.size() - waiting);
+    base_ -= waiting;
+    with_feeds_.assign(waiting, '\n');
+    with_feeds_ += piece_;
+    std::ranges::replace(with_feeds_, '\r', '\n');
+    piece_ = with_feeds_;
+}
+
 bool LineSource::take(std::string_view& line, bool& is_too_long) {
     carry_.clear();
     is_too_long = false;
@@ -36,9 +57,7 @@ bool LineSource::take(std::string_view& line, bool& is_too_long) {
             return true;
         }
         if (at_ == piece_.size()) {
-            base_ += piece_.size();
-            piece_ = source_.next();
-            at_ = 0;
+            next_piece();
             if (piece_.empty()) {
                 if (carry_.empty() && !is_too_long) return false;
                 line = carry_;

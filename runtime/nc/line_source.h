@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "nc/phrases.h"
 #include "nc/reader.h"
 
@@ -60,6 +61,7 @@ class LineSource {
   private:
     bool next_at_edge(std::string_view& line, bool& is_too_long);
     bool take(std::string_view& line, bool& is_too_long);
+    void next_piece();
 
     TextSource& source_;
     const PhraseText* phrases_;  // the source, if it is one
@@ -69,6 +71,8 @@ class LineSource {
     std::size_t at_ = 0;
     std::string carry_;
     bool is_endless_ = false;  // a line was so long that nothing behind it is looked for
+    LineEnds ends_ = LineEnds::Unknown;
+    std::string with_feeds_;  // the piece, of a text whose lines end with CR alone
 };
 
 /// A text that cannot be read again, kept so that it can; until it is too long.

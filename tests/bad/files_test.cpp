@@ -334,6 +334,54 @@ TEST_F(Files, WithOldLineEndsAreTables) {
     EXPECT_NE(expand(reading("own/rows.csv")).out.find("X100"), std::string::npos);
 }
 
+/// Programs, events and machines whose lines end with CR alone say what they say with LF, and
+/// messages name the same lines.
+TEST_F(Files, WithOldLineEndsAreTexts) {
+    struct Text {
+        const char* name;
+        std::string text;
+        std::vector<std::string> arguments;
+        const char* said;
+    };
+    const std::string machine = read_file(KADR_ROOT "/runtime/machines/mill.xml").value_or("");
+    const std::string part = file("parts/part.nc");
+    for (const Text& row :
+         {Text{"parts/old.kadr",
+               "// holes\nprogram p() {\n  G0 X1;  // one\n  G0 X=wide;\n  M30;\n}\n",
+               {"expand", file("parts/old.kadr")},
+               "old.kadr:4:8"},
+          {"parts/old.nc",
+           "%\nO0001\n\nG0 X1.\nG1 X2 F100 G777\nM30\n%\n",
+           {"run", file("parts/old.nc"), "-d", "fanuc"},
+           "old.nc:5:12"},
+          {"parts/events.txt",
+           "1s feed hold\n2s cycle start\nnow\n",
+           {"run", part, "-d", "fanuc", "--events", file("parts/events.txt")},
+           "events.txt:3:1"},
+          {"parts/values.txt",
+           "%\n#500=12.5\n#501=3\n%\n",
+           {"run", part, "-d", "fanuc", "--variables-in", file("parts/values.txt"), "--variables",
+            "-"},
+           ""},
+          {"parts/mill.xml",
+           machine,
+           {"run", part, "-d", "fanuc", "-m", file("parts/mill.xml")},
+           ""}}) {
+        SCOPED_TRACE(row.name);
+        save("parts/part.nc", "%\nO0001\nT1 M6\nS1000 M3\nG1 X20. F100\nM30\n%\n");
+        save(row.name, row.text);
+        const ProcessResult wanted = kadr(row.arguments);
+        EXPECT_NE(wanted.err.find(row.said), std::string::npos) << wanted.err;
+        std::string old = row.text;
+        std::ranges::replace(old, '\n', '\r');
+        save(row.name, old);
+        const ProcessResult result = kadr(row.arguments);
+        EXPECT_EQ(result.status, wanted.status);
+        EXPECT_EQ(result.out, wanted.out);
+        EXPECT_EQ(result.err, wanted.err);
+    }
+}
+
 TEST_F(Files, ValuesOfOptionsAreReadOrRefused) {
     const std::string program = "program p(length r = 1mm) { G0 X=r; M30; }\n";
     for (const char* value : {"r=1e2", "r=1E+2mm", "r=+1e2", "r=1000e-1mm"}) {

@@ -365,20 +365,24 @@ class Pieces final : public TextSource {
 };
 
 TEST(Reader, PiecesMayEndAnywhere) {
-    const std::string text = "N10 G1 X1.5 F200\r\nN20 X2 ; two\n\nN30 G4 F1.5\nN40 X3";
-    for (std::size_t size = 1; size < text.size() + 1; ++size) {
-        Pieces pieces(text, size);
-        DiagnosticList sink;
-        Reader reader(shipped("sinumerik"), pieces, "part.mpf", sink);
-        std::vector<Block> blocks(10);
-        ASSERT_EQ(reader.pull(blocks), 4u) << size;
-        EXPECT_EQ(describe(blocks[0]), "N10 line X1.5 F200");
-        EXPECT_EQ(describe(blocks[1]), "N20 X2 ; two");
-        EXPECT_EQ(describe(blocks[3]), "N40 X3");
-        EXPECT_EQ(blocks[3].line, 5u);
-        EXPECT_EQ(reader.pull(blocks), 0u);
-        EXPECT_EQ(reader.lines(), 5u);
-    }
+    const std::string feeds = "N10 G1 X1.5 F200\r\nN20 X2 ; two\n\nN30 G4 F1.5\nN40 X3";
+    const std::string returns = "N10 G1 X1.5 F200\rN20 X2 ; two\r\rN30 G4 F1.5\rN40 X3";
+    const std::string empty_first = "N10 G1 X1.5 F200\r\rN20 X2 ; two\rN30 G4 F1.5\rN40 X3";
+    for (const std::string& text : {feeds, returns, empty_first})
+        for (std::size_t size = 1; size < text.size() + 1; ++size) {
+            SCOPED_TRACE(text);
+            Pieces pieces(text, size);
+            DiagnosticList sink;
+            Reader reader(shipped("sinumerik"), pieces, "part.mpf", sink);
+            std::vector<Block> blocks(10);
+            ASSERT_EQ(reader.pull(blocks), 4u) << size;
+            EXPECT_EQ(describe(blocks[0]), "N10 line X1.5 F200");
+            EXPECT_EQ(describe(blocks[1]), "N20 X2 ; two");
+            EXPECT_EQ(describe(blocks[3]), "N40 X3");
+            EXPECT_EQ(blocks[3].line, 5u);
+            EXPECT_EQ(reader.pull(blocks), 0u);
+            EXPECT_EQ(reader.lines(), 5u);
+        }
 }
 
 TEST(Reader, LongLinesAreAnAlarmAndNotMemory) {
