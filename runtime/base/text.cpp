@@ -10,6 +10,7 @@
 
 #include <unistd.h>
 
+#include "base/files.h"
 #include "base/utf8.h"
 
 namespace kadr {
@@ -163,10 +164,9 @@ std::optional<std::string> read_file(const std::string& path) {
     // In pieces: what is read may be no file with a size.
     std::string text;
     constexpr std::size_t kPiece = std::size_t{1} << 16;
-    constexpr std::size_t kMost = std::size_t{256} << 20;  // a device may have no end
     while (in) {
         const std::size_t before = text.size();
-        if (before > kMost) return std::nullopt;
+        if (before > Files::kMostBytes) return std::nullopt;  // a device may have no end
         text.resize(before + kPiece);
         in.read(text.data() + before, kPiece);
         text.resize(before + static_cast<std::size_t>(in.gcount()));
