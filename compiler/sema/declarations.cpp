@@ -608,7 +608,11 @@ void Checker::check_function(std::uint32_t index) {
         FunctionCode& curve = code_->functions[index + 1];
         curve.end = emit_.here();
         curve.registers = emit_.registers_used();
-        report_overflow(function.name, function.range);
+        // The function of the points has all parameters of that of the limits, one more and three
+        // coordinates: where these find no room it says so for both.
+        constexpr std::uint32_t kMoreOfPoints = 4;
+        if (!function.is_limits || function.parameter_slots + kMoreOfPoints <= kMostRegisters)
+            report_overflow(function.name, function.range);
         function_ = nullptr;
         return;
     }

@@ -446,6 +446,10 @@ TEST(Mistakes, ValuesThatAreTooLarge) {
               std::vector<std::string>{"46:9 K2622"});
     EXPECT_TRUE(
         has(large + "void f(level15 a, level15 b) { }\nprogram p() { M30; }", "16:6 K2220"));
+    EXPECT_EQ(check(large + "curve c(level15 a, level15 b) over real u = 0 .. 1 { x = u*1mm; "
+                            "y = 0mm; }\nprogram p() { M30; }")
+                  .messages,
+              std::vector<std::string>{"16:7 K2220"});
     std::string members = "struct many {";
     for (int i = 0; i < 65540; ++i) members += " int a" + std::to_string(i) + ";";
     EXPECT_EQ(check(members + " }\nprogram p() { many x; M30; }").messages,
