@@ -79,6 +79,7 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
     }
     if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) {
         check_tool(block);
+        if (tool_.current != dangers_.cut_tool) watch_missing_length(block);
         if (is_new_feed()) [[unlikely]]
             watch_feed(block);
         return true;

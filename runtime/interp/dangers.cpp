@@ -101,6 +101,8 @@ void Executor::watch_length(const Block& block, Axis axis) {
         report(diag::IncrementTakesLength, block, word)
             .arg(tool_.current != 0 ? tool_.current : ToolOffsets::tool_of(number));
     const bool is_by_number = tool_.source == Tool::Source::Offset && number != 0;
+    dangers_.says_lengths |= is_by_number;
+    if (is_by_number && is_lathe_) watch_turret_offset(block, number);
     if (!is_by_number || tool_.current == 0 || number == tool_.current || is_lathe_) return;
     Function said = Function::None;
     for (const Function own :
@@ -110,6 +112,29 @@ void Executor::watch_length(const Block& block, Axis axis) {
                             : report(diag::OtherToolsLength, block))
         .arg(number)
         .arg(tool_.current);
+}
+
+/// The first cut of a tool, in a program that has called lengths of others by their numbers: one
+/// that calls none at all has them in its work offsets.
+void Executor::watch_missing_length(const Block& block) {
+    if (contour_ || cycle_.blocks) return;
+    dangers_.cut_tool = tool_.current;
+    const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
+    if (has_length || tool_.current == 0 || is_lathe_ || !dangers_.says_lengths) return;
+    report(diag::LengthForgotten, block).arg(tool_.current);
+}
+
+/// T0204: on a turret a tool has several offsets, but not that of another tool.
+void Executor::watch_turret_offset(const Block& block, std::int64_t number) {
+    auto& own = dangers_.own_offsets;
+    const auto is_of = [&](std::int64_t tool) { return std::ranges::find(own, tool) != own.end(); };
+    if (number == tool_.current && !is_of(number)) own.push_back(number);
+    const bool is_other_tool =
+        is_of(number) || std::ranges::any_of(machine_.tools, [&](const auto& tool) {
+            return tool.number == number;
+        });
+    if (tool_.current == 0 || number == tool_.current || !is_other_tool) return;
+    report(diag::OtherToolsOffset, block).arg(number).arg(tool_.current);
 }
 
 /// The radius of an offset is about to act beside a contour. Shops number the offsets of radii as
@@ -131,6 +156,29 @@ void Executor::watch_radius(const Block& block, std::int64_t number) {
         .arg(tool_.current);
 }
 
+/// How far the tip stands below the end of the last rapid, mm; 0 where there was none.
+double Executor::below_retract() const {
+    if (!dangers_.has_rapid_end) return 0;
+    const auto axis = static_cast<Eigen::Index>(index(path::axes_of(modal_.plane).normal));
+    return dangers_.rapid_end[axis] - position_.base[static_cast<std::size_t>(axis)];
+}
+
+/// The spindle is about to stop. Of a lathe its tool stands beside the part; a cycle knows what it
+/// does, and a tool that has gone straight down bores or taps, where the stop belongs to the work.
+void Executor::watch_spindle_stop(const Block& block) {
+    const bool turns =
+        spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
+    const bool is_in_cut = dangers_.has_moved && !dangers_.is_at_rapid && !is_lathe_;
+    if (!turns || !is_in_cut || contour_ || cycle_.blocks || is_transformed()) return;
+    const double below = below_retract();
+    const Vec3 way =
+        Vec3(position_.base[0], position_.base[1], position_.base[2]) - dangers_.rapid_end;
+    const double aside = std::sqrt(std::max(0.0, way.squaredNorm() - below * below));
+    if (below <= danger::kRetractSlack || aside <= danger::kRetractSlack) return;
+    report(diag::SpindleStopsInCut, block, Function::SpindleStop)
+        .arg(format_shortest(round_to(below, kShownDecimals)));
+}
+
 /// Another tool is about to come.
 void Executor::watch_change(const Block& block) {
     if (!dangers_.has_moved || dangers_.is_at_rapid || contour_ || is_transformed()) return;
@@ -138,10 +186,8 @@ void Executor::watch_change(const Block& block) {
         report(diag::ChangeInCut, block).arg("where the last cut has ended");
         return;
     }
-    const auto axis = static_cast<Eigen::Index>(index(path::axes_of(modal_.plane).normal));
-    const double height = position_.base[static_cast<std::size_t>(axis)];
-    const double below = dangers_.rapid_end[axis] - height;
-    if (!dangers_.has_rapid_end || below <= danger::kRetractSlack) return;
+    const double below = below_retract();
+    if (below <= danger::kRetractSlack) return;
     report(diag::ChangeInCut, block)
         .arg("in the cut, " + format_shortest(round_to(below, kShownDecimals)) +
              " mm below the last retract");

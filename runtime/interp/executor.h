@@ -653,7 +653,11 @@ class Executor {
     void watch_feed(const nc::Block& block);
     void watch_cutting_speed(const nc::Block& block, double from, double to);
     void watch_length(const nc::Block& block, Axis axis);
+    void watch_missing_length(const nc::Block& block);
+    void watch_turret_offset(const nc::Block& block, std::int64_t number);
+    double below_retract() const;
     void watch_change(const nc::Block& block);
+    void watch_spindle_stop(const nc::Block& block);
     void watch_radius(const nc::Block& block, std::int64_t number);
 
     // cycles.cpp

@@ -627,6 +627,7 @@ void Executor::act_after_motion(const Block& block, const Actions& actions) {
 
 void Executor::stop_spindle_and_coolant(const Block& block, const Actions& actions) {
     if (actions.spindle == Function::SpindleStop) {
+        watch_spindle_stop(block);
         spindle_.mode = SpindleMode::Stop;
         update_spindle(block);
     }

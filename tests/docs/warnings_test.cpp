@@ -77,7 +77,10 @@ TEST_F(Warnings, StandAtTheStatementOfTheProgram) {
         {"G43 H4 Z3;", "3:1 K5973"},
         {"F100; G1 Z-5; tool(2);", "3:15 K5975"},
         {"tool(2); G91; G0 Z-20;", "3:15 K5976"},
+        {"F100; G1 X9 Z-5; M5;", "3:18 K5981"},
         // What is right says nothing.
+        {"G1 X9 Z-2 F100; G0 Z5; M5;", ""},
+        {"G1 Z-2 F100; M5;", ""},
         {"G95; G1 Z-20 F0.15;", ""},
         {"G1 Z-2 F100; G0 Z5; tool(2); G0 Z5;", ""},
     };
