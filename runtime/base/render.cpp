@@ -5,6 +5,7 @@
 
 #include "base/printable.h"
 #include "base/text.h"
+#include "base/unicode.h"
 
 namespace kadr {
 
@@ -107,12 +108,14 @@ void append_line(std::string& out, const LinePlace& place, std::string_view colo
     out += '\n';
     out.append(std::max<std::size_t>(4, number.size()), ' ');
     out += " | ";
-    const std::size_t offset = count_code_points(text.substr(0, std::min(before, text.size())));
-    const std::size_t rest = count_code_points(text) - std::min(offset, count_code_points(text));
-    out.append(offset, ' ');
+    before = std::min(before, text.size());
+    const std::string_view marked = text.substr(before);
+    const std::size_t width =
+        display_width(marked.substr(0, byte_of_character(marked, place.length)));
+    out.append(display_width(text.substr(0, before)), ' ');
     out += color;
     out += '^';
-    out.append(std::min<std::size_t>(place.length, std::max<std::size_t>(1, rest)) - 1, '~');
+    out.append(std::max<std::size_t>(1, width) - 1, '~');
     if (!color.empty()) out += "\033[0m";
     out += '\n';
 }
@@ -208,16 +211,48 @@ std::string json_string(std::string_view text) {
     return out + '"';
 }
 
+namespace {
+
+void append_end(std::string& out, std::uint32_t line, std::uint32_t column) {
+    out += ",\"end_line\":" + std::to_string(line);
+    out += ",\"end_column\":" + std::to_string(column);
+}
+
+void append_begin(std::string& out, const LinePlace& place) {
+    out += "\"file\":" + json_string(place.file);
+    if (place.line == 0) return;
+    out += ",\"line\":" + std::to_string(place.line);
+    out += ",\"column\":" + std::to_string(place.column);
+}
+
+/// What is marked: of a place where something is missing, the character behind it.
+void append_position(std::string& out, const std::optional<LinePlace>& line,
+                     const SourceRange& range, const Sources& sources) {
+    const LinePlace place = line ? *line : resolve(range, sources);
+    append_begin(out, place);
+    if (place.line == 0) return;
+    if (!line && range.end > range.begin) {
+        const LineColumn end = sources.locate(range.file, range.end);
+        append_end(out, end.line, end.column);
+    } else {
+        append_end(out, place.line, place.column + place.length);
+    }
+}
+
+/// What is replaced: of an insertion nothing. A fix in words alone has neither place nor text.
+void append_edit(std::string& out, const Diagnostic::Fix& fix, const Sources& sources) {
+    if (!fix.range.file.is_valid()) return;
+    append_begin(out, resolve(fix.range, sources));
+    const LineColumn end = sources.locate(fix.range.file, fix.range.end);
+    append_end(out, end.line, end.column);
+    out += ",\"replacement\":" + json_string(fix.replacement) + ',';
+}
+
+}  // namespace
+
 std::string render_json(const Diagnostic& diagnostic, const Sources& sources) {
-    const auto append_position = [](std::string& out, const LinePlace& place) {
-        out += "\"file\":" + json_string(place.file);
-        if (place.line == 0) return;
-        out += ",\"line\":" + std::to_string(place.line);
-        out += ",\"column\":" + std::to_string(place.column);
-        out += ",\"end_column\":" + std::to_string(place.column + place.length);
-    };
     std::string out = "{";
-    append_position(out, place_of(diagnostic, sources));
+    append_position(out, diagnostic.line, diagnostic.range, sources);
     out += ",\"severity\":" + json_string(severity_name(diagnostic.severity));
     out += ",\"code\":" + json_string(diagnostic.row->code);
     if (!diagnostic.alarm_number.empty()) {
@@ -229,16 +264,15 @@ std::string render_json(const Diagnostic& diagnostic, const Sources& sources) {
     for (const Diagnostic::Note& note : diagnostic.notes) {
         if (&note != &diagnostic.notes.front()) out += ',';
         out += '{';
-        append_position(out, note.line ? *note.line : resolve(note.range, sources));
+        append_position(out, note.line, note.range, sources);
         out += ",\"text\":" + json_string(shortened(note.text, kMostText)) + '}';
     }
     out += "],\"fixes\":[";
     for (const Diagnostic::Fix& fix : diagnostic.fixes) {
         if (&fix != &diagnostic.fixes.front()) out += ',';
         out += '{';
-        append_position(out, resolve(fix.range, sources));
-        out += ",\"replacement\":" + json_string(fix.replacement);
-        out += ",\"text\":" + json_string(shortened(fix.text, kMostText)) + '}';
+        append_edit(out, fix, sources);
+        out += "\"text\":" + json_string(shortened(fix.text, kMostText)) + '}';
     }
     return out + "]}";
 }

@@ -49,13 +49,48 @@ TEST(Render, LongLinesAreShownAroundTheCaret) {
     EXPECT_NE(kadr::render_text(f.list.all()[0], f.sources).find("XXX?YYY"), std::string::npos);
 }
 
+/// The column of the caret under the letter `x` of a line.
+std::size_t caret_under_x(const std::string& line) {
+    Fixture f;
+    const kadr::FileId file = f.sources.add("wide.kadr", line);
+    const auto at = static_cast<std::uint32_t>(line.find('x'));
+    f.list.report(kadr::diag::FileUnreadable, kadr::SourceRange{file, at, at + 1});
+    const std::string text = kadr::render_text(f.list.all()[0], f.sources);
+    const std::size_t mark = text.rfind('\n', text.find('^'));
+    return text.find('^') - mark - std::string_view("\n     | ").size();
+}
+
+// A mark on a letter takes no column, a letter of East Asia two, a tab is shown as one blank.
+TEST(Render, CaretStandsBehindWideLetters) {
+    EXPECT_EQ(caret_under_x("abx"), 2u);
+    EXPECT_EQ(caret_under_x("\tx"), 1u);
+    EXPECT_EQ(caret_under_x("\xE6\x97\xA5\xE6\x9C\xACx"), 4u);
+    EXPECT_EQ(caret_under_x("e\xCC\x81x"), 1u);
+    EXPECT_EQ(caret_under_x("\xC3\xA9x"), 1u);
+}
+
+// A fix that inserts replaces nothing; one in words has no place.
+TEST(Render, JsonTellsEditsFromWords) {
+    Fixture f;
+    const kadr::SourceRange word = f.word();
+    f.list.report(kadr::diag::FileUnreadable, word)
+        .fix({word.file, word.begin, word.begin}, "=", "insert")
+        .fix("think");
+    const std::string json = kadr::render_json(f.list.all()[0], f.sources);
+    EXPECT_NE(json.find("\"fixes\":[{\"file\":\"part.kadr\",\"line\":2,\"column\":6,\"end_line\":2,"
+                        "\"end_column\":6,\"replacement\":\"=\",\"text\":\"insert\"},"
+                        "{\"text\":\"think\"}]"),
+              std::string::npos)
+        << json;
+}
+
 TEST(Render, JsonIsOneObjectALine) {
     Fixture f;
     f.list.report(kadr::diag::FileUnreadable, f.word()).arg("a\"b");
-    EXPECT_EQ(
-        kadr::render_json(f.list.all()[0], f.sources),
-        "{\"file\":\"part.kadr\",\"line\":2,\"column\":6,\"end_column\":12,\"severity\":\"error\","
-        "\"code\":\"K9001\",\"message\":\"cannot read `a\\\"b`\",\"notes\":[],\"fixes\":[]}");
+    EXPECT_EQ(kadr::render_json(f.list.all()[0], f.sources),
+              "{\"file\":\"part.kadr\",\"line\":2,\"column\":6,\"end_line\":2,\"end_column\":12,"
+              "\"severity\":\"error\","
+              "\"code\":\"K9001\",\"message\":\"cannot read `a\\\"b`\",\"notes\":[],\"fixes\":[]}");
     EXPECT_EQ(kadr::json_string("a\xFF\n\x01"), "\"a\xEF\xBF\xBD\\n\\u0001\"");
 }
 

@@ -162,7 +162,11 @@ void Observation::add_message(const json& message) {
     std::size_t number = program_.lines.size();
     if (is_own(place)) {
         const std::size_t column = place["column"];
-        const std::size_t end = place["end_column"];
+        // Of a place of several lines the first is marked.
+        const std::string& shown = program_.lines.at(program_.own_line(place["line"]) - 1);
+        const std::size_t end = place["end_line"] == place["line"]
+                                    ? place["end_column"].get<std::size_t>()
+                                    : kadr::count_code_points(shown) + 1;
         if (column > 3)
             line += std::string(column - 4, ' ') + '^' + std::string(end - column - 1, '~');
         number = program_.own_line(place["line"]);

@@ -37,8 +37,13 @@ const std::map<std::string, std::set<std::string>> kFloors = {
 
 /// Libraries that only the named files may see.
 const std::map<std::string, std::set<std::string>> kDoors = {
-    {"antlr4-runtime", {"syntax"}},  {"KadrLexer", {"syntax"}}, {"KadrParser", {"syntax"}},
-    {"pugixml", {"base"}},           {"CLI/", {"cli"}},         {"histedit", {"repl"}},
+    {"antlr4-runtime", {"syntax"}},
+    {"KadrLexer", {"syntax"}},
+    {"KadrParser", {"syntax"}},
+    {"pugixml", {"base"}},
+    {"CLI/", {"cli"}},
+    {"histedit", {"repl"}},
+    {"utf8proc", {"base"}},
     {"nlohmann", {"driver", "cli"}},
 };
 
