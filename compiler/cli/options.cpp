@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/numbers.h"
+#include "base/unicode.h"
 #include "driver/operator_events.h"
 #include "machine/machine.h"
 
@@ -118,7 +119,7 @@ sema::Define parse_define(const std::string& text) {
     if (equals == 0 || equals == std::string::npos) {
         throw CLI::ValidationError("-D", "`" + text + "` is not of the form name=value");
     }
-    return {text.substr(0, equals), text.substr(equals + 1)};
+    return {composed(std::string_view(text).substr(0, equals)), text.substr(equals + 1)};
 }
 
 /// The values are in the name of the option's argument already.

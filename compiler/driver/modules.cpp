@@ -176,6 +176,19 @@ std::optional<std::string> Modules::library_module_of(std::string_view function)
     return std::nullopt;
 }
 
+std::optional<sema::ModuleLoader::ControlCycle> Modules::cycle_of_control(std::string_view word) {
+    if (!controls_) controls_ = nc::list_dialects(session_.share().dialects);
+    for (const nc::DialectSummary& summary : *controls_) {
+        const nc::Dialect* dialect = summary.is_valid ? session_.dialect(summary.name) : nullptr;
+        if (dialect == nullptr || dialect->is_core()) continue;
+        const auto cycle = nc::cycle_of_word(*dialect, word);
+        if (!cycle || !nc::can_be_source(*dialect, *cycle)) continue;
+        const nc::CycleInfo& info = dialect->cycles()[*cycle];
+        return ControlCycle{std::string(info.name), std::string(info.module), summary.name};
+    }
+    return std::nullopt;
+}
+
 Modules::Module Modules::parse(FileId file) { return parse(file, session_.messages()); }
 
 Modules::Module Modules::parse(FileId file, DiagnosticSink& sink) {

@@ -32,6 +32,7 @@ class Modules final : public sema::ModuleLoader {
                 const SourceRange& place) override;
 
     std::optional<std::string> library_module_of(std::string_view function) override;
+    std::optional<ControlCycle> cycle_of_control(std::string_view word) override;
 
     /// Parses a text that is already among the sources, as the main file.
     Module parse(FileId file);
@@ -51,6 +52,7 @@ class Modules final : public sema::ModuleLoader {
 
     Session& session_;
     std::map<std::string, Parsed> by_path_;
+    std::optional<std::vector<nc::DialectSummary>> controls_;  // looked at for messages alone
 };
 
 }  // namespace kadr::driver

@@ -68,12 +68,61 @@ std::optional<nc::BlockPlan> Checker::plan_words(std::span<const Word> words) {
         source.push_back(entry);
     }
     const nc::Dialect& dialect = *modules_[module_].dialect;
-    if (dialect.is_core()) return nc::plan_block(dialect, source, sink_);
+    if (dialect.is_core()) return plan_source(dialect, source);
     for (const nc::LostWord& lost : nc::lost_words(dialect, source)) {
         if (is_first(ast(), lost))
             report(diag::SourceWordLost, lost.range).arg(lost.text).arg(lost.why);
     }
-    return nc::plan_block(dialect, source, sink_);
+    return plan_source(dialect, source);
+}
+
+/// The plan of a block; what the cycle of another control is here, is said beside what is wrong.
+std::optional<nc::BlockPlan> Checker::plan_source(const nc::Dialect& dialect,
+                                                  std::span<const nc::SourceWord> source) {
+    DiagnosticList said;
+    std::optional<nc::BlockPlan> plan = nc::plan_block(dialect, source, said);
+    for (Diagnostic diagnostic : said.all()) {
+        const bool is_code = diagnostic.row == &diag::BlockWordCodeUnknown;
+        const std::string hint = is_code ? hint_of_cycle(diagnostic.arguments[0]) : "";
+        if (!hint.empty()) diagnostic.fixes.push_back({{}, {}, hint});
+        sink_.take(std::move(diagnostic));
+    }
+    return plan;
+}
+
+/// What to write for the cycle of another control, `G83` or `CYCLE81`; empty: it is none.
+std::string Checker::hint_of_cycle(std::string_view word) {
+    if (!may_propose()) return "";
+    const auto cycle = loader_.cycle_of_control(word);
+    if (!cycle) return "";
+    return "this cycle is `" + cycle->function + "(…)` for every control, `import " +
+           cycle->module + ";` brings it in; `dialect " + cycle->dialect +
+           ";` at the head of the file takes " + quoted(word);
+}
+
+/// `M97 P1` in a source of a FANUC: beside a code of another kind P is no word of the modal cycle.
+bool Checker::check_cycle_words(const nc::BlockPlan& plan, std::span<const Word> words) {
+    const nc::DialectTables& tables = modules_[module_].dialect->tables();
+    const auto functions = std::span(plan.block.functions).first(plan.block.function_count);
+    const bool has_words = std::ranges::find(functions, nc::Function::CycleWords,
+                                             &nc::Invocation::function) != functions.end();
+    const auto kind_of = [&](const Word& word) {
+        const nc::AddressId id = tables.find_address(text(word.address));
+        return id == nc::kNoAddress ? nc::Address::Kind::Word : tables.addresses[id].kind;
+    };
+    const bool has_code = std::ranges::any_of(words, [&](const Word& word) {
+        return kind_of(word) == nc::Address::Kind::Code && text(word.address) != "G";
+    });
+    const bool moves = (plan.block.given & (nc::kTargetSlots | nc::kArcSlots)) != 0 ||
+                       std::ranges::any_of(plan.holes, [](const nc::Hole& hole) {
+                           return !hole.is_argument && hole.place < kAxes;
+                       });
+    if (!has_words || !has_code || moves) return true;
+    for (const Word& word : words) {
+        if (kind_of(word) != nc::Address::Kind::Value) continue;
+        report(diag::BlockWordUnused, word.range).arg(word_text(word));
+    }
+    return false;
 }
 
 void Checker::check_units_function(nc::Function function, const SourceRange& range) {
@@ -81,7 +130,12 @@ void Checker::check_units_function(nc::Function function, const SourceRange& ran
     if (is_inch == (units_ == Units::Inch)) return;
     report(diag::UnitsWord, range)
         .arg(is_inch ? "inches" : "millimetres")
-        .arg(is_inch ? "mm" : "inch");
+        .arg(is_inch ? "mm" : "inch")
+        .fix(is_inch
+                 ? "the file says its units at its head, `units inch;`, and one value wears its "
+                   "own: `1.5in`"
+                 : "the file says its units at its head, `units mm;`, and one value wears its "
+                   "own: `40mm`");
 }
 
 void Checker::check_units_words(const nc::BlockPlan& plan, std::span<const Word> words) {
@@ -636,6 +690,7 @@ bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
             emit_.release_to(mark);
             return false;
         }
+        if (!check_cycle_words(*planned, words)) return false;
         check_units_words(*planned, words);
         check_counts(*planned, words);
         // The arguments of a cycle stand behind the values of the block itself.

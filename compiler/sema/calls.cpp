@@ -65,6 +65,14 @@ Value Checker::call(ExprId id, Reg hint) {
         builder.fix("it is in the library: `import " + *module + ";`");
         return error_value();
     }
+    if (const std::string other = name_in_library(name); !other.empty()) {
+        builder.fix(other);
+        return error_value();
+    }
+    if (const std::string cycle = hint_of_cycle(name); !cycle.empty()) {
+        builder.fix(cycle);
+        return error_value();
+    }
     if (const syntax::Habit* habit = syntax::habit_of(name)) {
         syntax::advise(builder, *habit, callee.range);
         return error_value();
@@ -74,6 +82,25 @@ Value Checker::call(ExprId id, Reg hint) {
         builder.fix(callee.range, std::string(*near), "did you mean " + quoted(*near) + "?");
     }
     return error_value();
+}
+
+/// `peck_drill`, which the library has with its words in another order; empty: it has none.
+std::string Checker::name_in_library(std::string_view name) {
+    constexpr std::size_t kMostWords = 4;
+    std::vector<std::string> words(1);
+    for (const char c : name) {
+        if (c == '_') words.emplace_back();
+        else words.back() += c;
+    }
+    if (words.size() < 2 || words.size() > kMostWords) return "";
+    std::sort(words.begin(), words.end());
+    do {
+        std::string other;
+        for (const std::string& word : words) other += (other.empty() ? "" : "_") + word;
+        if (const auto module = loader_.library_module_of(other))
+            return "it is in the library as `" + other + "`: `import " + *module + ";`";
+    } while (std::next_permutation(words.begin(), words.end()));
+    return "";
 }
 
 std::optional<std::vector<ExprId>> Checker::bind_arguments(const Expr& expr, std::string_view name,

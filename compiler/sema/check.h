@@ -34,6 +34,15 @@ class ModuleLoader {
     virtual std::optional<std::string> library_module_of(std::string_view /*function*/) {
         return std::nullopt;
     }
+    /// The library's cycle for a word of some control (`G83`, `CYCLE81`); for messages.
+    struct ControlCycle {
+        std::string function;  // "drill_peck"
+        std::string module;    // "cycles.drilling"
+        std::string dialect;   // "fanuc"
+    };
+    virtual std::optional<ControlCycle> cycle_of_control(std::string_view /*word*/) {
+        return std::nullopt;
+    }
 };
 
 /// A value for a parameter of the program, from the command line: `width=100mm`.

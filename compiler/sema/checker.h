@@ -118,6 +118,16 @@ class Checker {
     bool report_unit(std::string_view name, const SourceRange& range);
     bool report_foreign(std::string_view name, const SourceRange& range);
     bool is_numbered_word(std::string_view word) const;
+    std::size_t glued_letters(std::string_view name, const SourceRange& range);
+    static void fix_glued(std::size_t letters, const SourceRange& range,
+                          DiagnosticBuilder& builder);
+    bool report_glued_point(const SourceRange& range);
+    std::optional<nc::BlockPlan> plan_source(const nc::Dialect& dialect,
+                                             std::span<const nc::SourceWord> source);
+    std::string name_in_library(std::string_view name);
+    std::string hint_of_cycle(std::string_view word);
+    bool report_control_index(std::string_view name, const SourceRange& range);
+    bool fix_lookalike(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     bool report_foreign_word(std::string_view name, const SourceRange& range);
     /// Whether a mistake that is told already has taken this name away.
     bool is_lost(std::string_view name);
@@ -211,6 +221,7 @@ class Checker {
     Value vectors(syntax::Operator op, const Value& left, const Value& right,
                   const syntax::Expr& expr);
     void check_same_parts(Reg left, syntax::ExprId left_text, Reg right, syntax::ExprId right_text);
+    void fix_power(const syntax::Expr& expr, const Value& right, DiagnosticBuilder& builder);
     Value bits(syntax::Operator op, const Value& left, const Value& right, const syntax::Expr& expr,
                Reg hint);
     Value truth(syntax::ExprId id, Reg hint);
@@ -228,6 +239,7 @@ class Checker {
         Value right;
     };
     std::optional<Comparison> comparison(const syntax::Expr& expr);
+    bool is_as_given(syntax::ExprId id);
     void warn_equality(const syntax::Expr& expr, const Value& left, const Value& right);
     std::optional<Sides> compared_sides(const syntax::Expr& expr);
     std::optional<Comparison> compare(const syntax::Expr& expr, Value left, Value right);
@@ -383,6 +395,7 @@ class Checker {
     /// What the control of the input dialect does otherwise than the language (`custom`).
     std::uint32_t customs_of(const Plan& plan, std::span<const syntax::Word> words) const;
     bool has_point(const syntax::Word& word) const;
+    bool check_cycle_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     void check_units_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     void check_counts(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     Filling fill_word(const syntax::Word& word, const nc::Hole& hole, Reg reg);

@@ -8,6 +8,7 @@
 #include "base/diagnostics/sema.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "base/unicode.h"
 
 namespace kadr::sema {
 
@@ -161,7 +162,8 @@ class TableReader {
                 unit = trim(name.substr(open + 1, name.size() - open - 2));
                 name = trim(name.substr(0, open));
             }
-            const auto found = by_name_.find(name);
+            const std::string spelled = composed(name);
+            const auto found = by_name_.find(std::string_view(spelled));
             Bound bound;
             if (found == by_name_.end()) {
                 unknown.push_back({std::string(name), cell.column, cell.text.size()});

@@ -233,6 +233,10 @@ Type Checker::resolve_type(syntax::TypeId id) {
         if (is_lost(name) || report_foreign(name, ref.range)) return types::kError;
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
+        if (const std::size_t letters = glued_letters(name, ref.range)) {
+            fix_glued(letters, ref.range, builder);
+            return types::kError;
+        }
         if (const syntax::Habit* habit = syntax::habit_of(name)) {
             syntax::advise(builder, *habit, ref.range);
             return types::kError;

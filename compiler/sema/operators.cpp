@@ -241,15 +241,26 @@ Value Checker::binary_values(Operator op, Value left, Value right, const Expr& e
     return result;
 }
 
+/// `d^2`, where `^` is meant as a power.
+void Checker::fix_power(const Expr& expr, const Value& right, DiagnosticBuilder& builder) {
+    const Expr& base = ast()[expr.child[0]];
+    const std::string name(sources_.text(base.range));
+    const bool is_square = right.is_constant() && kind(right.type) == Kind::Int &&
+                           right.constant.integer == 2 && base.kind == ExprKind::Name;
+    if (is_square)
+        builder.fix(expr.range, name + '*' + name, "a power is a product, or `pow(a, n)`");
+    else builder.fix("a power is `pow(a, n)`; `^` joins the bits of whole numbers");
+}
+
 Value Checker::bits(Operator op, const Value& left, const Value& right, const Expr& expr,
                     Reg hint) {
     const bool both_bool = kind(left.type) == Kind::Bool && kind(right.type) == Kind::Bool &&
                            op != Operator::ShiftLeft && op != Operator::ShiftRight;
     if (!both_bool && (kind(left.type) != Kind::Int || kind(right.type) != Kind::Int)) {
         const bool is_left = kind(left.type) != Kind::Int;
-        report(diag::OperandType, ast()[expr.child[is_left ? 0 : 1]].range)
-            .arg(spelling(op))
-            .arg(type_name(is_left ? left.type : right.type));
+        auto builder = report(diag::OperandType, ast()[expr.child[is_left ? 0 : 1]].range);
+        builder.arg(spelling(op)).arg(type_name(is_left ? left.type : right.type));
+        if (op == Operator::BitXor) fix_power(expr, right, builder);
         return error_value();
     }
     const bool is_shift = op == Operator::ShiftLeft || op == Operator::ShiftRight;

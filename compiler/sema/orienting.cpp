@@ -8,8 +8,10 @@
 
 #include "base/diagnostics/expand.h"
 #include "base/diagnostics/sema.h"
+#include "base/diagnostics/syntax.h"
 #include "sema/arithmetic.h"
 #include "sema/checker.h"
+#include "syntax/parse.h"
 
 namespace kadr::sema {
 
@@ -37,6 +39,22 @@ bool Checker::is_orient(ExprId id) {
     return found.symbol < 0 && found.name == nullptr;
 }
 
+/// `G0 Xd Yd;`: to the parser two points.
+bool Checker::report_glued_point(const SourceRange& range) {
+    const std::string_view spelled = sources_.text(range);
+    const std::size_t end = std::min(spelled.find_first_of(" \t.+-*/([{"), spelled.size());
+    const std::string_view name = spelled.substr(0, end);
+    const std::size_t letters = syntax::glued_address(*modules_[module_].dialect, name);
+    const Found found = find(name);
+    if (letters == 0 || found.symbol >= 0 || found.name != nullptr) return false;
+    auto builder =
+        report(diag::WordWithoutValue,
+               {range.file, range.begin, range.begin + static_cast<std::uint32_t>(letters)});
+    builder.arg(quoted(name.substr(0, letters)));
+    fix_glued(letters, range, builder);
+    return true;
+}
+
 /// One point and one `orient(…)`, in whatever order.
 Checker::Behind Checker::behind_words(const syntax::Stmt& stmt) {
     Behind behind;
@@ -48,6 +66,7 @@ Checker::Behind Checker::behind_words(const syntax::Stmt& stmt) {
             place = id;
             continue;
         }
+        if (!is_direction && report_glued_point(ast()[id].range)) continue;
         report(diag::BehindWordsTwice, ast()[id].range)
             .arg(sources_.text(ast()[id].range))
             .arg(is_direction ? "direction" : "point");

@@ -211,6 +211,70 @@ bool Checker::report_foreign_word(std::string_view name, const SourceRange& rang
     return true;
 }
 
+/// Letters of the address of a word that has its value without `=`, where words stand: 1 of
+/// `G0 Xd/2;` and of `Xd;`. 0: it is none.
+std::size_t Checker::glued_letters(std::string_view name, const SourceRange& range) {
+    const std::size_t letters = syntax::glued_address(*modules_[module_].dialect, name);
+    if (letters == 0) return 0;
+    const bool is_small = name[letters] >= 'a' && name[letters] <= 'z';
+    const bool is_target = range.file == target_.file && range.begin == target_.begin;
+    if (is_target && is_small) return letters;
+    const std::string_view before = sources_.text(range.file).substr(0, range.begin);
+    const std::size_t last = before.find_last_not_of(" \t\r\n");
+    const bool begins = last == std::string_view::npos ||
+                        std::string_view(";{}").find(before[last]) != std::string_view::npos;
+    const Found value = find(name.substr(letters));
+    const bool is_known = value.symbol >= 0 || value.name != nullptr;
+    return is_known && (begins || is_target) ? letters : 0;
+}
+
+/// `=` between an address and its value.
+void Checker::fix_glued(std::size_t letters, const SourceRange& range, DiagnosticBuilder& builder) {
+    const auto value = range.begin + static_cast<std::uint32_t>(letters);
+    builder.fix({range.file, value, value}, "=", syntax::kValueBehindSign);
+}
+
+/// `SIN[30]` and `sin[30]`: a function of a control, its argument in square brackets.
+bool Checker::report_control_index(std::string_view name, const SourceRange& range) {
+    const std::string_view source = sources_.text(range.file);
+    const std::string function = syntax::lower_ascii(name);
+    const std::vector<std::string_view> functions = known_names(true);
+    if (range.end >= source.size() || source[range.end] != '[' ||
+        !std::binary_search(functions.begin(), functions.end(), function))
+        return false;
+    std::size_t close = range.end;
+    for (int depth = 0; close < source.size() && source[close] != '\n'; ++close) {
+        if (source[close] == '[') ++depth;
+        if (source[close] == ']' && --depth == 0) break;
+    }
+    if (close >= source.size() || source[close] != ']') return false;
+    std::string argument(source.substr(range.end + 1, close - range.end - 1));
+    const bool is_number = argument.find_first_not_of("0123456789.-") == std::string::npos;
+    const bool takes_angle = function == "sin" || function == "cos" || function == "tan";
+    if (is_number && takes_angle) argument += "deg";
+    report(diag::UnknownName, range)
+        .arg(name)
+        .fix({range.file, range.begin, static_cast<std::uint32_t>(close + 1)},
+             function + '(' + argument + ')',
+             "functions are in small letters, their arguments in round brackets");
+    return true;
+}
+
+/// A Latin `c` where a Cyrillic one is declared, and the other way round.
+bool Checker::fix_lookalike(std::string_view name, const SourceRange& range,
+                            DiagnosticBuilder& builder) {
+    const std::string skeleton = latin_skeleton(name);
+    for (const std::string_view known : known_names(false)) {
+        if (known == name || latin_skeleton(known) != skeleton) continue;
+        const bool is_cyrillic = latin_skeleton(known) != known;
+        builder.fix(range, std::string(known),
+                    std::string("a name that looks alike is declared, in ") +
+                        (is_cyrillic ? "Cyrillic" : "Latin") + " letters");
+        return true;
+    }
+    return false;
+}
+
 /// Whether a name that was meant is looked for among all names: behind so many mistakes of this
 /// kind nobody reads what it would say, and each look takes as long as there are names.
 bool Checker::may_propose() {
@@ -231,7 +295,7 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         return;
     }
     if (report_unit(name, range) || report_foreign(name, range)) return;
-    if (report_foreign_word(name, range)) return;
+    if (report_foreign_word(name, range) || report_control_index(name, range)) return;
     auto builder = report(diag::UnknownName, range);
     builder.arg(name);
     if (name == declared_) {
@@ -242,11 +306,15 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         builder.fix(range, word, "words of blocks are written in upper case");
         return;
     }
+    if (const std::size_t letters = glued_letters(name, range)) {
+        fix_glued(letters, range, builder);
+        return;
+    }
     if (const syntax::Habit* habit = syntax::habit_of(name)) {
         syntax::advise(builder, *habit, range);
         return;
     }
-    if (!may_propose()) return;
+    if (!may_propose() || fix_lookalike(name, range, builder)) return;
     const std::vector<std::string_view> functions = known_names(true);
     if (std::binary_search(functions.begin(), functions.end(), name)) {
         builder.fix(range, std::string(name) + "()", "it is a function: call it");

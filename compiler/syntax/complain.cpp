@@ -174,10 +174,10 @@ bool Complaints::is_semicolon_forgotten(const Place& place) const {
 }
 
 void Complaints::explain(const Place& place) {
-    if (explain_number(place) || explain_capitals(place) || explain_program_number(place) ||
-        explain_habit(place) || explain_for(place) || explain_declaration(place) ||
-        explain_name(place) || explain_value(place) || explain_sign(place) ||
-        explain_closing(place)) {
+    if (explain_glued_words(place) || explain_number(place) || explain_capitals(place) ||
+        explain_program_number(place) || explain_habit(place) || explain_for(place) ||
+        explain_declaration(place) || explain_name(place) || explain_value(place) ||
+        explain_sign(place) || explain_closing(place)) {
         return;
     }
     const SourceRange range = file_.range(place.offending);
@@ -192,11 +192,24 @@ void Complaints::explain(const Place& place) {
     } else {
         auto report = file_.sink.report(diag::Unexpected, range);
         report.arg(quoted(place.offending)).arg(quoted(place.previous));
-        const bool is_comment =
-            place.offending.token == Token::OpenParen && place.previous.token == Token::LiteralWord;
-        if (is_comment) report.fix("a comment begins with `//`");
-        else if (!fix_sign(place, report)) fix_operator(place, report);
+        if (!fix_sign(place, report)) fix_operator(place, report);
     }
+}
+
+/// Whether the lexeme is the last of its line.
+bool Complaints::ends_line(std::size_t index) const {
+    return index + 1 >= stream_.size() || stream_.lexeme(index + 1).token == Token::EndOfFile ||
+           file_.crosses_line(stream_.lexeme(index).end, stream_.lexeme(index + 1).begin);
+}
+
+/// The bracket that closes the one at `open`; the last lexeme if none does.
+std::size_t Complaints::matching(std::size_t open) const {
+    std::size_t depth = 0;
+    for (std::size_t i = open; i < stream_.size(); ++i) {
+        if (opens(stream_.lexeme(i).token)) ++depth;
+        if (closes(stream_.lexeme(i).token) && --depth == 0) return i;
+    }
+    return stream_.size() - 1;
 }
 
 /// `(int)x`.
@@ -296,17 +309,47 @@ bool Complaints::explain_number(const Place& place) {
 
 /// `IF (n > 3) M8;`: a call of `IF` to the parser.
 bool Complaints::explain_capitals(const Place& place) {
-    if (place.head != Token::Identifier || place.head_index == place.index) return false;
+    // `WHILE n<3 DO1;` begins like a declaration of `n`.
+    const bool is_name = place.head == Token::Identifier || place.head == Token::TypeName;
+    if (!is_name || place.head_index == place.index) return false;
     const Lexeme& head = stream_.lexeme(place.head_index);
     const std::string_view spelled = file_.spelling(head);
     const std::string lower = lower_ascii(spelled);
     const Keyword* keyword = find_keyword(lower);
     if (lower == spelled || keyword == nullptr || keyword->place != Keyword::Place::Anywhere)
         return false;
-    file_.sink.report(diag::KeywordCase, file_.range(head))
-        .arg(lower)
-        .fix(file_.range(head), lower, "write it in lower case");
+    auto report = file_.sink.report(diag::KeywordCase, file_.range(head));
+    report.arg(lower);
+    if (const std::string form = form_of_statement(lower, place.head_index); !form.empty())
+        report.fix(form);
+    else report.fix(file_.range(head), lower, "write it in lower case");
     return true;
+}
+
+/// How a statement of a control's language is written here, where small letters alone do not make
+/// it one: `IF R1<3 GOTO N10;`. Empty: they do.
+std::string Complaints::form_of_statement(std::string_view keyword, std::size_t head) const {
+    constexpr std::pair<std::string_view, std::string_view> kForms[] = {
+        {"if", "`if (a < 3) { … } else { … }`"},
+        {"while", "`while (a < 3) { … }`"},
+        {"for", "`for (int i = 0; i < n; i++) { … }`"},
+    };
+    const auto* const form =
+        std::ranges::find(kForms, keyword, [](const auto& f) { return f.first; });
+    if (form == std::end(kForms)) return "";
+    bool jumps = false;
+    bool has_brace = false;
+    std::size_t end = head + 1;
+    for (; !ends_line(end - 1) && stream_.lexeme(end).token != Token::Semicolon; ++end) {
+        const std::string word = lower_ascii(file_.spelling(stream_.lexeme(end)));
+        jumps |= word.starts_with("goto");
+        has_brace |= stream_.lexeme(end).token == Token::OpenBrace;
+    }
+    const bool is_lowered_only = stream_.lexeme(head + 1).token == Token::OpenParen && !jumps &&
+                                 (has_brace || matching(head + 1) + 1 < end);
+    if (is_lowered_only) return "";
+    return "it is written " + std::string(form->second) +
+           (jumps ? "; there are no jumps, what is left out or repeated stands in its braces" : "");
 }
 
 /// A statement that begins with a word of another language: `foreach (x in list)`, `goto 5`.
@@ -523,7 +566,94 @@ bool Complaints::explain_value(const Place& place) {
     }
     auto message = file_.sink.report(diag::ValueMissing, gap);
     message.arg(quoted(place.previous));
-    fix_sign(place, message);
+    if (offending.token == Token::OpenBracket) fix_brackets(place, message);
+    else fix_sign(place, message);
+    return true;
+}
+
+/// The text between a bracket and the one that closes it, with round brackets for the square ones
+/// that group as controls have them: `[d + 1]`, but `list[0]`.
+std::string Complaints::round_brackets(std::size_t open) const {
+    const std::size_t close = matching(open);
+    std::vector<bool> is_group;
+    std::string text;
+    std::uint32_t copied = stream_.lexeme(open).end;
+    const auto exchange = [&](const Lexeme& bracket, char round) {
+        text += file_.text.substr(copied, bracket.begin - copied);
+        text += round;
+        copied = bracket.end;
+    };
+    for (std::size_t i = open + 1; i < close; ++i) {
+        const Lexeme& lexeme = stream_.lexeme(i);
+        if (opens(lexeme.token)) {
+            const Token before = stream_.lexeme(i - 1).token;
+            is_group.push_back(lexeme.token == Token::OpenBracket && before != Token::Identifier &&
+                               !closes(before));
+            if (is_group.back()) exchange(lexeme, '(');
+        } else if (closes(lexeme.token) && !is_group.empty()) {
+            if (is_group.back()) exchange(lexeme, ')');
+            is_group.pop_back();
+        }
+    }
+    return text + std::string(file_.text.substr(copied, stream_.lexeme(close).begin - copied));
+}
+
+/// Whether the value of a word ends in front of this token.
+bool ends_value(Token token) {
+    return token == Token::Semicolon || token == Token::EndOfFile || is_word(token) ||
+           token == Token::CloseBrace;
+}
+
+/// `X d`, `X-d`, `X(d)`, `X[d*2]`: the address with its value behind `=`.
+void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) const {
+    const Token token = place.offending.token;
+    const bool is_bracket = token == Token::OpenBracket || token == Token::OpenParen;
+    const bool begins_value =
+        is_bracket || token == Token::Identifier || token == Token::Minus || token == Token::Plus;
+    if (place.is_new_line || !begins_value) return;
+    if (!is_bracket) {
+        report.fix(file_.range(place.previous.end, place.offending.begin), "=", kValueBehindSign);
+        return;
+    }
+    const std::size_t close = matching(place.index);
+    const bool is_whole = ends_value(stream_.lexeme(close + 1).token);
+    const std::string inside = round_brackets(place.index);
+    report.fix(file_.range(place.previous.end, stream_.lexeme(close).end),
+               is_whole ? '=' + inside : "=(" + inside + ')', kValueBehindSign);
+}
+
+/// `X=[d*2]`, `a*[b+c]`: square brackets that group.
+void Complaints::fix_brackets(const Place& place, DiagnosticBuilder& report) const {
+    const std::size_t close = matching(place.index);
+    if (stream_.lexeme(close).token != Token::CloseBracket) return;
+    const bool is_whole =
+        place.previous.token == Token::Assign && ends_value(stream_.lexeme(close + 1).token);
+    const std::string inside = round_brackets(place.index);
+    report.fix(file_.range(place.offending.begin, stream_.lexeme(close).end),
+               is_whole ? inside : '(' + inside + ')', "parentheses are round");
+}
+
+/// `G1 Xd Yd Zd;`: words whose values are names without `=`. One or two of them are a point and
+/// another one to the grammar; of more the parser stops at the last.
+bool Complaints::explain_glued_words(const Place& place) {
+    const auto is_glued = [&](std::size_t i) {
+        const Lexeme& lexeme = stream_.lexeme(i);
+        return lexeme.token == Token::Identifier &&
+               glued_address(dialect_, file_.spelling(lexeme)) > 0;
+    };
+    if (!is_word(place.head) || !is_glued(place.index)) return false;
+    for (std::size_t i = place.head_index; i <= place.index; ++i) {
+        const Token before = stream_.lexeme(i > 0 ? i - 1 : 0).token;
+        const bool is_behind_value = is_word(before) || before == Token::Identifier ||
+                                     before == Token::Number || closes(before);
+        if (!is_glued(i) || !is_behind_value) continue;
+        const std::string_view name = file_.spelling(stream_.lexeme(i));
+        const std::size_t letters = glued_address(dialect_, name);
+        const auto value = stream_.lexeme(i).begin + static_cast<std::uint32_t>(letters);
+        file_.sink.report(diag::WordWithoutValue, file_.range(stream_.lexeme(i).begin, value))
+            .arg('`' + std::string(name.substr(0, letters)) + '`')
+            .fix(file_.range(value, value), "=", kValueBehindSign);
+    }
     return true;
 }
 
@@ -537,8 +667,9 @@ bool Complaints::explain_closing(const Place& place) {
         return true;
     }
     if (place.previous.token == Token::Address && place.expects(Token::Assign)) {
-        file_.sink.report(diag::WordWithoutValue, file_.range(place.previous))
-            .arg(quoted(place.previous));
+        auto report = file_.sink.report(diag::WordWithoutValue, file_.range(place.previous));
+        report.arg(quoted(place.previous));
+        fix_word_value(place, report);
         return true;
     }
     const bool is_variable =
@@ -602,7 +733,7 @@ bool Complaints::explain_assignment(const Place& place) {
     if (is_foreign_word(place)) {
         file_.sink.report(diag::BlockWordUnknown, file_.range(place.previous))
             .arg(file_.spelling(place.previous))
-            .arg(dialect_)
+            .arg(dialect_.name())
             .fix(kForeignWord);
         return true;
     }
@@ -677,7 +808,8 @@ void Complaints::explain_start(antlr4::Parser& parser) {
     const SourceRange range = file_.range(lexeme);
     const bool is_file = parser.getContext()->getRuleIndex() == KadrParser::RuleFile;
     if (is_file && has_broken_blocks_) return;
-    const bool follows_repair = index > 0 && stream_.lexeme(index - 1).is_repair;
+    const bool follows_repair =
+        lexeme.is_repair || (index > 0 && stream_.lexeme(index - 1).is_repair);
     if (follows_repair) return;
     if (is_file && file_.spelling(lexeme) == "include") {
         file_.sink.report(diag::IncludeWord, range).fix(range, "import", "use `import`");

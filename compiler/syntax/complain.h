@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "nc/dialect.h"
 #include "syntax/antlr.h"
 #include "syntax/limits.h"
 
@@ -83,7 +84,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
   public:
     /// `lost_names` gets the names of declarations that stand where there can be none.
     Complaints(const SourceFile& file, LexemeStream& stream, const LimitedSink& limit,
-               std::string_view dialect, bool has_broken_blocks,
+               const nc::Dialect& dialect, bool has_broken_blocks,
                std::vector<std::string>& lost_names)
         : file_(file),
           stream_(stream),
@@ -104,12 +105,19 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     void explain(const Place& place);
     bool explain_number(const Place& place);
     bool explain_capitals(const Place& place);
+    std::string form_of_statement(std::string_view keyword, std::size_t head) const;
     bool explain_program_number(const Place& place);
     bool explain_habit(const Place& place);
     bool is_cast(const Place& place) const;
     bool fix_sign(const Place& place, DiagnosticBuilder& report) const;
     void fix_operator(const Place& place, DiagnosticBuilder& report) const;
     void fix_parentheses(const Place& place, DiagnosticBuilder& report) const;
+    void fix_word_value(const Place& place, DiagnosticBuilder& report) const;
+    void fix_brackets(const Place& place, DiagnosticBuilder& report) const;
+    bool explain_glued_words(const Place& place);
+    std::size_t matching(std::size_t open) const;
+    std::string round_brackets(std::size_t open) const;
+    bool ends_line(std::size_t index) const;
     bool explain_name(const Place& place);
     bool explain_value(const Place& place);
     bool explain_for(const Place& place);
@@ -133,7 +141,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     const SourceFile& file_;
     LexemeStream& stream_;
     const LimitedSink& limit_;
-    std::string_view dialect_;  // whose words blocks have
+    const nc::Dialect& dialect_;  // whose words blocks have
     bool has_broken_blocks_;
     std::vector<std::string>& lost_names_;
     std::deque<LexemeToken> conjured_;   // tokens that were missing

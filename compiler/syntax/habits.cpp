@@ -82,6 +82,7 @@ constexpr Habit kHabits[] = {
     {"int8_t", "int", kInt},
     {"integer", "int", kInt},
     {"lambda", "", kFunction, true},
+    {"len", "", "a list has as many elements as `list.count`, a text as many letters"},
     {"let", "auto", kAuto, true},
     {"long", "int", kInt, true},
     {"loop", "", "loops are `while (…) { … }` and `for (int i = 0; i < n; i++) { … }`", true},

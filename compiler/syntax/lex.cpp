@@ -6,6 +6,7 @@
 #include "base/allow.h"
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
+#include "base/unicode.h"
 #include "syntax/antlr.h"
 #include "syntax/quotes.h"
 #include "syntax/strings.h"
@@ -103,6 +104,7 @@ class Lexing {
     void text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
     void raw_text(std::uint32_t begin, Reading& reading);
     void unknown(std::uint32_t begin, std::uint32_t end, Reading& reading);
+    bool control_variable(std::uint32_t begin, std::uint32_t end, Reading& reading);
     bool directive(std::uint32_t begin, std::uint32_t end, Reading& reading);
     bool is_raw(const Lexeme& lexeme) const;
     void push(Token token, std::uint32_t begin, std::uint32_t end, TextId content = {});
@@ -159,7 +161,7 @@ void Lexing::take_token(Token token, std::uint32_t begin, std::uint32_t end, Rea
         case Token::Include: return include(begin, end, reading);
         case Token::Identifier:
             return push(token, begin, end,
-                        file_.texts.intern(file_.text.substr(begin, end - begin)));
+                        file_.texts.intern(composed(file_.text.substr(begin, end - begin))));
         default: return push(token, begin, end);
     }
 }
@@ -260,8 +262,8 @@ void Lexing::raw_text(std::uint32_t begin, Reading& reading) {
 /// The sign that a typeset one stands for; empty if there is none.
 static const char* sign_of_keyboard(std::string_view typeset) {
     constexpr std::pair<std::string_view, const char*> kSigns[] = {
-        {"−", "-"}, {"–", "-"}, {"—", "-"},  {"×", "*"},  {"·", "*"},
-        {"÷", "/"}, {"∕", "/"}, {"≤", "<="}, {"≥", ">="}, {"≠", "!="},
+        {"−", "-"}, {"–", "-"},  {"—", "-"},  {"×", "*"},  {"·", "*"},   {"÷", "/"},
+        {"∕", "/"}, {"≤", "<="}, {"≥", ">="}, {"≠", "!="}, {"°", "deg"},
     };
     for (const auto& [sign, key] : kSigns) {
         if (sign == typeset) return key;
@@ -287,6 +289,20 @@ bool Lexing::directive(std::uint32_t begin, std::uint32_t end, Reading& reading)
     return true;
 }
 
+/// `#1`, a variable of a control: the number is part of it.
+bool Lexing::control_variable(std::uint32_t begin, std::uint32_t end, Reading& reading) {
+    std::uint32_t past = end;
+    while (past < reading.end && file_.text[past] >= '0' && file_.text[past] <= '9') ++past;
+    if (past == end) return false;
+    const std::string number(file_.text.substr(end, past - end));
+    file_.sink.report(diag::HashSign, file_.range(begin, past))
+        .fix("a variable is declared with its type and a name in small letters: `real v" + number +
+             " = 0;`, `length depth = 5mm;`");
+    reading.go_on_at(past);
+    unknown_end_ = past;
+    return true;
+}
+
 void Lexing::unknown(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     // A run of them is one mistake.
     const bool continues = begin == unknown_end_;
@@ -296,12 +312,15 @@ void Lexing::unknown(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     const std::string_view spelled = file_.text.substr(begin, end - begin);
     if (spelled == "#") {
         if (directive(begin, end, reading)) return;
+        if (control_variable(begin, end, reading)) return;
         file_.sink.report(diag::HashSign, file_.range(begin, end));
     } else {
         auto report = file_.sink.report(diag::UnknownCharacter, file_.range(begin, end));
         report.arg(spelled);
         const char* meant = sign_of_keyboard(spelled);
-        if (*meant != '\0') report.fix(file_.range(begin, end), meant, "the sign of the keyboard");
+        if (*meant != '\0')
+            report.fix(file_.range(begin, end), meant,
+                       spelled == "°" ? "an angle wears its unit" : "the sign of the keyboard");
     }
 }
 

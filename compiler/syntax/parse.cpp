@@ -28,7 +28,7 @@ void build_tree(const SourceFile& file, const Prepared& prepared, const nc::Dial
         parser.reset();
         interpreter->setPredictionMode(antlr4::atn::PredictionMode::LL);
         parser.setErrorHandler(std::make_shared<Complaints>(
-            file, stream, limit, dialect.name(), prepared.has_broken_blocks, ast.lost_names));
+            file, stream, limit, dialect, prepared.has_broken_blocks, ast.lost_names));
         try {
             tree = parser.file();
         } catch (const antlr4::ParseCancellationException&) {

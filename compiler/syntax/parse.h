@@ -17,6 +17,13 @@ constexpr const char* kForeignWord =
     "the words of blocks are those of the input dialect: `dialect fanuc;` at the head of the file "
     "takes those of a FANUC, `raw` passes any text";
 
+/// What to do about a word whose value is an expression: `G0 Xd;`.
+constexpr const char* kValueBehindSign = "a value that is no plain number stands behind `=`";
+
+/// Letters of the address that a name begins with where a word with its value was meant: one of
+/// `Xd`, two of `CRr`; 0 if it does not look so.
+std::size_t glued_address(const nc::Dialect& dialect, std::string_view name);
+
 /// Lexemes of the structural elements in one keyword language: "если" is `if`.
 struct KeywordTable {
     std::string name;                                        // "en", "ru"

@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "base/diagnostics/syntax.h"
+#include "base/unicode.h"
 #include "syntax/brackets.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
@@ -63,6 +64,14 @@ class Retyping {
     void end_forgotten_statement();
     bool is_lone_type() const;
     const char* head_text() const;
+    bool control_comment();
+    std::optional<std::size_t> bracket_comment() const;
+    std::optional<std::size_t> line_comment();
+    bool is_prose(std::size_t first, std::size_t last) const;
+    bool ends_line(std::size_t i) const {
+        return at(i + 1).token == Token::EndOfFile ||
+               file_.crosses_line(at(i).end, at(i + 1).begin);
+    }
     void mend_before();
     void open_paren(Lexeme lexeme);
     void open_brace(Lexeme lexeme);
@@ -127,6 +136,7 @@ void Retyping::step() {
     const Lexeme& lexeme = in_[i_];
     mend_before();
     end_forgotten_statement();
+    if (control_comment()) return;
     if (at_start_) begin_statement();
     switch (lexeme.token) {
         case Token::Identifier: return name();
@@ -310,6 +320,85 @@ void Retyping::end_forgotten_statement() {
     brackets_.reset_heads();
 }
 
+// ---------------------------------------------------------------- comments of a control
+
+/// Two names, words or numbers in a row, as in a sentence: `FACE MILL`.
+bool Retyping::is_prose(std::size_t first, std::size_t last) const {
+    const auto is_said = [&](std::size_t i) { return is_name(i) || at(i).token == Token::Number; };
+    for (std::size_t i = first; i < last; ++i) {
+        if (is_said(i) && is_said(i + 1)) return true;
+    }
+    return false;
+}
+
+/// `(FACE MILL)` where no statement begins so, and behind the words of a block: its last lexeme.
+std::optional<std::size_t> Retyping::bracket_comment() const {
+    std::size_t close = i_;
+    for (int depth = 0; !ends_line(close); ++close) {
+        if (at(close).token == Token::OpenParen) ++depth;
+        if (at(close).token == Token::CloseParen && --depth == 0) break;
+    }
+    if (at(close).token != Token::CloseParen) return std::nullopt;
+    if (is_prose(i_ + 1, close - 1)) return close;
+    const bool is_alone = ends_line(close) || is_name(close + 1);
+    const bool is_comment = at_start_ ? is_alone : previous() == Token::LiteralWord;
+    return is_comment ? std::optional(close) : std::nullopt;
+}
+
+/// `; face mill`, and the same behind a block: its last lexeme.
+std::optional<std::size_t> Retyping::line_comment() {
+    const Lexeme& semicolon = at(i_ - 1);
+    if (semicolon.token != Token::Semicolon || ends_line(i_ - 1)) return std::nullopt;
+    const Keyword* keyword = keyword_of(at(i_));
+    const bool is_code_word = keyword != nullptr && (keyword->place == Keyword::Place::Anywhere ||
+                                                     keyword->place == Keyword::Place::Type);
+    bool is_of_names = at(i_).token == Token::Identifier && !is_code_word;
+    std::size_t last = i_;
+    for (; !ends_line(last); ++last) {
+        is_of_names = is_of_names && (is_name(last + 1) || at(last + 1).token == Token::Number);
+        const Token token = at(last + 1).token;
+        const bool is_code =
+            token == Token::Semicolon || token == Token::OpenBrace || token == Token::CloseBrace;
+        if (is_code) return std::nullopt;
+    }
+    if (at(i_).token == Token::CloseBrace) return std::nullopt;
+    const bool is_first = i_ < 2 || ends_line(i_ - 2);
+    return is_first || is_of_names ? std::optional(last) : std::nullopt;
+}
+
+/// A comment as controls write it: it is told, and left out.
+bool Retyping::control_comment() {
+    if (!brackets_.is_statement_level() || out_.empty()) return false;
+    const bool is_bracket = at(i_).token == Token::OpenParen;
+    const bool is_behind_words =
+        !at_start_ && head_ == Head::Words && ends_value(previous()) && !ends_line(i_ - 1);
+    std::optional<std::size_t> last;
+    if (is_bracket && (at_start_ || is_behind_words)) last = bracket_comment();
+    else if (!is_bracket && at_start_) last = line_comment();
+    if (!last) return false;
+    const std::uint32_t begin = is_bracket ? at(i_).begin : at(i_ - 1).begin;
+    const bool is_own_sign = !is_bracket && i_ >= 2 && !ends_line(i_ - 2);  // it ends the block
+    const std::string_view comment = file_.text.substr(begin, at(*last).end - begin);
+    std::string_view words = comment.substr(1, comment.size() - (is_bracket ? 2 : 1));
+    words.remove_prefix(std::min(words.find_first_not_of(' '), words.size()));
+    const bool ends_block = is_behind_words && ends_line(*last);
+    std::string mended = is_own_sign || ends_block ? "; " : "";
+    mended += ends_line(*last) ? "// " + std::string(words) : "/* " + std::string(words) + " */";
+    const std::uint32_t from = ends_block ? out_.back().end : begin;
+    file_.sink.report(diag::ControlComment, file_.range(begin, at(*last).end))
+        .arg(comment)
+        .fix(file_.range(from, at(*last).end), mended, "a comment begins with `//`");
+    i_ = *last;
+    if (!ends_block) return true;
+    Lexeme semicolon;
+    semicolon.token = Token::Semicolon;
+    semicolon.is_repair = true;
+    semicolon.begin = semicolon.end = from;
+    out_.push_back(semicolon);
+    end_statement();
+    return true;
+}
+
 void Retyping::open_paren(Lexeme lexeme) {
     Bracket::Role role = Bracket::Role::Plain;
     switch (previous()) {
@@ -459,7 +548,7 @@ bool Retyping::argument_name() {
          previous() == Token::Comma);
     if (!is_place || next() != Token::Colon) return false;
     Lexeme lexeme = in_[i_];
-    lexeme.text = file_.texts.intern(file_.spelling(lexeme));
+    lexeme.text = file_.texts.intern(composed(file_.spelling(lexeme)));
     push(lexeme, Token::ArgumentName);
     return true;
 }

@@ -2,11 +2,13 @@
 
 #include <charconv>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
+#include "syntax/parse.h"
 
 namespace kadr::syntax {
 
@@ -58,19 +60,6 @@ Spelling take_apart(std::string_view identifier) {
     return {identifier.substr(0, i), identifier.substr(i, j - i), identifier.substr(j)};
 }
 
-/// The Latin capital that a Cyrillic one is easily taken for.
-char latin_lookalike(std::string_view letter) {
-    constexpr std::pair<std::string_view, char> kPairs[] = {
-        {"А", 'A'}, {"В", 'B'}, {"Е", 'E'}, {"К", 'K'}, {"М", 'M'},
-        {"Н", 'H'}, {"О", 'O'}, {"Р", 'P'}, {"С", 'C'}, {"Т", 'T'},
-        {"Х", 'X'}, {"У", 'Y'}, {"І", 'I'}, {"Ј", 'J'}, {"Ѕ", 'S'},
-    };
-    for (const auto& [cyrillic, latin] : kPairs) {
-        if (cyrillic == letter) return latin;
-    }
-    return '\0';
-}
-
 class Merging {
   public:
     Merging(const SourceFile& file, const std::vector<Lexeme>& in, const WordKindOf& kind_of)
@@ -87,6 +76,8 @@ class Merging {
     bool lookalike(const Lexeme& identifier);
     bool lowercase_word(const Lexeme& identifier);
     bool is_lowercase_word(std::size_t i);
+    bool is_lowercase_address(std::size_t i);
+    std::pair<SourceRange, std::string> upper_block(std::size_t first);
     void finish_word(Lexeme made, const Spelling& spelling);
     bool take_unit(Lexeme& number, std::string_view name, std::uint32_t end);
     bool take_sign_and_number(Lexeme& word, std::string& number);
@@ -443,17 +434,7 @@ bool Merging::compact_words(std::string_view identifier) {
 /// `М3` with a Cyrillic letter. Only where a word must stand: elsewhere it is a good name.
 bool Merging::lookalike(const Lexeme& identifier) {
     const std::string_view name = file_.spelling(identifier);
-    std::string latin;
-    for (std::size_t i = 0; i < name.size();) {
-        if ((name[i] & 0x80) == 0) {
-            latin += name[i++];
-            continue;
-        }
-        const char letter = latin_lookalike(name.substr(i, 2));
-        if (letter == '\0') return false;
-        latin += letter;
-        i += 2;
-    }
+    const std::string latin = latin_skeleton(name);
     if (latin.size() == name.size()) return false;
     const Spelling s = take_apart(latin);
     if (kind_of(s.address) != nc::WordKind::Address || !s.rest.empty()) return false;
@@ -490,23 +471,50 @@ bool Merging::is_lowercase_word(std::size_t i) {
     return has_digits && kind_of(upper_ascii(name.substr(0, 1))) == nc::WordKind::Address;
 }
 
+/// Whether an identifier is a letter that would be an address in upper case: `z` of `z-1`, `z=d`.
+bool Merging::is_lowercase_address(std::size_t i) {
+    const std::string_view name = file_.spelling(at(i));
+    if (at(i).token != Token::Identifier || name.size() != 1 || is_upper(name[0])) return false;
+    const Token next = at(i + 1).token;
+    const bool has_value = next == Token::Assign || next == Token::Minus || next == Token::Plus;
+    return has_value && kind_of(upper_ascii(name)) == nc::WordKind::Address;
+}
+
+/// The words of the block that begins at `first`, up to the last one in lower case, in upper case.
+std::pair<SourceRange, std::string> Merging::upper_block(std::size_t first) {
+    std::string block;
+    std::uint32_t end = at(first).begin;
+    const auto append_from = [&](const Lexeme& word) {
+        block += file_.text.substr(end, word.begin - end);
+        block += upper_ascii(file_.spelling(word));
+        end = word.end;
+    };
+    for (std::size_t i = first; i < in_.size() && at(i).token != Token::Semicolon; ++i) {
+        if (file_.crosses_line(at(first).begin, at(i).begin)) break;
+        // The value behind `=` has names of variables: `x=z-1`.
+        const bool is_value = i > first && at(i - 1).token == Token::Assign;
+        if (!is_value && (is_lowercase_word(i) || is_lowercase_address(i))) append_from(at(i));
+    }
+    return {file_.range(at(first).begin, end), block};
+}
+
 /// `g1 x10;` at the start of a statement: nobody means a variable `x10` of type `g1`.
 bool Merging::lowercase_word(const Lexeme& identifier) {
     const std::size_t own = i_ - 1;
     const std::string upper = upper_ascii(file_.spelling(identifier));
     if (!is_lowercase_block_) {
+        // `g1 z=5;` declares a variable of a type `g1`; a sign alone makes it a word.
         const bool fits = is_start() && is_lowercase_word(own) &&
-                          (at(i_).token == Token::Semicolon || is_lowercase_word(i_));
+                          (at(i_).token == Token::Semicolon || is_lowercase_word(i_) ||
+                           (is_lowercase_address(i_) && at(i_ + 1).token != Token::Assign));
         if (!fits) return false;
         is_lowercase_block_ = true;
+        const auto [range, block] = upper_block(own);
         file_.sink.report(diag::LowercaseWord, file_.range(identifier))
             .arg(upper)
-            .fix(file_.range(identifier), upper, "write it in upper case");
-    } else {
-        const Token next = at(i_).token;
-        const bool is_address = upper.size() == 1 && kind_of(upper) == nc::WordKind::Address &&
-                                (next == Token::Assign || next == Token::Minus);
-        if (!is_lowercase_word(own) && !is_address) return false;
+            .fix(range, block, "write it in upper case");
+    } else if (!is_lowercase_word(own) && !is_lowercase_address(own)) {
+        return false;
     }
     finish_word(identifier, take_apart(upper));
     return true;
@@ -517,6 +525,14 @@ bool Merging::lowercase_word(const Lexeme& identifier) {
 std::vector<Lexeme> merge_words(const SourceFile& file, const std::vector<Lexeme>& lexemes,
                                 const WordKindOf& kind_of) {
     return Merging(file, lexemes, kind_of).run();
+}
+
+std::size_t glued_address(const nc::Dialect& dialect, std::string_view name) {
+    const std::string_view address = take_apart(name).address;
+    const bool goes_on =
+        !address.empty() && address.size() < name.size() && !is_digit(name[address.size()]);
+    if (!goes_on || nc::word_kind(dialect, address) != nc::WordKind::Address) return 0;
+    return address.size();
 }
 
 Unit find_unit(std::string_view name, std::string_view per) {

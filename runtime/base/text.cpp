@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -32,6 +34,28 @@ std::string_view code_points(std::string_view text, std::size_t from, std::size_
     };
     text.remove_prefix(past(text, from));
     return text.substr(0, past(text, count));
+}
+
+std::string latin_skeleton(std::string_view name) {
+    constexpr std::pair<std::string_view, char> kPairs[] = {
+        {"А", 'A'}, {"В", 'B'}, {"Е", 'E'}, {"К", 'K'}, {"М", 'M'}, {"Н", 'H'}, {"О", 'O'},
+        {"Р", 'P'}, {"С", 'C'}, {"Т", 'T'}, {"Х", 'X'}, {"У", 'Y'}, {"І", 'I'}, {"Ј", 'J'},
+        {"Ѕ", 'S'}, {"а", 'a'}, {"е", 'e'}, {"о", 'o'}, {"р", 'p'}, {"с", 'c'}, {"х", 'x'},
+        {"у", 'y'}, {"і", 'i'}, {"ј", 'j'}, {"ѕ", 's'},
+    };
+    constexpr std::size_t kBytes = 2;  // of each of these letters
+    std::string latin;
+    for (std::size_t i = 0; i < name.size();) {
+        const auto* const pair = std::ranges::find(
+            kPairs, name.substr(i, kBytes), [](const auto& letters) { return letters.first; });
+        if (pair == std::end(kPairs)) {
+            latin += name[i++];
+            continue;
+        }
+        latin += pair->second;
+        i += kBytes;
+    }
+    return latin;
 }
 
 namespace {
@@ -207,6 +231,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
+/// The words of a name in the order of the alphabet: `drill` and `peck` of `peck_drill`.
+std::vector<std::string> words_of(std::string_view name) {
+    std::vector<std::string> words(1);
+    for (const char c : name) {
+        if (c == '_') words.emplace_back();
+        else words.back() += c;
+    }
+    std::sort(words.begin(), words.end());
+    return words;
+}
+
 }  // namespace
 
 std::optional<std::string_view> nearest_name(std::string_view wrong,
@@ -215,8 +250,18 @@ std::optional<std::string_view> nearest_name(std::string_view wrong,
     // A third of the letters may differ; beyond that a proposal misleads more than it helps.
     std::size_t best = std::max<std::size_t>(1, (wrong.size() + 1) / 3) + 1;
     std::optional<std::string_view> nearest;
+    const std::vector<std::string> words = words_of(wrong);
     for (std::size_t i = 0; i < count; ++i) {
         if (upper_ascii(candidates[i]) == upper_ascii(wrong)) return candidates[i];
+        // `peck_drill`: the words of a name in another order.
+        if (words.size() > 1 && candidates[i].size() == wrong.size() &&
+            words_of(candidates[i]) == words)
+            return candidates[i];
+        // Of two letters every word of three is near, and every letter to every other; `dd` is a
+        // slip for `d`, `Xd` is none.
+        const bool is_doubled = wrong.size() == 2 && wrong[0] == wrong[1];
+        const bool is_letter = std::min(candidates[i].size(), wrong.size()) < 2;
+        if ((is_letter && !is_doubled) || (candidates[i].size() == 2 && wrong.size() > 2)) continue;
         const std::size_t distance = edit_distance(wrong, candidates[i]);
         if (distance < best) {
             best = distance;

@@ -38,6 +38,10 @@ LineEnds line_ends(std::string_view text);
 /// A text whose lines end with CR alone gets LF for it; every character stays in its place.
 void end_lines_with_feeds(std::string& text);
 
+/// A name with the Latin letters that its Cyrillic ones are easily taken for: two names that look
+/// alike have the same.
+std::string latin_skeleton(std::string_view name);
+
 /// The whole file as bytes, or nothing if it cannot be read (missing, a folder, no permission).
 std::optional<std::string> read_file(const std::string& path);
 

@@ -239,6 +239,8 @@ std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name
 
 /// The cycle that a literal word of the source (`G83`) begins; nothing if it begins none.
 std::optional<CycleId> cycle_of(const Dialect& dialect, std::string_view address, double number);
+/// The same of a word as it is spelled, `G83`, and of the name of a call, `CYCLE81`.
+std::optional<CycleId> cycle_of_word(const Dialect& dialect, std::string_view word);
 /// Whether a block of a source can be this cycle as the control has it: the text says all that it
 /// does (no parameter of the machine's builder), and the library has it for every control.
 bool can_be_source(const Dialect& dialect, CycleId cycle);

@@ -1,5 +1,6 @@
 // Words of source blocks → BlockPlan, with the tables of the input dialect.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "base/diagnostics/dialect.h"
@@ -452,6 +453,17 @@ std::optional<CycleId> cycle_of(const Dialect& dialect, std::string_view address
         if (tables.forms[form].function == Function::Cycle) return tables.forms[form].cycle;
     }
     return std::nullopt;
+}
+
+std::optional<CycleId> cycle_of_word(const Dialect& dialect, std::string_view word) {
+    const CallMeaning call = call_meaning(dialect, word);
+    if (call.function == Function::Cycle) return call.cycle;
+    const std::size_t digits = std::min(word.find_first_of("0123456789"), word.size());
+    double number = 0;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data() + digits, end, number);
+    if (digits == word.size() || read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    return cycle_of(dialect, word.substr(0, digits), number);
 }
 
 bool can_be_source(const Dialect& dialect, CycleId cycle) {
