@@ -9,21 +9,32 @@ using syntax::ExprId;
 using syntax::ExprKind;
 using syntax::Operator;
 
+/// Whether a value is what a table, a list that is gone through or the caller said, and nothing has
+/// been worked out of it.
+bool Checker::is_as_given(ExprId id) {
+    while (ast()[id].kind == ExprKind::Member || ast()[id].kind == ExprKind::Index)
+        id = ast()[id].child[0];
+    if (ast()[id].kind == ExprKind::TypedCall) return true;
+    if (ast()[id].kind != ExprKind::Name) return false;
+    const Found found = find(text(ast()[id].text));
+    if (found.symbol >= 0) {
+        const Symbol& symbol = symbols_[static_cast<std::size_t>(found.symbol)];
+        return (symbol.is_parameter || symbol.is_row) && !symbol.is_assigned;
+    }
+    if (found.name == nullptr || found.name->what != Name::What::Variable) return false;
+    const GlobalVariable& global = globals_[found.name->index];
+    const syntax::Ast& tree = *modules_[global.module].ast;
+    const ExprId initial = tree[global.decl].value;
+    return global.symbol.is_const && initial.is_valid() &&
+           tree[initial].kind == ExprKind::TypedCall;
+}
+
 /// Real numbers that were calculated are hardly ever equal. What the user gave, a parameter or a
 /// row of a table, and constants may be compared: they are the same number or they are not.
 void Checker::warn_equality(const Expr& expr, const Value& left, const Value& right) {
     if (module_ != 0 || function_ == nullptr) return;
     if (!types_.is_numeric(left.type) || !types_.is_numeric(right.type)) return;
     if (kind(left.type) == Kind::Int && kind(right.type) == Kind::Int) return;
-    const auto is_as_given = [&](ExprId id) {
-        while (ast()[id].kind == ExprKind::Member || ast()[id].kind == ExprKind::Index)
-            id = ast()[id].child[0];
-        if (ast()[id].kind != ExprKind::Name) return false;
-        const std::int32_t symbol = find(text(ast()[id].text)).symbol;
-        if (symbol < 0) return false;
-        const Symbol& found = symbols_[static_cast<std::size_t>(symbol)];
-        return (found.is_parameter || found.is_row) && !found.is_assigned;
-    };
     // `0.1 + 0.2` is a constant that carries rounding like any other sum.
     const auto is_calculated = [&](const Value& value, ExprId id) {
         // Whole numbers have no rounding; a minus changes none.

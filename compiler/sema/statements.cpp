@@ -128,6 +128,7 @@ void Checker::variable(const Decl& decl) {
     if (decl.is_const && !decl.value.is_valid())
         report(diag::ConstWithoutValue, decl.name_range).arg(symbol.name);
     if (decl.value.is_valid()) {
+        symbol.is_row = is_as_given(decl.value);
         const SourceRange range = ast()[decl.value].range;
         if (decl.type.is_valid() && kind(symbol.type) != Kind::Error) {
             const std::uint16_t slots = type_info(symbol.type).slots;
