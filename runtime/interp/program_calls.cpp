@@ -437,15 +437,16 @@ Program::State::Done Program::State::bind_parameters(CompiledLine& line, const P
                                                      Frame& callee) {
     const ControlStatement* const head = call.unit->procedure();
     const std::size_t count = head == nullptr ? 0 : head->parameters.size();
+    // The main program of a text without a head has the name of its file.
+    const std::string name =
+        quoted(call.unit->name.empty() ? call.unit->text->name : call.unit->name);
     if (call.unit->has_wrong_head) return Done::Nothing;
     if (call.arguments.size() > count) {
         if (head == nullptr) {
-            return fail(line, diag::ProcedureMissing, call.arguments[0].span,
-                        {quoted(call.unit->name)});
+            return fail(line, diag::ProcedureMissing, call.arguments[0].span, {name});
         }
         return fail(line, diag::CallArguments, call.arguments[count].span,
-                    {quoted(call.unit->name), std::to_string(count),
-                     std::to_string(call.arguments.size())});
+                    {name, std::to_string(count), std::to_string(call.arguments.size())});
     }
     if (count == 0) return Done::Nothing;
     variables.enter(*callee.level);

@@ -47,7 +47,7 @@ void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
     const auto alarm = dialect_.alarm(diag::CompEmptyBlocks);
     sink_.report(diag::TooManyIdle, place(block))
         .arg(tables_.name)
-        .arg(alarm ? alarm->number : std::string("without a number"))
+        .arg(alarm && !alarm->number.empty() ? " with alarm " + alarm->number : std::string())
         .arg(most_idle_)
         .fix(fix);
 }
