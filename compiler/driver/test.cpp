@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics/driver.h"
 #include "base/diagnostics/expand.h"
 #include "base/diagnostics/test.h"
 #include "base/text.h"
@@ -288,6 +289,17 @@ void TestRun::run_test(const Program& program, std::uint32_t index) {
 void TestRun::run_file(const std::string& source) {
     const std::unique_ptr<FileText> text = open_source(session_, source);
     if (!text) return;
+    if (!is_kadr_source(source, *text)) {
+        session_.messages()
+            .report(diag::TestsInText)
+            .arg(source)
+            .fix(
+                "what is text of a control already is executed with `kadr run`, examined with "
+                "`kadr check`");
+        session_.mark_usage();
+        ++failed_;
+        return;
+    }
     const std::optional<Program> program =
         load_program(session_, keep_source(session_, source, *text));
     if (!program) {

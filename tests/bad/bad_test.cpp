@@ -356,6 +356,7 @@ INSTANTIATE_TEST_SUITE_P(
         Call{"UnknownCode", {"explain", "K0000"}, 2, "[K9010]: there is no message `K0000`"},
         Call{"UnknownWord", {"dialect", "explain", "fanuc", "G999"}, 1, "[K9012]"},
         Call{"ExpandOfText", {"expand", kText}, 2, "[K9006]"},
+        Call{"TestsOfText", {"test", kText}, 2, "[K9058]"},
         Call{"PrintWithoutFile", {"run", kPrinting, "-d", "fanuc"}, 0, "[K9028]"},
         Call{"SourceMapOfText", {"run", kText, "--map", "-"}, 2, "[K9011]"}),
     [](const auto& made) { return std::string(made.param.name); });
