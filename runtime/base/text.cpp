@@ -259,7 +259,9 @@ std::optional<std::string_view> nearest_name(std::string_view wrong,
             return candidates[i];
         // Of two letters every word of three is near, and every letter to every other; `dd` is a
         // slip for `d`, `Xd` is none.
-        const bool is_doubled = wrong.size() == 2 && wrong[0] == wrong[1];
+        const std::string_view longer =
+            std::max(candidates[i], wrong, [](auto a, auto b) { return a.size() < b.size(); });
+        const bool is_doubled = longer.size() == 2 && longer[0] == longer[1];
         const bool is_letter = std::min(candidates[i].size(), wrong.size()) < 2;
         if ((is_letter && !is_doubled) || (candidates[i].size() == 2 && wrong.size() > 2)) continue;
         const std::size_t distance = edit_distance(wrong, candidates[i]);
