@@ -40,7 +40,6 @@ class Side {
         execution_ = Execution::open(session_, source_, std::move(text));
         if (!execution_) return false;
         motion::PlannerOptions options;
-        options.tick = session_.options().tick.value_or(0);
         execution_->place_messages(options);
         motion_ = std::make_unique<process::PlannedMotion>(*execution_, execution_->machine(),
                                                            options, execution_->sink());

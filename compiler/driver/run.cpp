@@ -262,7 +262,6 @@ void Run::execute() {
     if (outputs_.summary) times_ = std::make_unique<WorkTimes>(*execution_, session_);
     CommandTap tap(*execution_, look, debugger_ ? 1 : 0);
     motion::PlannerOptions options;
-    options.tick = session_.options().tick.value_or(0);
     options.lookahead = machine.pipeline.ahead;
     options.feed_override = job_.feed_override;
     options.rapid_override = job_.rapid_override;
@@ -276,7 +275,7 @@ void Run::execute() {
         if (scanner_) scanner_->write(list);
     };
     if (samples()) {
-        check_ = std::make_unique<motion::PathCheck>(machine, options.tick);
+        check_ = std::make_unique<motion::PathCheck>(machine, session_.options().tick.value_or(0));
         onlookers.command = [this](const path::Command& command) { check_->read(command); };
     }
     if (limits_) options.tell_loss = [this](const motion::SpeedLoss& loss) { limits_->lose(loss); };
@@ -299,7 +298,7 @@ void Run::execute() {
             session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
         });
     if (samples()) {
-        sample(segments, options.tick);
+        sample(segments, session_.options().tick.value_or(0));
         finish_check(options);
     } else {
         std::vector<motion::Segment> batch(kBatch);

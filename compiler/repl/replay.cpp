@@ -175,13 +175,11 @@ void list_names(const sema::Code& code, Outcome& outcome) {
     }
 }
 
-void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper,
-             const driver::Options& options) {
+void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper) {
     driver::CommandTap tap(execution, [&](const path::Command& command) {
         keeper.done(command.line, command_text(command));
     });
     motion::PlannerOptions planner_options;
-    planner_options.tick = options.tick.value_or(0);
     execution.place_messages(planner_options);
     process::PlannedMotion motion(tap, execution.machine(), planner_options, execution.sink());
     std::vector<motion::Segment> batch(kBatch);
@@ -219,7 +217,7 @@ Outcome replay(const driver::Options& options, const driver::Share& share,
     const auto execution = driver::Execution::open(
         session, file, [&keeper](std::string_view piece) { keeper.take(piece); });
     if (execution) {
-        execute(*execution, outcome, keeper, chosen);
+        execute(*execution, outcome, keeper);
         keeper.finish(execution->generated()->body_lines());
         list_names(*execution->program()->code, outcome);
     }

@@ -4,7 +4,7 @@
 // segment is walked along its profile at the machine's tick.
 //
 //     Planner planner(commands, machine, options, sink);   // Stream<Segment>
-//     Sampler sampler(planner, machine, options.tick);      // Stream<Setpoint>
+//     Sampler sampler(planner, machine, tick);              // Stream<Setpoint>
 //
 // What an operator does meanwhile (PlannerOptions::events) acts from its time on: the path speed
 // goes over to what is allowed then within the limits of the axes, a held program stands on its
@@ -75,7 +75,6 @@ enum class CornerRule : std::uint8_t {
 };
 
 struct PlannerOptions {
-    double tick = 0;            // s; 0: the machine's
     double feed_override = 1;   // > 0; multiplies the feed, never a limit
     double rapid_override = 1;  // > 0
     /// What the operator does meanwhile, from these overrides on; with any of it they may be 0.
@@ -91,7 +90,7 @@ struct PlannerOptions {
     CornerRule corner_rule = CornerRule::AxisJump;
     double junction_deviation = 0.01;  // mm
     std::array<double, kAxes>
-        velocity_jump{};        // per machine axis, mm/s or rad/s; 0: what the ramps leave
+        velocity_jump{};  // per machine axis, mm/s or rad/s, beside full ramps; 0: the machine's
     bool stop_at_alarm = true;  // false: report and go on with a sensible value
     PlaceOf place_of;           // for messages; may be empty
 };
@@ -125,7 +124,8 @@ class Planner final : public Stream<Segment> {
 /// or after the end, in the end position.
 class Sampler final : public Stream<Setpoint> {
   public:
-    /// `tick` in s; 0: the machine's. References outlive the sampler.
+    /// `tick` in s; 0: the machine's. What is planned does not depend on it. References outlive the
+    /// sampler.
     Sampler(Stream<Segment>& segments, const machine::Machine& machine, double tick = 0);
     ~Sampler() override;
 

@@ -33,7 +33,7 @@ struct Planner::State {
           preparer(commands, machine, axes, options, sink_in, pieces),
           gathered(std::max<std::size_t>(options.lookahead, 1)),
           lookahead(options.lookahead),
-          tick(options.tick > 0 ? options.tick : machine.tick),
+          tick(machine.tick),
           machine_plc(machine),
           plc(options.plc != nullptr ? *options.plc : machine_plc),
           losses(machine, axes, options_in.tell_loss) {
@@ -90,7 +90,7 @@ struct Planner::State {
     JunctionSpeeds speeds;
     ProfileCut cut;        // of its profile, if its jerk is limited
     std::size_t left = 0;  // so many of its pieces
-    double tick;
+    double tick;           // s, of the machine
     MachinePlc machine_plc;
     Plc& plc;
     LossTrace losses;

@@ -54,7 +54,7 @@ Preparer::State::State(Stream<Command>& commands_in, const machine::Machine& mac
       standing(machine_in),
       check(machine_in, axes_in, options_in, sink_in),
       pieces(pieces_in) {
-    tick = options.tick > 0 ? options.tick : machine.tick;
+    tick = machine.tick;
     set_jumps();
     spindle.machine_limit = machine.max_speed;
 }

@@ -80,11 +80,10 @@ TEST(Planner, CornersOfTheDefaultRule) {
     EXPECT_NEAR(result.segments[1].profile.entry_speed, corner, 1e-12);
     EXPECT_NEAR(result.segments[1].profile.acceleration, 4500, 1e-9);
     EXPECT_EQ(result.segments[2].profile.exit_speed, 0);
-    // The tick of the run, not of the machine.
-    PlannerOptions options;
-    options.tick = 0.002;
-    const Motion slow_tick =
-        run(machine_of(), {line_to({10, 0, 0}, 1200), line_to({10, 10, 0}, 1200)}, options);
+    // The tick is that of the machine.
+    machine::Machine slow = machine_of();
+    slow.tick = 0.002;
+    const Motion slow_tick = run(slow, {line_to({10, 0, 0}, 1200), line_to({10, 10, 0}, 1200)});
     EXPECT_NEAR(slow_tick.segments[0].profile.exit_speed, 2 * corner, 1e-12);
 }
 

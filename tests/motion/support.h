@@ -153,11 +153,11 @@ inline Motion run(const machine::Machine& machine, std::vector<Command> commands
 inline std::vector<Setpoint> sample(const machine::Machine& machine, std::vector<Command> commands,
                                     const PlannerOptions& options = {}) {
     DiagnosticList diagnostics;
-    PathCheck check(machine, options.tick);
+    PathCheck check(machine);
     for (const Command& command : commands) check.read(command);
     CommandList list(std::move(commands));
     Planner planner(list, machine, options, diagnostics);
-    Sampler sampler(planner, machine, options.tick);
+    Sampler sampler(planner, machine);
     std::vector<Setpoint> all;
     std::vector<Setpoint> batch(13);
     while (const std::size_t n = sampler.pull(batch)) {
