@@ -89,6 +89,7 @@ class LaserPath {
         const path::Vec3 before(std::cos(angle_), std::sin(angle_), 0);
         angle_ += turn;
         const path::Vec3 behind(std::cos(angle_), std::sin(angle_), 0);
+        point_ += length * behind;
         process::PulseLeg leg{length, setup_.feed, setup_.acceleration, 0};
         const double jump = setup_.acceleration * setup_.tick;
         const std::array<double, 2> in{before[0], before[1]};
@@ -99,10 +100,14 @@ class LaserPath {
         return leg;
     }
 
+    /// Where the leg that was asked for last ends, mm.
+    const path::Vec3& point() const { return point_; }
+
   private:
     const LaserFile& file_;
     LaserSetup setup_;
     Chance chance_;
+    path::Vec3 point_ = path::Vec3::Zero();
     double angle_ = 0;
     double bend_ = 0.3;  // 1/mm
     double last_ = 0.125;

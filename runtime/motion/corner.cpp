@@ -37,13 +37,26 @@ double corner_acceleration(double before, double behind, double jump) {
     return more + jump * jump / (2 * difference);
 }
 
-double jump_share(double before, double behind, bool is_alone) {
+double jump_share(double before, double behind, bool is_alone, double most) {
     const double more = std::min(1.0, std::max(before, behind));
     // Corners nearer to each other share the triangle: their jumps add up to one of full weight.
-    if (!is_alone) return 1 - more;
+    if (!is_alone) return most - more;
     const double difference = more - std::min({1.0, before, behind});
-    const double at_middle = 1 - (more + more - difference) / 2;
-    return at_middle >= difference ? at_middle : std::sqrt(2 * difference * (1 - more));
+    const double at_middle = most - (more + more - difference) / 2;
+    return at_middle >= difference ? at_middle : std::sqrt(2 * difference * (most - more));
+}
+
+double ramp_share(double before, double behind, double jump, double most) {
+    if (corner_acceleration(before, behind, jump) <= most) return 1;
+    if (jump >= most) return 0;
+    // corner_acceleration of ρ·before and ρ·behind is `most`: linear in ρ while the jump exceeds
+    // their difference, else a quadratic equation.
+    const double difference = std::abs(before - behind);
+    const double linear = 2 * (most - jump) / (before + behind);
+    if (jump >= linear * difference) return std::min(1.0, linear);
+    const double more = std::max(before, behind);
+    const double root = std::max(0.0, most * most - 2 * more * jump * jump / difference);
+    return std::min(1.0, (most + std::sqrt(root)) / (2 * more));
 }
 
 double junction_deviation_speed(const path::Vec3& in, const path::Vec3& out, double deviation,

@@ -30,9 +30,17 @@ double axis_jump_speed(std::span<const double> in, std::span<const double> out,
 ///
 /// before, behind  acceleration of the axis on both sides, parts of its limit, 0 to 1
 /// is_alone        no other corner lies within two ticks
-/// returns         jump / (limit · tick), 0 to 1
+/// most            of the limit, for the change in a tick: 1, or more where the axis stands it
+/// returns         jump / (limit · tick), 0 to `most`
 /// source          derived in the .cpp
-double jump_share(double before, double behind, bool is_alone);
+double jump_share(double before, double behind, bool is_alone, double most = 1);
+
+/// The greatest part of both ramps that a jump alone leaves room for.
+///
+/// before, behind  acceleration of the axis with the whole ramps, parts of its limit
+/// jump            of the velocity, divided by the tick, in parts of the limit
+/// returns         0 to 1
+double ramp_share(double before, double behind, double jump, double most = 1);
 
 /// Greatest change of velocity from tick to tick at a corner, per tick, as `jump_share` bounds it.
 ///
@@ -44,6 +52,8 @@ double corner_acceleration(double before, double behind, double jump);
 /// ticks.
 inline constexpr double kJumpBell = 0.75;
 inline constexpr double kJumpBellTicks = 3;
+/// Part of an axis' jerk that a jump of its acceleration may take, where the curvature changes.
+inline constexpr double kMostJump = 0.5;
 
 /// Speed of an arc that touches both legs and misses the corner by `deviation`.
 ///

@@ -24,9 +24,16 @@ struct Piece {
     double entry_limit = 0;        // of the corner before it; 0: the path comes to rest there
     bool rests_at_corner = false;  // … as that is quicker than to pass it
     double entry_acceleration = std::numeric_limits<double>::infinity();  // as of a Stretch
-    double ramp = 1;         // part of its acceleration that the corner before it leaves
-    double ramp_before = 1;  // part of its acceleration that the corner leaves to the piece before
-    double jerk_share = 1;   // the same of the jerk, where the curvature jumps
+    /// Part of the acceleration of this piece, and of the one before it, that the corner between
+    /// them leaves …
+    double ramp = 1;
+    double ramp_before = 1;
+    /// … to all pieces within a tick of it, if other corners are so near
+    double crowd_ramp = 1;
+    /// … on so much of their ways beside the corner, mm (deg); 0: on all of them.
+    double corner_zone = 0;
+    double corner_zone_before = 0;
+    double jerk_share = 1;  // the same of the jerk, where the curvature jumps
     double jerk_before = 1;
     double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
     double feed_asked = std::numeric_limits<double>::infinity();  // as of an OverriddenSpeed
@@ -66,6 +73,13 @@ class PieceRing {
     Piece& back(std::size_t i) { return pieces_[(first_ + count_ - 1 - i) & (pieces_.size() - 1)]; }
     const Piece& back(std::size_t i) const {
         return pieces_[(first_ + count_ - 1 - i) & (pieces_.size() - 1)];
+    }
+    /// Behind the i-th from the end, whose place and those behind it move on: the fresh one is
+    /// then the i-th from the end.
+    Piece& insert_behind(std::size_t i) {
+        push_back();
+        for (std::size_t k = 0; k < i; ++k) std::swap(back(k), back(k + 1));
+        return back(i);
     }
     Piece& front() { return pieces_[first_]; }
     /// The i-th from the beginning.

@@ -29,6 +29,13 @@ namespace {
 
 constexpr double kStraight = 1e-9;  // as in corner.cpp
 
+/// The greatest acceleration along the path within a tick of an end of a profile, where it is this.
+double acceleration_near(const Profile& profile, double at_end, double tick) {
+    const double most = path_acceleration(profile);
+    if (!profile.is_smooth || profile.has_course()) return most;
+    return std::min(most, std::abs(at_end) + path_jerk(profile) * tick);
+}
+
 }  // namespace
 
 PlannerOptions Planner::State::prepared_for(const PlannerOptions& options) {
@@ -47,25 +54,84 @@ void Planner::State::fill() {
     while (!has_ended && !lookahead.is_full()) {
         if (fresh == 0) fresh = preparer.next();
         if (fresh == 0) {
-            if (is_waiting) hand_on(pieces.back(0), 0);
+            while (waiting > 1) hand_on_oldest(0);
+            if (waiting > 0) hand_on_waiting(0, Piece{});
+            waiting = 0;
             gathered.finish();
             append_complete();
             lookahead.finish();
             has_ended = true;
             return;
         }
-        const Piece& piece = pieces.back(--fresh);
-        // The corner behind a piece has its say in the piece's acceleration.
-        if (is_waiting) {
-            Piece& before = pieces.back(fresh + 1);
-            before.acceleration *= std::min(1.0, piece.ramp_before / before.ramp);
-            before.jerk *= std::min(1.0, piece.jerk_before / before.jerk_share);
-            before.acceleration =
-                std::min(before.acceleration, before.turning_acceleration * piece.jerk_before);
-            before.is_cell = before.is_cell && piece.ramp_before == 1;
-            hand_on(before, piece.entry_limit);
-        }
-        is_waiting = true;
+        --fresh;
+        if (waiting > 0 && !axes.limits_jerk()) share_crowd();
+        ++waiting;
+        while (waiting > 1 && is_out_of_reach()) hand_on_oldest(fresh);
+    }
+}
+
+/// Hands on the piece that waits longest; so many pieces are `fresh_ones`.
+void Planner::State::hand_on_oldest(std::size_t fresh_ones) {
+    --waiting;
+    const std::size_t place = fresh_ones + waiting;
+    hand_on_waiting(place, pieces.back(place - 1));
+}
+
+/// Without a limit of the jerk the setpoints of a tick may see several corners with the ramps of
+/// all pieces between them: within a tick of a crowded one the ramps have what it leaves.
+void Planner::State::share_crowd() {
+    Piece& newest = pieces.back(fresh);
+    double time = 0;  // at least, from the newest corner back
+    for (std::size_t k = 1; k <= waiting && time < tick; ++k) {
+        Piece& behind = pieces.back(fresh + k - 1);
+        behind.ramp_before = std::min(behind.ramp_before, newest.crowd_ramp);
+        Piece& before = pieces.back(fresh + k);
+        time += before.length / before.speed;
+        if (time < tick) newest.ramp = std::min(newest.ramp, before.crowd_ramp);
+    }
+}
+
+/// Whether no corner that is still to come lies within a tick of the piece that waits longest.
+bool Planner::State::is_out_of_reach() {
+    if (axes.limits_jerk()) return true;
+    double time = 0;
+    for (std::size_t k = 0; k + 1 < waiting && time < tick; ++k) {
+        const Piece& piece = pieces.back(fresh + k);
+        if (piece.entry_limit == 0) return true;  // it rests there
+        time += piece.length / piece.speed;
+    }
+    return time >= tick;
+}
+
+/// The piece that waited for `next`, with what the corners at both its ends leave of its
+/// acceleration and its jerk; so many pieces are `behind` it.
+void Planner::State::hand_on_waiting(std::size_t behind, const Piece& next) {
+    const double exit_limit = next.entry_limit;
+    Piece& piece = pieces.back(behind);
+    piece.jerk *= std::min(1.0, next.jerk_before / piece.jerk_share);
+    piece.acceleration =
+        std::min(piece.acceleration, piece.turning_acceleration * next.jerk_before);
+    piece.is_cell = piece.is_cell && piece.ramp == 1 && next.ramp_before == 1;
+    const double head = piece.corner_zone;
+    const double tail = next.corner_zone_before;
+    const double all = piece.acceleration;
+    if (head == 0) piece.acceleration = std::min(piece.acceleration, piece.ramp * all);
+    if (tail == 0) piece.acceleration = std::min(piece.acceleration, next.ramp_before * all);
+    if (head == 0 && tail == 0) return hand_on(piece, exit_limit);
+
+    // Beside a corner it has less on a short way alone: that is a piece of its own.
+    const Piece whole = piece;
+    const std::array<double, 4> bounds{0, head, whole.length - tail, whole.length};
+    const std::array<double, 3> most{piece.ramp * all, all, next.ramp_before * all};
+    bool is_first = true;
+    for (std::size_t i = 0; i < most.size(); ++i) {
+        if (bounds[i] == bounds[i + 1]) continue;
+        Piece& part = is_first ? pieces.back(behind) : pieces.insert_behind(behind);
+        part = part_of(whole, bounds[i], bounds[i + 1], axes);
+        part.acceleration = std::min(whole.acceleration, most[i]);
+        if (!is_first) part.issues = 0;
+        is_first = false;
+        hand_on(part, whole.speed);
     }
 }
 
@@ -299,20 +365,24 @@ void Planner::State::record_corner(const Piece& piece) {
     const double along = path_acceleration(segment.profile);
     const bool is_straight =
         std::holds_alternative<path::Line>(segment.curve) && !segment.is_transformed();
+    const double near =
+        acceleration_near(segment.profile, segment.profile.entry_acceleration, tick);
     if (axes.limits_jerk()) record_jerk(piece, along);
     if (speed > 0) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
             const double change = std::abs(piece.rates[i] - last_rates[i]);
             if (change < kStraight) continue;
             const double jump = change * speed / tick;
-            const double reached = corner_acceleration(last_loads.at(i, speed, last_along),
-                                                       piece.loads.at(i, speed, along), jump);
+            const double reached = corner_acceleration(last_loads.at(i, speed, last_near),
+                                                       piece.loads.at(i, speed, near), jump);
             totals.max_acceleration[i] = std::max(totals.max_acceleration[i], reached);
         }
     }
     last_rates = is_straight ? piece.rates : axes.end_rates(segment);
     last_loads = piece.loads;
     last_along = along;
+    const double end = state_at(segment.profile, segment.profile.duration()).acceleration;
+    last_near = acceleration_near(segment.profile, end, tick);
 }
 
 /// The same of the jerk.

@@ -46,6 +46,10 @@ struct Planner::State {
     bool next(Segment& segment);
     bool end();
     void fill();
+    void hand_on_oldest(std::size_t fresh_ones);
+    void share_crowd();
+    bool is_out_of_reach();
+    void hand_on_waiting(std::size_t behind, const Piece& next);
     void hand_on(const Piece& piece, double exit_limit);
     void append_complete();
     void begin_stretch();
@@ -104,13 +108,14 @@ struct Planner::State {
     bool went_through = false;     // the motion delivered last: a hold does not act on it
     bool is_stuck = false;         // nothing will let the motion go on
     bool has_ended = false;
-    bool is_waiting = false;  // the last piece, for the corner behind it
+    std::size_t waiting = 0;  // so many pieces before the fresh ones, for corners behind them
 
     Totals totals;
     AxisRates last_rates{};  // of the piece delivered last, at its end
     AxisTable::Loads last_loads;
     AxisRates last_bends{};
     double last_along = 0;  // its acceleration along the path
+    double last_near = 0;   // … within a tick of its end
     double last_jerk = 0;   // its jerk along the path
 };
 

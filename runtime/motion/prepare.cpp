@@ -86,6 +86,9 @@ Piece& Preparer::State::fresh_piece() {
     piece.jerk = piece.entry_acceleration = piece.turning_acceleration = kInfinity;
     piece.entry_limit = 0;
     piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
+    piece.corner_zone = piece.corner_zone_before = 0;
+    piece.crowd_ramp = 1;
+    piece.rests_at_corner = false;
     piece.is_cell = piece.is_geared = piece.has_dynamics = piece.follows_spindle = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;
     piece.can_be_held = false;
@@ -256,6 +259,7 @@ void Preparer::State::move(const Command& command) {
     follow_dynamics(command);
     if (standing.follow_transformation(command)) last.must_stop = true;
     meet_spindle(command);
+    if (has_pulses()) rest_at_points(command);
     Standing::Target target = standing.target_of(command);
     Segment segment = standing.still();
     segment.kind = command.op == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
@@ -284,6 +288,14 @@ void Preparer::State::move(const Command& command) {
     if (has_ended) return;
     standing.arrive(command, target);
     if (command.exact_stop) last.must_stop = true;
+}
+
+/// The pulses of a laser are timed from rest to rest where nothing burns, and in the mode that
+/// stops from point to point as well: no corner there takes anything from the ramps.
+void Preparer::State::rest_at_points(const Command& command) {
+    const bool burned = std::exchange(burns_point, command.op != Op::Rapid && spindle.is_turning);
+    const bool stops = machine.laser->mode == machine::PulseMode::Stop;
+    if (burned != burns_point || (burned && stops)) last.must_stop = true;
 }
 
 /// No further piece of the command comes.
@@ -454,6 +466,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.entry_limit = how.is_inside ? kInfinity : corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
+    if (how.course != nullptr) piece.course = *how.course;
     take_corner(piece);
     if (thread_goes_on) check_thread_corner(command, piece);
     if (how.as_cell && piece.ramp == 1 && segment.is_transformed()) {
@@ -469,10 +482,10 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
         piece.cell.acceleration = followers.acceleration;
     }
     if (axes.limits_jerk()) {
-        piece.entry_acceleration = corner_acceleration_limit(in);
+        piece.entry_acceleration =
+            std::min(piece.entry_acceleration, corner_acceleration_limit(in));
         take_bend(piece);
     }
-    if (how.course != nullptr) piece.course = *how.course;
     if (piece.course.is_on() || std::isfinite(last.exit_feed)) take_course(piece, in);
     remember(piece);
 }

@@ -14,23 +14,33 @@ using path::Vec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// How a corner and the ramps beside it share the acceleration of an axis (corner.h).
-constexpr double kMostRamp = 0.9;    // the jump has up to 42 % then
+// How a corner and the ramps beside it share the acceleration of an axis (corner.h): the parts of
+// their acceleration that ramps may keep at least, of which the quickest is taken. What is left at
+// the speed that comes out is given back to the ramps.
 constexpr double kSharedRamp = 0.5;  // half and half
+constexpr double kMostRamp = 0.9;    // the jump has up to 42 % then
+// … where ramps have so little within a tick of the corner alone.
+constexpr double kZoneRamp = 0.02;
+// A piece that is so many times as long as that way beside a corner has its acceleration elsewhere.
+constexpr double kZones = 4;
+// Ramps that lack less are not worth pieces of their own.
+constexpr double kWholeRamp = 0.98;
 // Corners of equal distance below a tick weigh up to 1.125 times as much as their mean.
 constexpr double kCrowding = 1.125;
 // Between blocks that are shorter, mm (deg), a corner is never a stop: contours of short blocks
-// shall run through, and a rest at every one of them shakes the machine. Under a transformation
-// neither beside one: axes need a way to get up to their speed.
+// shall run through, and a rest at every one of them shakes the machine; but where a curve is asked
+// for and does not pay, one that is quicker is taken. Under a transformation neither beside one:
+// axes need a way to get up to their speed.
 constexpr double kShortBlock = 1;
 constexpr double kStraight = 1e-9;  // as in corner.cpp
+// Halvings of a speed or a share: to a thousandth.
+constexpr int kSpeedSteps = 10;
 // A corner that could be passed so many times faster than the pieces beside it is none.
 constexpr double kNoCorner = 1e4;
 
 // Jumps of the curvature of equal distance below the width of the bell weigh up to 1.05 times as
 // much as their mean.
 constexpr double kBellCrowding = 1.05;
-constexpr double kMostJump = 0.5;  // part of an axis' jerk that a jump of the curvature may take
 
 }  // namespace
 
@@ -55,8 +65,12 @@ double Preparer::State::corner_speed(const Segment& segment, const AxisRates& in
 }
 
 /// The speed at which a corner may be taken, beside the ramps on both sides of it. What is left to
-/// the ramps makes the approach faster, what is left to the jump the corner: the quicker of two
-/// ways to share is taken.
+/// the ramps makes the approach faster, what is left to the jump the corner: the quickest of a few
+/// ways to share is taken, and the ramps get all that the jump leaves at its speed.
+///
+/// The setpoints see the ramps within a tick of the corner alone. Under a limit of the jerk the
+/// acceleration vanishes where a stretch ends (stretch.h), so there it is no more than the jerk
+/// makes of it in a tick; without one, a piece that is long enough has less on a short way only.
 void Preparer::State::take_corner(Piece& piece) const {
     if (piece.entry_limit > kNoCorner * std::min(last.speed, piece.speed))
         piece.entry_limit = kInfinity;
@@ -71,34 +85,112 @@ void Preparer::State::take_corner(Piece& piece) const {
         piece.rests_at_corner = true;
         return;
     }
-    const bool alone = is_alone(piece);
-    double ramp = kSharedRamp;
-    double speed = shared_speed(piece, alone, kSharedRamp);
-    double time = time_beside(piece, speed, ramp);
-    const auto take_if_quicker = [&](double other_speed, double other_ramp) {
-        const double other = time_beside(piece, other_speed, other_ramp);
-        if (other >= time) return;
-        time = other;
-        speed = other_speed;
-        ramp = other_ramp;
-    };
-    if (alone) take_if_quicker(shared_speed(piece, alone, kMostRamp), kMostRamp);
-    const bool may_rest = piece.segment.is_transformed()
-                              ? std::min(last.length, piece.length) >= kShortBlock
-                              : std::max(last.length, piece.length) >= kShortBlock;
-    if (may_rest) take_if_quicker(0, 1);
-    piece.entry_limit = speed;
-    piece.rests_at_corner = speed == 0;
+    const CornerShare share = quickest_share(piece);
+    piece.entry_limit = share.speed;
+    piece.rests_at_corner = share.speed == 0;
+    if (piece.rests_at_corner) return;
+    const double ramp = ramp_beside(piece, share);
+    if (axes.limits_jerk()) {
+        piece.entry_acceleration = ramp * std::min(last.acceleration, piece.acceleration);
+        if (ends_smoothly(piece)) return;
+    }
     piece.ramp = piece.ramp_before = ramp;
-    piece.acceleration *= ramp;
+    if (!share.is_alone) piece.crowd_ramp = ramp;
+    if (ramp >= kWholeRamp || !allows_zones(piece)) return;
+    const double zone = corner_zone(piece, share.speed, ramp);
+    const auto is_cut = [&](double length, bool can_be_cut) {
+        return can_be_cut && length >= kZones * zone;
+    };
+    if (is_cut(piece.length, can_be_cut(piece.segment))) piece.corner_zone = zone;
+    if (is_cut(last.length, last.can_be_cut)) piece.corner_zone_before = zone;
 }
 
-/// Time for the halves of both pieces beside a corner that is passed at this speed.
-double Preparer::State::time_beside(const Piece& piece, double speed, double ramp) const {
-    const double before = time_over(last.length / 2, std::min(speed, last.speed), last.speed,
-                                    {ramp * last.acceleration, last.jerk});
-    return before + time_over(piece.length / 2, std::min(speed, piece.speed), piece.speed,
-                              {ramp * piece.acceleration, piece.jerk});
+/// Of the ways to share, the one that takes the least time.
+CornerShare Preparer::State::quickest_share(const Piece& piece) const {
+    const double full = std::min(last.speed, piece.speed);
+    CornerShare best{0, kSharedRamp, is_alone(piece)};
+    const auto with = [&](double ramp, RampEnd end) {
+        CornerShare other{0, ramp, best.is_alone, end};
+        other.speed = shared_speed(piece, other);
+        return other;
+    };
+    best.speed = shared_speed(piece, best);
+    if (best.speed >= full) return best;  // no other one is quicker
+    const bool is_smooth = best.is_alone && axes.limits_jerk() && ends_smoothly(piece);
+    const CornerShare smooth = is_smooth ? with(0, RampEnd::Smooth) : best;
+    const bool may_be_smooth = is_smooth && has_own_ramps(piece, std::min(smooth.speed, full));
+    // The ramps have all, and the corner has more than beside any of them.
+    if (may_be_smooth) best = smooth;
+    double time = time_beside(piece, best);
+    const auto take_if_quicker = [&](const CornerShare& other) {
+        const double other_time = time_beside(piece, other);
+        if (other_time >= time) return;
+        time = other_time;
+        best = other;
+    };
+    if (best.is_alone && !may_be_smooth) {
+        take_if_quicker(with(kMostRamp, RampEnd::Whole));
+        if (allows_zones(piece) && last.can_be_cut && can_be_cut(piece.segment)) {
+            const CornerShare zoned = with(kZoneRamp, RampEnd::Zone);
+            const double zone = corner_zone(piece, zoned.speed, kZoneRamp);
+            if (std::min(last.length, piece.length) >= kZones * zone) take_if_quicker(zoned);
+        }
+    }
+    const bool may_rest = piece.segment.is_transformed()
+                              ? std::min(last.length, piece.length) >= kShortBlock
+                              : stays_sharp || std::max(last.length, piece.length) >= kShortBlock;
+    if (may_rest) {
+        if (stays_sharp) time /= kSureToPay;
+        take_if_quicker({0, 1, best.is_alone, RampEnd::Whole});
+    }
+    return best;
+}
+
+/// Whether both pieces are long enough for ramps of their own up to the speed of a corner. Many
+/// that are not may lie on one ramp, whose acceleration must not vanish between them.
+bool Preparer::State::has_own_ramps(const Piece& piece, double speed) const {
+    const double reach = std::min(last.length, piece.length) / 2;
+    const RampLimits ramp{std::min(last.acceleration, piece.acceleration),
+                          std::min(last.jerk, piece.jerk)};
+    return smooth_ramp_length(0, speed, ramp) <= reach;
+}
+
+/// Whether pieces may be cut beside a corner, so that they have less acceleration there alone. The
+/// pulses of a laser time whole blocks that burn, and a thread has its pitch on all of its way.
+bool Preparer::State::allows_zones(const Piece& piece) const {
+    const bool is_timed = has_pulses() && burns_point;
+    return !axes.limits_jerk() && !is_timed && !piece.segment.is_thread && !piece.course.is_on() &&
+           std::isinf(last.exit_feed);
+}
+
+/// The way beside a corner on which ramps have this part of their acceleration: that of a tick; of
+/// two where the jump is less than the ramps, for then setpoints that see half of it see most.
+double Preparer::State::corner_zone(const Piece& piece, double speed, double ramp) const {
+    const double time = (ramp > kSharedRamp ? 2 : 1) * tick;
+    const double acceleration = ramp * std::max(last.acceleration, piece.acceleration);
+    return time * (std::min({speed, last.speed, piece.speed}) + acceleration * time / 2);
+}
+
+/// Whether a ramp that ends without acceleration has little within a tick of its end.
+bool Preparer::State::ends_smoothly(const Piece& piece) const {
+    if (piece.course.is_on() || std::isfinite(last.exit_feed)) return false;
+    return last.jerk * tick <= kSharedRamp * last.acceleration &&
+           piece.jerk * tick <= kSharedRamp * piece.acceleration;
+}
+
+/// Time for the halves of both pieces beside a corner that is passed so.
+double Preparer::State::time_beside(const Piece& piece, const CornerShare& share) const {
+    const double zone =
+        share.end == RampEnd::Zone ? corner_zone(piece, share.speed, share.ramp) : 0;
+    const double ramp = share.end == RampEnd::Whole ? share.ramp : 1;
+    const auto time_on = [&](double length, double most, const RampLimits& limits) {
+        const double speed = std::min(share.speed, most);
+        const double beside = zone > 0 ? zone / speed : 0;
+        return beside +
+               time_over(length / 2 - zone, speed, most, {ramp * limits.acceleration, limits.jerk});
+    };
+    return time_on(last.length, last.speed, {last.acceleration, last.jerk}) +
+           time_on(piece.length, piece.speed, {piece.acceleration, piece.jerk});
 }
 
 /// Whether no other corner comes within two ticks.
@@ -108,9 +200,44 @@ bool Preparer::State::is_alone(const Piece& piece) const {
     return std::min(last.length, piece.length) >= 2 * tick * (full + gain);
 }
 
-/// … if the pieces on both sides use the part `ramp` of their acceleration.
-double Preparer::State::shared_speed(const Piece& piece, bool alone, double ramp) const {
+/// The accelerations along the path on both sides within a tick of the corner.
+SidesOfCorner Preparer::State::sides_of(const Piece& piece, const CornerShare& share) const {
+    if (share.end != RampEnd::Smooth)
+        return {share.ramp * last.acceleration, share.ramp * piece.acceleration};
+    return {std::min(last.acceleration, last.jerk * tick),
+            std::min(piece.acceleration, piece.jerk * tick)};
+}
+
+/// What an axis has on both sides of the corner at these accelerations, in parts of its limits:
+/// within a tick the speed may still rise, and what turning takes with it.
+SidesOfCorner Preparer::State::loads_beside(const Piece& piece, std::size_t axis, double speed,
+                                            const SidesOfCorner& along) const {
+    const double part = last.dynamics.acceleration[index(machine.axes[axis].axis)];
+    const double before = std::min(last.speed, speed + tick * along.before);
+    const double behind = std::min(piece.speed, speed + tick * along.behind);
+    return {last.loads.at(axis, before, along.before) / (machine_axes.acceleration(axis) * part),
+            piece.loads.at(axis, behind, along.behind) / axes.acceleration(axis)};
+}
+
+/// The speed of the corner if the ramps on both sides have their share.
+double Preparer::State::shared_speed(const Piece& piece, const CornerShare& share) const {
+    const SidesOfCorner along = sides_of(piece, share);
     const double full = std::min({piece.entry_limit, last.speed, piece.speed});
+    double low = shared_speed_at(piece, share, along, full);
+    const bool is_bent = last.is_bent || !is_straight(piece.segment);
+    if (low >= full || !is_bent || !share.is_alone) return low;
+    // Turning takes less of the axes at the speed of the corner than at that of the pieces.
+    double high = full;
+    for (int i = 0; i < kSpeedSteps; ++i) {
+        const double middle = (low + high) / 2;
+        (shared_speed_at(piece, share, along, middle) >= middle ? low : high) = middle;
+    }
+    return low;
+}
+
+/// … while turning takes what it does at the speed `at`.
+double Preparer::State::shared_speed_at(const Piece& piece, const CornerShare& share,
+                                        const SidesOfCorner& along, double at) const {
     const double reach = std::min(last.length, piece.length);
     const double gain = tick * std::max(last.acceleration, piece.acceleration);
     double speed = piece.entry_limit;
@@ -118,19 +245,67 @@ double Preparer::State::shared_speed(const Piece& piece, bool alone, double ramp
         const double change = std::abs(piece.rates[i] - last.rates[i]);
         if (change < kStraight) continue;
         const double limit = acceleration_at_corner(i);
-        const double before = last.loads.at(i, full, ramp * last.acceleration) /
-                              (machine_axes.acceleration(i) *
-                               last.dynamics.acceleration[index(machine.axes[i].axis)]);
-        const double behind =
-            piece.loads.at(i, full, ramp * piece.acceleration) / axes.acceleration(i);
-        const double share = jump_share(before, behind, alone);
-        speed = std::min(speed, share * jump[i] / change);
-        if (alone) continue;
+        const SidesOfCorner loads = loads_beside(piece, i, at, along);
+        const double part =
+            jump_share(loads.before, loads.behind, share.is_alone, most_at_corner(i));
+        speed = std::min(speed, part * limit * tick / change);
+        if (share.is_alone) continue;
         // v·(v + gain) = most: between this corner and the next the speed may still rise.
-        const double most = share * limit * reach / (kCrowding * change);
+        const double most = part * limit * reach / (kCrowding * change);
         speed = std::min(speed, std::sqrt(gain * gain / 4 + most) - gain / 2);
     }
     return speed;
+}
+
+/// The part of their acceleration that the ramps beside a corner keep, which is passed at this
+/// speed at most.
+double Preparer::State::ramp_beside(const Piece& piece, const CornerShare& share) const {
+    const double speed = std::min({share.speed, last.speed, piece.speed});
+    const double least = share.end == RampEnd::Smooth ? 0 : share.ramp;
+    const bool is_bent = last.is_bent || !is_straight(piece.segment);
+    double ramp = 1;
+    for (std::size_t i = 0; i < axes.size() && ramp > least; ++i) {
+        const double change = std::abs(piece.rates[i] - last.rates[i]);
+        if (change < kStraight) continue;
+        const double most = most_at_corner(i);
+        const double jumped = share.is_alone ? change * speed / (acceleration_at_corner(i) * tick)
+                                             : crowded_jump(piece, i, speed);
+        const auto loads_at = [&](double part) {
+            return loads_beside(piece, i, speed,
+                                {part * last.acceleration, part * piece.acceleration});
+        };
+        if (!is_bent && share.is_alone) {
+            const SidesOfCorner loads = loads_at(1);
+            ramp = std::min(ramp, ramp_share(loads.before, loads.behind, jumped, most));
+            continue;
+        }
+        // Between corners that are so near the ramps have it on other axes as well.
+        if (!share.is_alone) ramp = std::min(ramp, most - jumped);
+        const auto leaves_enough = [&](double part) {
+            const SidesOfCorner loads = loads_at(part);
+            if (share.is_alone)
+                return corner_acceleration(loads.before, loads.behind, jumped) <= most;
+            return std::max(loads.before, loads.behind) + jumped <= most;
+        };
+        if (!is_bent || leaves_enough(ramp)) continue;
+        double low = least;
+        for (int k = 0; k < kSpeedSteps && low < ramp; ++k) {
+            const double middle = (low + ramp) / 2;
+            (leaves_enough(middle) ? low : ramp) = middle;
+        }
+        ramp = low;
+    }
+    return std::max(ramp, least);
+}
+
+/// The jumps of an axis that come together at corners that lie within two ticks of each other, in
+/// parts of what it may change its velocity by in a tick.
+double Preparer::State::crowded_jump(const Piece& piece, std::size_t axis, double speed) const {
+    const double change = std::abs(piece.rates[axis] - last.rates[axis]);
+    const double reach = std::min(last.length, piece.length);
+    const double gain = tick * std::max(last.acceleration, piece.acceleration);
+    const double near = std::max(1 / tick, kCrowding * (speed + gain) / reach);
+    return change * speed * near / acceleration_at_corner(axis);
 }
 
 /// With how much acceleration along the path the corner may be passed.
@@ -151,22 +326,30 @@ void Preparer::State::take_bend(Piece& piece) const {
     const bool is_bent = !is_straight(piece.segment);
     if (!is_bent && !last.is_bent) return;
     const AxisRates bends = is_bent ? axes.start_bends(piece.segment) : AxisRates{};
-    double change = 0;  // of d²q/ds², in parts of the axis' jerk
+    double change = 0;  // of d²q/ds², in parts of the axis' jerk …
+    double braked = 0;  // … and of the jerk that its jump of the acceleration stands for
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        change = std::max(change, std::abs(bends[i] - last.bends[i]) / jerk_at_corner(i));
+        const double bent = std::abs(bends[i] - last.bends[i]);
+        change = std::max(change, bent / jerk_at_corner(i));
+        braked = std::max(braked, bent / jerk_of_bend(i));
     }
     const double speed = std::min({piece.entry_limit, last.speed, piece.speed});
     const double reach = std::min(last.length, piece.length);
     const bool is_alone = reach >= kJumpBellTicks * tick * speed;
-    const double weight = (is_alone ? 1 : kBellCrowding) * change;
+    const double weight = is_alone ? 1 : kBellCrowding;
     const double bell = kJumpBell / tick;
-    const double full = weight * speed * speed * (is_alone ? bell : std::max(bell, speed / reach));
-    if (full < kStraight) return;
-    if (full > kMostJump) {
-        const double most = kMostJump / weight;
+    const auto taken = [&](double part, double v) {
+        return weight * part * v * v * (is_alone ? bell : std::max(bell, v / reach));
+    };
+    if (taken(change, speed) < kStraight && taken(braked, speed) <= kMostJump) return;
+    double passed = speed;
+    if (taken(braked, speed) > kMostJump) {
+        const double most = kMostJump / (weight * braked);
         const double alone = std::sqrt(most / bell);
-        piece.entry_limit = is_alone ? alone : std::min(alone, std::cbrt(most * reach));
+        passed = is_alone ? alone : std::min(alone, std::cbrt(most * reach));
+        piece.entry_limit = passed;
     }
+    const double full = taken(change, passed);
     piece.jerk_share = piece.jerk_before = 1 - std::min(full, kMostJump);
     piece.jerk *= piece.jerk_share;
     piece.acceleration =
@@ -176,6 +359,8 @@ void Preparer::State::take_bend(Piece& piece) const {
 void Preparer::State::remember(const Piece& piece) {
     const Segment& segment = piece.segment;
     last.is_bent = !is_straight(segment);
+    last.can_be_cut = can_be_cut(segment);
+    stays_sharp = false;
     last.rates = last.is_bent ? axes.end_rates(segment) : piece.rates;
     if (axes.limits_jerk()) last.bends = last.is_bent ? axes.end_bends(segment) : AxisRates{};
     if (options.corner_rule == CornerRule::JunctionDeviation) {
@@ -190,7 +375,7 @@ void Preparer::State::remember(const Piece& piece) {
     }
     last.length = piece.length;
     last.speed = piece.speed;
-    last.acceleration = piece.acceleration / piece.ramp;
+    last.acceleration = piece.acceleration;
     last.jerk = piece.jerk;
     last.turns_only = segment.turns_only;
     last.must_stop = false;

@@ -39,6 +39,15 @@ double Preparer::State::jerk_at_corner(std::size_t axis) const {
     return std::min(axes.jerk(axis), machine_axes.jerk(axis) * part);
 }
 
+/// By how much an axis may change its velocity in the tick of a corner, in parts of what its
+/// acceleration is enough for: more than 1 where the machine's file lets its velocity jump so.
+double Preparer::State::most_at_corner(std::size_t axis) const {
+    return std::max(1.0, jump[axis] / (acceleration_at_corner(axis) * tick));
+}
+
+/// The jerk of which a part goes into a jump of the acceleration where the curvature changes.
+double Preparer::State::jerk_of_bend(std::size_t axis) const { return jerk_at_corner(axis); }
+
 /// What F is multiplied with by the program.
 double Preparer::State::programmed_override(const path::Command& command) const {
     const bool is_free = command.keeps_feed || command.op == path::Op::Thread;

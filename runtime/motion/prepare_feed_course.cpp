@@ -26,8 +26,6 @@ constexpr double kOfAcceleration = 0.25;
 constexpr double kOfJerk = 0.2;
 /// No piece passes in fewer ticks.
 constexpr double kShortestTicks = 2;
-/// Of the jerk of an axis, what a jump of its acceleration between two pieces may take in a tick.
-constexpr double kMostJump = 0.5;
 constexpr double kNoJump = 1e-9;
 
 }  // namespace

@@ -31,8 +31,12 @@ struct Alternative {
     double half = 0;  // of the shorter one of both motions, mm
 };
 
-/// Whether the curve takes less time than the corner, which may be passed or be a stop. Ramps end
-/// in the middles of both motions.
+/// Under a limit of the jerk a curve and what is beside it may become one stretch, which costs up
+/// to this part of a ramp to its speed (stretch.h).
+constexpr double kGathering = 0.1;
+
+/// Whether the curve takes less time than the corner, which may be passed or be a stop, whatever
+/// becomes of it when its pieces are planned. Ramps end in the middles of both motions.
 bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& beside) {
     double on_curve = 0;
     double through_corner = 0;
@@ -41,12 +45,14 @@ bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& besid
         RampLimits ramp{limits.acceleration, limits.jerk};
         on_curve += curve.way / curve.on_curve +
                     time_over(curve.half - curve.way, curve.on_curve, limits.speed, ramp);
+        if (std::isfinite(ramp.jerk))
+            on_curve += kGathering * smooth_ramp_time(0, curve.on_curve, ramp);
         with_stop += time_over(curve.half, 0, limits.speed, ramp);
         ramp.acceleration *= curve.corner.ramp;
         ramp.jerk *= curve.corner.jerk_share;
         through_corner += time_over(curve.half, curve.corner.speed, limits.speed, ramp);
     }
-    return on_curve < std::min(through_corner, with_stop);
+    return on_curve < kSureToPay * std::min(through_corner, with_stop);
 }
 
 constexpr bool is_rounded(Op op) {
@@ -99,6 +105,12 @@ void Preparer::State::release() {
     emit_rest(held.command, held.segment, held.length, held.from);
 }
 
+/// The same; the corner behind it was to be rounded, and no curve pays.
+void Preparer::State::keep_sharp() {
+    release();
+    stays_sharp = true;
+}
+
 /// A motion from a place on its way on.
 void Preparer::State::emit_rest(const Command& command, const Segment& whole, double length,
                                 double from) {
@@ -125,7 +137,7 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     if (is_transformed) return round_turned_corner(command, segment, length);
     const auto found =
         rounding({held.segment.curve, held.command.blending}, {segment.curve, command.blending});
-    if (!found) return release(), 0;
+    if (!found) return keep_sharp(), 0;
     const std::array<path::Curve, 2> before{found->curve[0], found->curve[1]};
     const std::array<path::Curve, 2> behind{found->curve[2], found->curve[3]};
     const std::array<PathLimits, 2> beside = {limits_on(held.command, held.segment, held.length),
@@ -136,7 +148,7 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     const CornerPassage corner =
         corner_between({held.segment, held.length, beside[0]}, {segment, length, beside[1]});
     if (!saves_time({found->way, on_curve, corner, std::min(held.length, length) / 2}, beside))
-        return release(), 0;
+        return keep_sharp(), 0;
     held.is_held = false;
     emit_part(held.command, held.segment, held.length, {held.from, held.length - found->way});
     emit_curves(held.command, held.segment, held.length, before);
@@ -230,6 +242,7 @@ CornerPassage Preparer::State::corner_between(const Beside& before, const Beside
     memory.rates = axes.end_rates(before.segment);
     memory.loads = axes.loads(before.segment, axes.start_rates(before.segment));
     memory.is_bent = !is_straight(before.segment);
+    memory.can_be_cut = can_be_cut(before.segment);
     if (axes.limits_jerk() && memory.is_bent) memory.bends = axes.end_bends(before.segment);
     memory.dynamics = dynamics;
     memory.is_plain = is_plain;

@@ -39,7 +39,8 @@ struct CornerMemory {
     double jerk = std::numeric_limits<double>::infinity();
     bool turns_only = false;
     bool is_bent = false;
-    bool must_stop = true;                                       // the path comes to rest behind it
+    bool can_be_cut = true;  // into parts that are as exact as the whole
+    bool must_stop = true;   // the path comes to rest behind it
     double exit_feed = std::numeric_limits<double>::infinity();  // of a course of the feed
     double feed_slope = 0;  // of it by the way, in parts of the feed, 1/mm
 };
@@ -47,6 +48,12 @@ struct CornerMemory {
 inline bool is_straight(const Segment& segment) {
     return !segment.is_transformed() && (std::holds_alternative<path::Line>(segment.curve) ||
                                          std::holds_alternative<path::Point>(segment.curve));
+}
+
+/// Lines and arcs: the parts of other curves are measured anew, each to within a tolerance.
+inline bool can_be_cut(const Segment& segment) {
+    return is_straight(segment) ||
+           (!segment.is_transformed() && std::holds_alternative<path::Helix>(segment.curve));
 }
 
 /// A motion that waits for the next one, because the corner between them may be rounded.
@@ -69,12 +76,34 @@ struct Emission {
     const FeedCourse* course = nullptr;  // … or this one
 };
 
+/// What is estimated of a corner holds to a few per cent where short motions lie beside it: only
+/// what takes less than this part of the time of a stop is surely quicker.
+inline constexpr double kSureToPay = 0.97;
+
 /// How a corner is passed: so fast, with this part of the acceleration and of the jerk left to the
 /// ramps beside it. 0: at rest.
 struct CornerPassage {
     double speed = 0;
     double ramp = 1;
     double jerk_share = 1;
+};
+
+/// What ramps have beside a corner, within a tick of it: a part of what they have all along, or
+/// less there alone; or they end there without acceleration.
+enum class RampEnd : std::uint8_t { Whole, Zone, Smooth };
+
+/// A way to share what the axes have between the jump at a corner and the ramps beside it.
+struct CornerShare {
+    double speed = 0;      // of the corner
+    double ramp = 1;       // part of their acceleration along the path that the ramps keep at least
+    bool is_alone = true;  // no other corner comes within two ticks
+    RampEnd end = RampEnd::Whole;
+};
+
+/// Of something that both sides of a corner have.
+struct SidesOfCorner {
+    double before = 0;
+    double behind = 0;
 };
 
 /// What is beside a corner.
@@ -159,9 +188,21 @@ struct Preparer::State {
     void ask(const path::Command& command, Piece& piece) const;
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
     void take_corner(Piece& piece) const;
+    CornerShare quickest_share(const Piece& piece) const;
+    bool allows_zones(const Piece& piece) const;
+    double corner_zone(const Piece& piece, double speed, double ramp) const;
+    bool ends_smoothly(const Piece& piece) const;
+    bool has_own_ramps(const Piece& piece, double speed) const;
     bool is_alone(const Piece& piece) const;
-    double time_beside(const Piece& piece, double speed, double ramp) const;
-    double shared_speed(const Piece& piece, bool alone, double ramp) const;
+    double time_beside(const Piece& piece, const CornerShare& share) const;
+    SidesOfCorner sides_of(const Piece& piece, const CornerShare& share) const;
+    SidesOfCorner loads_beside(const Piece& piece, std::size_t axis, double speed,
+                               const SidesOfCorner& along) const;
+    double shared_speed(const Piece& piece, const CornerShare& share) const;
+    double shared_speed_at(const Piece& piece, const CornerShare& share, const SidesOfCorner& along,
+                           double at) const;
+    double ramp_beside(const Piece& piece, const CornerShare& share) const;
+    double crowded_jump(const Piece& piece, std::size_t axis, double speed) const;
     double corner_acceleration_limit(const AxisRates& in) const;
     void take_bend(Piece& piece) const;
     void remember(const Piece& piece);
@@ -170,6 +211,8 @@ struct Preparer::State {
     void set_jumps();
     double acceleration_at_corner(std::size_t axis) const;
     double jerk_at_corner(std::size_t axis) const;
+    double most_at_corner(std::size_t axis) const;
+    double jerk_of_bend(std::size_t axis) const;
     double programmed_override(const path::Command& command) const;
     double feed_override(const path::Command& command) const;
     bool stands_for_ever(const path::Command& command);
@@ -188,12 +231,14 @@ struct Preparer::State {
 
     std::optional<double> feed_of(const path::Command& command, const Segment& segment,
                                   double length) const;
+    void rest_at_points(const path::Command& command);
     bool has_pulses() const { return machine.laser && machine.laser->pulse > 0; }
     bool can_be_rounded(const path::Command& command, const Segment& segment,
                         const Arrival& arrival) const;
     bool hold(const path::Command& command, const Segment& segment, const Arrival& arrival,
               double from);
     void release();
+    void keep_sharp();
     double round_corner(const path::Command& command, const Segment& segment,
                         const Arrival& arrival);
     double round_turned_corner(const path::Command& command, const Segment& segment, double length);
@@ -216,7 +261,7 @@ struct Preparer::State {
     bool is_plain = true;     // nothing is said there
     const PlannerOptions& options;
     DiagnosticSink& sink;
-    double tick = 0;   // s
+    double tick = 0;   // s, of the machine
     AxisRates jump{};  // by how much an axis may change its velocity at a corner
 
     std::vector<path::Command> batch = std::vector<path::Command>(kBatch);
@@ -231,6 +276,8 @@ struct Preparer::State {
     bool is_threading = false;    // the latest motion is a thread …
     bool thread_goes_on = false;  // … that goes on with the one before it
     bool leaves_thread = false;   // the latest motion is none, and the one before it was
+    bool burns_point = false;     // the latest motion ends with a pulse of the laser
+    bool stays_sharp = false;     // the next corner: a curve around it would take longer
 
     Standing standing;
     Spindle spindle;

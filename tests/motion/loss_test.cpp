@@ -98,12 +98,19 @@ TEST(Losses, ACornerCostsTheRampsOnBothSides) {
     const std::vector<Command> corner = {line_to({100, 0, 0}, v * 60),
                                          line_to({100, 100, 0}, v * 60)};
     const Motion motion = run(machine, corner);
-    const double slow = motion.segments[1].profile.entry_speed;
+    // On both sides of the corner a piece of its own, the way of a tick of it, where the ramp has a
+    // fiftieth of the acceleration.
+    ASSERT_EQ(motion.segments.size(), 4u);
+    const double slow = motion.segments[2].profile.entry_speed;
+    const double near = motion.segments[2].profile.exit_speed;
     ASSERT_GT(slow, 0);
-    ASSERT_LT(slow, 0.2 * v);
+    ASSERT_LT(slow, 0.5 * v);
     const double a = motion.segments[0].profile.deceleration;
-    // From v to the corner's speed u: (v − u)/a over (v² − u²)/2a, on both sides.
-    const double ramp = (v - slow) / a - (v * v - slow * slow) / (2 * a * v);
+    // From v down to the speed w of that piece, and on to the corner's u: (v − w)/a + (w − u)/b
+    // over (v² − w²)/2a + (w² − u²)/2b.
+    const double b = motion.segments[2].profile.acceleration;
+    const double ramp = (v - near) / a + (near - slow) / b -
+                        ((v * v - near * near) / a + (near * near - slow * slow) / b) / (2 * v);
     const Losses losses = losses_of(machine, corner);
     expect_only(losses, {{LossReason::Corner, 2 * ramp}, {LossReason::Stop, v / a}}, 1e-6);
     EXPECT_NEAR(losses.by_line.at(1), ramp + v / (2 * a), 1e-6);

@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "motion/axis_table.h"
+#include "tests/motion/any_program.h"
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
@@ -258,6 +260,32 @@ TEST(Rounding, SetpointsKeepVelocityAccelerationAndJerk) {
             }
         }
     }
+}
+
+/// Whatever becomes of the curves when they are planned: a rounded corner never takes longer than a
+/// stop at it. 40 lines of 2 mm took 3.5 % more.
+RC_GTEST_PROP(RoundingProperty, AZigzagTakesNoLongerThanWithStops, ()) {
+    const machine::Machine machine = *rc::gen::arbitrary<bool>() ? machine_of() : smooth_machine();
+    const double feed = any_number(1000, 20000);
+    const double length = *rc::gen::element(0.3, 1.0, 2.0, 5.0);
+    const bool is_even = *rc::gen::arbitrary<bool>();
+    const int count = *rc::gen::inRange(3, 41);
+    std::vector<Command> zigzag;
+    Vec3 at = Vec3::Zero();
+    double turn = any_number(0, 180);
+    double direction = 0;
+    for (int i = 0; i < count; ++i) {
+        const double size = is_even ? length : length * any_number(0, 3);
+        at += size * Vec3(std::cos(direction), std::sin(direction), 0);
+        if (size > 0) zigzag.push_back(line_to(at, feed));
+        if (!is_even) turn = any_number(0, 180);
+        direction += (i % 2 == 0 ? turn : -turn) * std::numbers::pi / 180;
+    }
+    std::vector<Command> stops = zigzag;
+    for (Command& command : stops) command.exact_stop = true;
+    const double most = run(machine, stops).totals.time;
+    for (const auto& wish : {by_distance(0.3), by_distance(1), within(0.05), within(0.3, true)})
+        RC_ASSERT(run(machine, rounded(zigzag, wish)).totals.time <= most * (1 + 1e-9));
 }
 
 TEST(Rounding, ShortBlocksAreShared) {
