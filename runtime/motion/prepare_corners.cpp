@@ -139,10 +139,13 @@ CornerShare Preparer::State::quickest_share(const Piece& piece) const {
     const bool may_rest = piece.segment.is_transformed()
                               ? std::min(last.length, piece.length) >= kShortBlock
                               : stays_sharp || std::max(last.length, piece.length) >= kShortBlock;
-    if (may_rest) {
-        if (stays_sharp) time /= kSureToPay;
-        take_if_quicker({0, 1, best.is_alone, RampEnd::Whole});
-    }
+    if (!may_rest) return best;
+    const CornerShare rest{0, 1, best.is_alone, RampEnd::Whole};
+    const double with_rest = time_beside(piece, rest);
+    const bool is_doubtful = time > kSurelyQuicker * with_rest;
+    if (time > with_rest ||
+        (is_doubtful && time_between_rests(piece, best) > time_between_rests(piece, rest)))
+        best = rest;
     return best;
 }
 
@@ -191,6 +194,25 @@ double Preparer::State::time_beside(const Piece& piece, const CornerShare& share
     };
     return time_on(last.length, last.speed, {last.acceleration, last.jerk}) +
            time_on(piece.length, piece.speed, {piece.acceleration, piece.jerk});
+}
+
+/// … and for the whole of both if they begin and end at rest, where passing it is worth the least:
+/// the slower a motion is anyway, the more a stop at its end costs.
+double Preparer::State::time_between_rests(const Piece& piece, const CornerShare& share) const {
+    const double zone =
+        share.end == RampEnd::Zone ? corner_zone(piece, share.speed, share.ramp) : 0;
+    const double near = share.end == RampEnd::Whole ? share.ramp : 1;
+    const double far = allows_zones(piece) ? 1 : near;
+    const ProfileLimits before{last.speed, far * last.acceleration, near * last.acceleration,
+                               last.jerk};
+    const ProfileLimits behind{piece.speed, far * piece.acceleration, near * piece.acceleration,
+                               piece.jerk};
+    const double speed =
+        std::min({share.speed, last.speed, piece.speed,
+                  speed_from_rest(last.length - zone, {before.acceleration, before.jerk}),
+                  speed_from_rest(piece.length - zone, {behind.acceleration, behind.jerk})});
+    return (zone > 0 ? 2 * zone / speed : 0) + time_from_rest(last.length - zone, speed, before) +
+           time_from_rest(piece.length - zone, speed, behind);
 }
 
 /// Whether no other corner comes within two ticks.

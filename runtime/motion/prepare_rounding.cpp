@@ -28,31 +28,61 @@ struct Alternative {
     double way = 0;       // mm of the curve on either side
     double on_curve = 0;  // speed there
     CornerPassage corner;
-    double half = 0;  // of the shorter one of both motions, mm
+    std::array<double, 2> lengths{};  // of both motions, mm
+    std::array<PathLimits, 2> limits;
 };
 
 /// Under a limit of the jerk a curve and what is beside it may become one stretch, which costs up
 /// to this part of a ramp to its speed (stretch.h).
 constexpr double kGathering = 0.1;
 
+double gathering(double speed, const RampLimits& ramp) {
+    return std::isfinite(ramp.jerk) ? kGathering * smooth_ramp_time(0, speed, ramp) : 0;
+}
+
+/// Whether the curve takes less time than a stop where the motions begin and end at rest: there it
+/// is worth the least, for the slower a motion is anyway, the more a stop at its end costs.
+bool is_quicker_between_rests(const Alternative& curve) {
+    double speed = curve.on_curve;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const PathLimits& limits = curve.limits[i];
+        speed = std::min(speed, speed_from_rest(curve.lengths[i] - curve.way,
+                                                {limits.acceleration, limits.jerk}));
+    }
+    double on_curve = 0;
+    double with_stop = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const PathLimits& limits = curve.limits[i];
+        const RampLimits ramp{limits.acceleration, limits.jerk};
+        const ProfileLimits most{limits.speed, limits.acceleration, limits.acceleration,
+                                 limits.jerk};
+        const double length = curve.lengths[i];
+        on_curve += curve.way / speed + time_from_rest(length - curve.way, speed, most) +
+                    gathering(speed, ramp);
+        with_stop += time_from_rest(length, 0, most);
+    }
+    return on_curve < with_stop;
+}
+
 /// Whether the curve takes less time than the corner, which may be passed or be a stop, whatever
 /// becomes of it when its pieces are planned. Ramps end in the middles of both motions.
-bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& beside) {
+bool saves_time(const Alternative& curve) {
+    const double half = std::min(curve.lengths[0], curve.lengths[1]) / 2;
     double on_curve = 0;
     double through_corner = 0;
     double with_stop = 0;
-    for (const PathLimits& limits : beside) {
+    for (const PathLimits& limits : curve.limits) {
         RampLimits ramp{limits.acceleration, limits.jerk};
         on_curve += curve.way / curve.on_curve +
-                    time_over(curve.half - curve.way, curve.on_curve, limits.speed, ramp);
-        if (std::isfinite(ramp.jerk))
-            on_curve += kGathering * smooth_ramp_time(0, curve.on_curve, ramp);
-        with_stop += time_over(curve.half, 0, limits.speed, ramp);
+                    time_over(half - curve.way, curve.on_curve, limits.speed, ramp) +
+                    gathering(curve.on_curve, ramp);
+        with_stop += time_over(half, 0, limits.speed, ramp);
         ramp.acceleration *= curve.corner.ramp;
         ramp.jerk *= curve.corner.jerk_share;
-        through_corner += time_over(curve.half, curve.corner.speed, limits.speed, ramp);
+        through_corner += time_over(half, curve.corner.speed, limits.speed, ramp);
     }
-    return on_curve < kSureToPay * std::min(through_corner, with_stop);
+    if (on_curve >= std::min(through_corner, with_stop)) return false;
+    return on_curve < kSurelyQuicker * with_stop || is_quicker_between_rests(curve);
 }
 
 constexpr bool is_rounded(Op op) {
@@ -147,7 +177,7 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
         std::min(least_speed(before, held.segment, most), least_speed(behind, segment, most));
     const CornerPassage corner =
         corner_between({held.segment, held.length, beside[0]}, {segment, length, beside[1]});
-    if (!saves_time({found->way, on_curve, corner, std::min(held.length, length) / 2}, beside))
+    if (!saves_time({found->way, on_curve, corner, {held.length, length}, beside}))
         return keep_sharp(), 0;
     held.is_held = false;
     emit_part(held.command, held.segment, held.length, {held.from, held.length - found->way});
@@ -177,8 +207,8 @@ std::optional<TurnedRounding> Preparer::State::rounded_turn(const Command& comma
     const double length = behind.whole().turn.length;
     const CornerPassage corner =
         corner_between({tail, held.length, beside[0]}, {head, length, beside[1]});
-    const double half = std::min(held.length, length) / 2;
-    const bool is_quicker = saves_time({found->way, on_curve, corner, half}, beside);
+    const bool is_quicker =
+        saves_time({found->way, on_curve, corner, {held.length, length}, beside});
     return is_quicker ? found : std::nullopt;
 }
 

@@ -76,9 +76,9 @@ struct Emission {
     const FeedCourse* course = nullptr;  // … or this one
 };
 
-/// What is estimated of a corner holds to a few per cent where short motions lie beside it: only
-/// what takes less than this part of the time of a stop is surely quicker.
-inline constexpr double kSureToPay = 0.97;
+/// What takes less than this part of the time of a stop, by the halves of the motions beside it, is
+/// quicker whatever the speeds at their other ends are.
+inline constexpr double kSurelyQuicker = 0.9;
 
 /// How a corner is passed: so fast, with this part of the acceleration and of the jerk left to the
 /// ramps beside it. 0: at rest.
@@ -195,6 +195,7 @@ struct Preparer::State {
     bool has_own_ramps(const Piece& piece, double speed) const;
     bool is_alone(const Piece& piece) const;
     double time_beside(const Piece& piece, const CornerShare& share) const;
+    double time_between_rests(const Piece& piece, const CornerShare& share) const;
     SidesOfCorner sides_of(const Piece& piece, const CornerShare& share) const;
     SidesOfCorner loads_beside(const Piece& piece, std::size_t axis, double speed,
                                const SidesOfCorner& along) const;

@@ -175,6 +175,19 @@ double time_over(double length, double from, double speed, const RampLimits& lim
     return ramp_time + (length - ramp_length) / speed;
 }
 
+double speed_from_rest(double length, const RampLimits& limits) {
+    return std::isinf(limits.jerk) ? std::sqrt(2 * limits.acceleration * length)
+                                   : smooth_reach(0, length, limits);
+}
+
+double time_from_rest(double length, double exit, const ProfileLimits& limits) {
+    const RampLimits up{limits.acceleration, limits.jerk};
+    exit = std::min({exit, limits.speed, speed_from_rest(length, up)});
+    const auto profile = std::isinf(limits.jerk) ? trapezoid(length, 0, exit, limits)
+                                                 : seven_phases(length, 0, exit, limits);
+    return profile ? profile->duration() : time_over(length, 0, limits.speed, up);
+}
+
 Result<Profile, ProfileFault> seven_phases(double length, double entry, double exit,
                                            const ProfileLimits& limits) {
     const Flanks flanks{length,

@@ -36,6 +36,16 @@ double steady_reach(double from, double length, const RampLimits& limits);
 /// limits  the jerk may be infinite
 double time_over(double length, double from, double speed, const RampLimits& limits);
 
+/// The greatest speed that is reached within `length` from rest.
+///
+/// limits  the jerk may be infinite
+double speed_from_rest(double length, const RampLimits& limits);
+
+/// The least time over `length` from rest to `exit`, which is lowered to what can be reached so.
+///
+/// limits  the jerk may be infinite
+double time_from_rest(double length, double exit, const ProfileLimits& limits);
+
 /// The fastest profile of seven phases over `length`, without acceleration at its ends and nowhere
 /// below the lower end speed.
 ///

@@ -92,7 +92,7 @@ TEST(CornerShare, RampsHaveLessWithinATickOfTheCornerOnly) {
     const machine::Machine machine = machine_of();
     std::vector<Command> steps;
     for (int i = 0; i < 20; ++i)
-        steps.push_back(line_to({10.0 * ((i + 1) / 2), 10.0 * (i / 2 + i % 2), 0}, 12000));
+        steps.push_back(line_to({10.0 * (i / 2 + 1), 10.0 * ((i + 1) / 2), 0}, 12000));
     PlannerOptions jump_and_ramp;
     for (int i = 0; i < 3; ++i)
         jump_and_ramp.velocity_jump[static_cast<std::size_t>(i)] =

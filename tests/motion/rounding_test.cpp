@@ -262,30 +262,57 @@ TEST(Rounding, SetpointsKeepVelocityAccelerationAndJerk) {
     }
 }
 
-/// Whatever becomes of the curves when they are planned: a rounded corner never takes longer than a
-/// stop at it. 40 lines of 2 mm took 3.5 % more.
-RC_GTEST_PROP(RoundingProperty, AZigzagTakesNoLongerThanWithStops, ()) {
-    const machine::Machine machine = *rc::gen::arbitrary<bool>() ? machine_of() : smooth_machine();
+/// Lines that turn to and fro, or at random, of about one length.
+std::vector<Command> any_chain() {
     const double feed = any_number(1000, 20000);
-    const double length = *rc::gen::element(0.3, 1.0, 2.0, 5.0);
+    const double length = *rc::gen::element(0.3, 1.0, 2.0, 5.0, 20.0);
     const bool is_even = *rc::gen::arbitrary<bool>();
     const int count = *rc::gen::inRange(3, 41);
-    std::vector<Command> zigzag;
+    std::vector<Command> chain;
     Vec3 at = Vec3::Zero();
     double turn = any_number(0, 180);
     double direction = 0;
     for (int i = 0; i < count; ++i) {
         const double size = is_even ? length : length * any_number(0, 3);
         at += size * Vec3(std::cos(direction), std::sin(direction), 0);
-        if (size > 0) zigzag.push_back(line_to(at, feed));
+        if (size > 0) chain.push_back(line_to(at, feed));
         if (!is_even) turn = any_number(0, 180);
         direction += (i % 2 == 0 ? turn : -turn) * std::numbers::pi / 180;
     }
-    std::vector<Command> stops = zigzag;
-    for (Command& command : stops) command.exact_stop = true;
-    const double most = run(machine, stops).totals.time;
+    return chain;
+}
+
+std::vector<Command> with_stops(std::vector<Command> commands) {
+    for (Command& command : commands) command.exact_stop = true;
+    return commands;
+}
+
+/// Whatever becomes of the curves when they are planned: a rounded corner, or one that is passed,
+/// never takes longer than a stop at it.
+RC_GTEST_PROP(RoundingProperty, AChainTakesNoLongerThanWithStops, ()) {
+    const machine::Machine machine =
+        *rc::gen::element(machine_of(), smooth_machine(),
+                          machine_of({.velocity = {1500, 1500, 1500}, .jerk = {1e6, 1e6, 1e6}}));
+    const std::vector<Command> chain = any_chain();
+    const double most = run(machine, with_stops(chain)).totals.time;
+    RC_ASSERT(run(machine, chain).totals.time <= most * 1.001);
     for (const auto& wish : {by_distance(0.3), by_distance(1), within(0.05), within(0.3, true)})
-        RC_ASSERT(run(machine, rounded(zigzag, wish)).totals.time <= most * (1 + 1e-9));
+        RC_ASSERT(run(machine, rounded(chain, wish)).totals.time <= most * 1.001);
+}
+
+/// 40 lines of 2 mm at F10000 under G641 ADIS=0.3 took 3.5 % more than with stops.
+TEST(Rounding, AZigzagTakesNoLongerThanWithStops) {
+    for (const machine::Machine& machine : {machine_of(), smooth_machine()}) {
+        for (const double turn : {30.0, 60.0, 90.0, 120.0, 150.0}) {
+            const double half = turn / 2 * pi / 180;
+            std::vector<Command> zigzag;
+            for (int i = 1; i <= 40; ++i)
+                zigzag.push_back(
+                    line_to({2 * i * std::cos(half), 2 * (i % 2) * std::sin(half), 0}, 10000));
+            const double most = run(machine, with_stops(zigzag)).totals.time;
+            EXPECT_LE(run(machine, rounded(zigzag, by_distance(0.3))).totals.time, most) << turn;
+        }
+    }
 }
 
 TEST(Rounding, ShortBlocksAreShared) {
