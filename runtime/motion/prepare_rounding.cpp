@@ -189,14 +189,14 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
 }
 
 /// The way of tip and tool around the corner between two motions, if the program asks for one and
-/// it takes less time than the corner.
-std::optional<TurnedRounding> Preparer::State::rounded_turn(const Command& command,
-                                                            const TurningWay& before,
-                                                            const TurningWay& behind) {
+/// it takes less time than the corner. Under a limit of the jerk the corner is a stop then: small
+/// turns of the tool at a corner of the tip would let the rotary axes jump, which costs no time.
+TurnAtCorner Preparer::State::rounded_turn(const Command& command, const TurningWay& before,
+                                           const TurningWay& behind) {
     const path::Blending& wish = held.command.blending;
-    if (wish.kind == path::BlendKind::None || !(wish.size > 0)) return std::nullopt;
-    const auto found = turned_rounding(axes.chain(), before, wish, behind, command.blending);
-    if (!found) return std::nullopt;
+    if (wish.kind == path::BlendKind::None || !(wish.size > 0)) return {};
+    auto found = turned_rounding(axes.chain(), before, wish, behind, command.blending);
+    if (!found) return {};
     const Segment tail = before.part(held.length - found->way, held.length);
     const Segment head = behind.part(0, found->way);
     const std::array<PathLimits, 2> beside = {limits_on(held.command, tail, found->way),
@@ -205,11 +205,14 @@ std::optional<TurnedRounding> Preparer::State::rounded_turn(const Command& comma
     for (const Segment& piece : found->pieces)
         on_curve = std::min(on_curve, axes.limits(piece, axes.start_rates(piece), on_curve).speed);
     const double length = behind.whole().turn.length;
+    const bool rests = axes.limits_jerk();
     const CornerPassage corner =
-        corner_between({tail, held.length, beside[0]}, {head, length, beside[1]});
+        rests ? CornerPassage{}
+              : corner_between({tail, held.length, beside[0]}, {head, length, beside[1]});
     const bool is_quicker =
         saves_time({found->way, on_curve, corner, {held.length, length}, beside});
-    return is_quicker ? found : std::nullopt;
+    if (!is_quicker) found.reset();
+    return {std::move(found), rests && !is_quicker};
 }
 
 /// The same on which the tool turns: its way is rounded, too, or it alone.
@@ -218,11 +221,15 @@ double Preparer::State::round_turned_corner(const Command& command, const Segmen
     if (held.segment.carrier != segment.carrier) return release(), 0;
     const TurningWay before(axes.chain(), held.segment);
     const TurningWay behind(axes.chain(), segment);
-    auto found = rounded_turn(command, before, behind);
+    auto [found, rests] = rounded_turn(command, before, behind);
     const path::Blending& wish = held.command.blending;
     if (!found && wish.smooths_turns)
         found = smoothed_turn(axes.chain(), before, behind, wish.orientation);
-    if (!found) return release(), 0;
+    if (!found) {
+        release();
+        if (rests) last.must_stop = true;
+        return 0;
+    }
     held.is_held = false;
     if (has_law(held.command)) begin_law(held.from, held.length);
     if (const double to = held.length - found->way; to - held.from > kStill)

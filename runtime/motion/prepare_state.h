@@ -106,6 +106,12 @@ struct SidesOfCorner {
     double behind = 0;
 };
 
+/// What becomes of a corner at which the tool turns.
+struct TurnAtCorner {
+    std::optional<TurnedRounding> around;  // nothing: it stays
+    bool rests = false;                    // … and is a stop
+};
+
 /// What is beside a corner.
 struct Beside {
     const Segment& segment;
@@ -243,8 +249,8 @@ struct Preparer::State {
     double round_corner(const path::Command& command, const Segment& segment,
                         const Arrival& arrival);
     double round_turned_corner(const path::Command& command, const Segment& segment, double length);
-    std::optional<TurnedRounding> rounded_turn(const path::Command& command,
-                                               const TurningWay& before, const TurningWay& behind);
+    TurnAtCorner rounded_turn(const path::Command& command, const TurningWay& before,
+                              const TurningWay& behind);
     void emit_rest(const path::Command& command, const Segment& whole, double length, double from);
     bool is_one_way(const Segment& whole, const path::Vec3& to) const;  // prepare_transformed.cpp
     PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;

@@ -737,6 +737,40 @@ TEST(TurnedCorner, CornersOfTheTipAreRoundedToo) {
     EXPECT_LT(watch.shares().acceleration, 1.001);
 }
 
+/// A line to the start of a spiral up a dome on which the tool stands square, as examples/dome.mpf:
+/// between all motions there is a curve or a rest. The corner behind the line stayed as it was, and
+/// C jumped there; near the pole, too, where C turns far from block to block.
+TEST(TurnedCorner, UnderALimitOfTheJerkNoRotaryAxisJumps) {
+    for (const double feed : {1000.0, 3000.0, 10000.0}) {
+        const machine::Machine machine = table_table(0.02);
+        Program program(machine);
+        const auto on_dome = [](double azimuth_deg, double tilt_deg) -> Vec3 {
+            return 60 * (direction(azimuth_deg, tilt_deg) - Vec3::UnitZ());
+        };
+        program.go_fast(on_dome(0, 55) + Vec3(30, 0, 20), direction(0, 55));
+        program.go(on_dome(0, 55), direction(0, 55), feed);
+        for (int turned = 6; turned < 360; turned += 6) {
+            const double tilt = 55 * (1 - turned / 360.0);
+            program.go(on_dome(turned, tilt), direction(turned, tilt), feed);
+        }
+        for (Command& command : program.commands) command.blending = within(0.05, 0.05);
+        const Motion motion = run(machine, program.commands);
+        const AxisTable axes(machine);
+        for (std::size_t k = 1; k < motion.segments.size(); ++k) {
+            const double speed = motion.segments[k].profile.entry_speed;
+            const AxisRates in = axes.end_rates(motion.segments[k - 1]);
+            const AxisRates out = axes.start_rates(motion.segments[k]);
+            for (std::size_t a = 3; a < machine.axes.size(); ++a)
+                EXPECT_LT(std::abs(out[a] - in[a]) * speed, 1e-3 * machine.axes[a].velocity)
+                    << motion.segments[k].line;
+        }
+        TickWatch watch(machine, motion.segments);
+        for (const Setpoint& setpoint : sample(machine, program.commands)) watch.add(setpoint);
+        EXPECT_LT(watch.shares().acceleration, 1.001);
+        EXPECT_LT(watch.shares().jerk, 1.001);
+    }
+}
+
 RC_GTEST_PROP(TurnedCorner, KeepsTolerancesAndLimits, ()) {
     const std::vector<machine::Machine> machines = every_class();
     const machine::Machine& machine = machines[*rc::gen::inRange<std::size_t>(0, machines.size())];
