@@ -33,11 +33,11 @@ struct Alternative {
 };
 
 /// Under a limit of the jerk a curve and what is beside it may become one stretch, which costs up
-/// to this part of a ramp to its speed (stretch.h).
+/// to this part of the ramp to its speed (stretch.h).
 constexpr double kGathering = 0.1;
 
-double gathering(double speed, const RampLimits& ramp) {
-    return std::isfinite(ramp.jerk) ? kGathering * smooth_ramp_time(0, speed, ramp) : 0;
+double gathering(double from, double to, const RampLimits& ramp) {
+    return std::isfinite(ramp.jerk) ? kGathering * smooth_ramp_time(from, to, ramp) : 0;
 }
 
 /// Whether the curve takes less time than a stop where the motions begin and end at rest: there it
@@ -58,7 +58,7 @@ bool is_quicker_between_rests(const Alternative& curve) {
                                  limits.jerk};
         const double length = curve.lengths[i];
         on_curve += curve.way / speed + time_from_rest(length - curve.way, speed, most) +
-                    gathering(speed, ramp);
+                    gathering(0, speed, ramp);
         with_stop += time_from_rest(length, 0, most);
     }
     return on_curve < with_stop;
@@ -69,20 +69,24 @@ bool is_quicker_between_rests(const Alternative& curve) {
 bool saves_time(const Alternative& curve) {
     const double half = std::min(curve.lengths[0], curve.lengths[1]) / 2;
     double on_curve = 0;
+    double from_corner = 0;  // what gathering may cost, beside the corner as it is …
+    double from_stop = 0;    // … and beside a stop
     double through_corner = 0;
     double with_stop = 0;
     for (const PathLimits& limits : curve.limits) {
         RampLimits ramp{limits.acceleration, limits.jerk};
         on_curve += curve.way / curve.on_curve +
-                    time_over(half - curve.way, curve.on_curve, limits.speed, ramp) +
-                    gathering(curve.on_curve, ramp);
+                    time_over(half - curve.way, curve.on_curve, limits.speed, ramp);
+        from_corner +=
+            gathering(std::min(curve.corner.speed, curve.on_curve), curve.on_curve, ramp);
+        from_stop += gathering(0, curve.on_curve, ramp);
         with_stop += time_over(half, 0, limits.speed, ramp);
         ramp.acceleration *= curve.corner.ramp;
         ramp.jerk *= curve.corner.jerk_share;
         through_corner += time_over(half, curve.corner.speed, limits.speed, ramp);
     }
-    if (on_curve >= std::min(through_corner, with_stop)) return false;
-    return on_curve < kSurelyQuicker * with_stop || is_quicker_between_rests(curve);
+    if (on_curve + from_corner >= through_corner || on_curve + from_stop >= with_stop) return false;
+    return on_curve + from_stop < kSurelyQuicker * with_stop || is_quicker_between_rests(curve);
 }
 
 constexpr bool is_rounded(Op op) {

@@ -262,10 +262,9 @@ TEST(Rounding, SetpointsKeepVelocityAccelerationAndJerk) {
     }
 }
 
-/// Lines that turn to and fro, or at random, of about one length.
-std::vector<Command> any_chain() {
+/// Lines that turn to and fro, of one length, or at random, of about that length or longer.
+std::vector<Command> any_chain(double length) {
     const double feed = any_number(1000, 20000);
-    const double length = *rc::gen::element(0.3, 1.0, 2.0, 5.0, 20.0);
     const bool is_even = *rc::gen::arbitrary<bool>();
     const int count = *rc::gen::inRange(3, 41);
     std::vector<Command> chain;
@@ -273,11 +272,11 @@ std::vector<Command> any_chain() {
     double turn = any_number(0, 180);
     double direction = 0;
     for (int i = 0; i < count; ++i) {
-        const double size = is_even ? length : length * any_number(0, 3);
-        at += size * Vec3(std::cos(direction), std::sin(direction), 0);
-        if (size > 0) chain.push_back(line_to(at, feed));
+        at += (is_even ? length : length * any_number(1, 3)) *
+              Vec3(std::cos(direction), std::sin(direction), 0);
+        chain.push_back(line_to(at, feed));
         if (!is_even) turn = any_number(0, 180);
-        direction += (i % 2 == 0 ? turn : -turn) * std::numbers::pi / 180;
+        direction += (i % 2 == 0 ? turn : -turn) * pi / 180;
     }
     return chain;
 }
@@ -288,16 +287,18 @@ std::vector<Command> with_stops(std::vector<Command> commands) {
 }
 
 /// Whatever becomes of the curves when they are planned: a rounded corner, or one that is passed,
-/// never takes longer than a stop at it.
+/// never takes longer than a stop at it, but for a hundredth of a tick. Blocks that are all shorter
+/// than 1 mm are run through under G64 in any case (docs/motion.md).
 RC_GTEST_PROP(RoundingProperty, AChainTakesNoLongerThanWithStops, ()) {
     const machine::Machine machine =
         *rc::gen::element(machine_of(), smooth_machine(),
                           machine_of({.velocity = {1500, 1500, 1500}, .jerk = {1e6, 1e6, 1e6}}));
-    const std::vector<Command> chain = any_chain();
-    const double most = run(machine, with_stops(chain)).totals.time;
-    RC_ASSERT(run(machine, chain).totals.time <= most * 1.001);
+    const double size = *rc::gen::element(0.3, 0.999, 1.001, 2.0, 5.0, 20.0);
+    const std::vector<Command> chain = any_chain(size);
+    const double stops = run(machine, with_stops(chain)).totals.time + 0.01 * machine.tick;
+    if (size > 1) RC_ASSERT(run(machine, chain).totals.time <= 1.001 * stops);
     for (const auto& wish : {by_distance(0.3), by_distance(1), within(0.05), within(0.3, true)})
-        RC_ASSERT(run(machine, rounded(chain, wish)).totals.time <= most * 1.001);
+        RC_ASSERT(run(machine, rounded(chain, wish)).totals.time <= 1.001 * stops);
 }
 
 /// 40 lines of 2 mm at F10000 under G641 ADIS=0.3 took 3.5 % more than with stops.
