@@ -59,6 +59,8 @@ const XmlShape& machine_shape() {
           {"velocity", Filled},
           {"acceleration", Filled},
           "jerk",
+          "corner_jump",
+          "curvature_jump",
           "home",
           "home2",
           "home3",
@@ -247,6 +249,7 @@ class MachineBuilder {
         axis.velocity = reader.positive("velocity", dimension.velocity).value_or(1);
         axis.acceleration = reader.positive("acceleration", dimension.acceleration).value_or(1);
         axis.jerk = reader.positive("jerk", dimension.jerk).value_or(kInfinity);
+        read_jumps(reader, axis, dimension);
         axis.home = reader.quantity("home", dimension.position).value_or(0);
         axis.further_homes = {reader.quantity("home2", dimension.position),
                               reader.quantity("home3", dimension.position),
@@ -258,6 +261,17 @@ class MachineBuilder {
             told_.axis_names.emplace(machine_name, axis.axis);
         if (described_.is_first("axis " + axis.name, reader.place("name")))
             machine_.axes.push_back(axis);
+    }
+
+    void read_jumps(const ElementReader& reader, MachineAxis& axis,
+                    const AxisDimensions& dimension) {
+        axis.corner_jump = reader.positive("corner_jump", dimension.velocity);
+        axis.curvature_jump = reader.positive("curvature_jump", dimension.acceleration);
+        if (axis.curvature_jump && !reader.has("jerk")) {
+            sink_.report(diag::MachineJumpWithoutJerk, reader.place("curvature_jump"))
+                .arg(axis.name);
+            axis.curvature_jump.reset();
+        }
     }
 
     void read_datum(const XmlElement& element) {

@@ -30,6 +30,10 @@ struct MachineAxis {
     double velocity = 0;      // > 0; rapid traverse
     double acceleration = 0;  // > 0
     double jerk = 0;          // > 0; infinite if not limited
+    /// By how much its velocity may change in a tick at a corner, and its acceleration where the
+    /// curvature changes; > 0. Nothing said: acceleration · tick, jerk · tick.
+    std::optional<double> corner_jump{};
+    std::optional<double> curvature_jump{};
     double home = 0;          // reference point, where the axis stands at program start
     /// Reference points 2, 3 and 4, if the machine has them.
     std::array<std::optional<double>, kReferencePoints - 1> further_homes{};

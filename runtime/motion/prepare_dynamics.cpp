@@ -25,7 +25,9 @@ void Preparer::State::follow_dynamics(const path::Command& command) {
 void Preparer::State::set_jumps() {
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const double given = options.velocity_jump[i];
-        jump[i] = given > 0 ? given : acceleration_at_corner(i) * tick;
+        const double part = acceleration_at_corner(i) / machine_axes.acceleration(i);
+        const double usual = machine_axes.acceleration(i) * tick;
+        jump[i] = given > 0 ? given : part * machine.axes[i].corner_jump.value_or(usual);
     }
 }
 
@@ -45,8 +47,13 @@ double Preparer::State::most_at_corner(std::size_t axis) const {
     return std::max(1.0, jump[axis] / (acceleration_at_corner(axis) * tick));
 }
 
-/// The jerk of which a part goes into a jump of the acceleration where the curvature changes.
-double Preparer::State::jerk_of_bend(std::size_t axis) const { return jerk_at_corner(axis); }
+/// The jerk of which a part goes into a jump of the acceleration where the curvature changes: in a
+/// tick it makes of the acceleration what the machine's file allows.
+double Preparer::State::jerk_of_bend(std::size_t axis) const {
+    const double jerk = jerk_at_corner(axis);
+    const std::optional<double>& given = machine.axes[axis].curvature_jump;
+    return given ? *given / tick * (jerk / machine_axes.jerk(axis)) : jerk;
+}
 
 /// What F is multiplied with by the program.
 double Preparer::State::programmed_override(const path::Command& command) const {

@@ -33,7 +33,7 @@ TEST_F(Ticks, SetpointsCloserOrFartherAreOfTheSameMotion) {
     std::string shorts =
         "G17 G90 G64\nF1500\nR1=0\nWAY:\nR1=R1+1\nR2=0.105+0.095*SIN(R1*47)\n"
         "R3=40*SIN(R1*7)+8*SIN(R1*101)\nG91 G1 X=R2*COS(R3) Y=R2*SIN(R3)\n"
-        "IF R1<200 GOTOB WAY\nM30\n";
+        "IF R1<800 GOTOB WAY\nM30\n";
     save("short.mpf", shorts);
     save("rest.mpf",
          "G17 G90 G64\nF5000\nG1 X10\nY10\nX20 Y11\nG3 X40 Y11 I10 J0\nG642 G1 X60\nY30\nX30\n"

@@ -90,7 +90,7 @@ TEST(MachineFile, ValuesAreCanonical) {
                      orient_time="300 ms" tool_change_time="4 s"
                      corner_tolerance="0.1 mm" compressor_tolerance="5 um">
               <axis name="X" limits="-0.5..0.25 m" velocity="30 m/min" acceleration="5 m/s2"
-                    jerk="100 m/s3" home="1in" home2="-50 mm" home4="0.2 m"/>
+                    jerk="100 m/s3" corner_jump="6 mm/s" curvature_jump="0.2 m/s2" home="1in" home2="-50 mm" home4="0.2 m"/>
               <axis name="C" velocity="60 rpm" acceleration="180 deg/s2" home="90 deg" home3="0.5 rad"/>
               <tool number="3" name="drill" length="120.5 mm" radius="4250 um"/>
               <tool number="3" edge="2" length="118 mm" radius="4 mm"/>
@@ -140,6 +140,9 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(x.velocity, 500);
     EXPECT_DOUBLE_EQ(x.acceleration, 5000);
     EXPECT_DOUBLE_EQ(x.jerk, 1e5);
+    ASSERT_TRUE(x.corner_jump && x.curvature_jump);
+    EXPECT_DOUBLE_EQ(*x.corner_jump, 6);
+    EXPECT_DOUBLE_EQ(*x.curvature_jump, 200);
     EXPECT_DOUBLE_EQ(x.home, 25.4);
     EXPECT_EQ(x.further_homes[0], -50);
     EXPECT_EQ(x.further_homes[1], std::nullopt);
@@ -154,6 +157,7 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(*c.further_homes[1], 0.5);
     EXPECT_EQ(c.lower, -std::numeric_limits<double>::infinity());
     EXPECT_EQ(c.jerk, std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(c.corner_jump || c.curvature_jump) << "those of the tick";
     ASSERT_NE(machine.find_tool(3), nullptr);
     EXPECT_DOUBLE_EQ(machine.find_tool(3)->length, 120.5);
     EXPECT_DOUBLE_EQ(machine.find_tool(3)->radius, 4.25);
@@ -330,6 +334,18 @@ TEST(MachineFile, MistakesOfAnAxis) {
          {"negative jerk",
           R"(<axis name="Y" velocity="1 m/s" acceleration="5 m/s2" jerk="-1 m/s3"/>)", "K6011",
           "-1 m/s3", ""},
+         {"no jump at corners",
+          R"(<axis name="Y" velocity="1 m/s" acceleration="5 m/s2" corner_jump="0 mm/s"/>)",
+          "K6011", "0 mm/s", ""},
+         {"a jump of the velocity as an acceleration",
+          R"(<axis name="Y" velocity="1 m/s" acceleration="5 m/s2" corner_jump="1 m/s2"/>)",
+          "K6009", "1 m/s2", "write `m/min`, `mm/min`, `m/s` or `mm/s`"},
+         {"negative jump of the acceleration",
+          R"(<axis name="Y" velocity="1 m/s" acceleration="5 m/s2" jerk="9 m/s3" curvature_jump="-1 m/s2"/>)",
+          "K6011", "-1 m/s2", ""},
+         {"jump of the acceleration without jerk",
+          R"(<axis name="Y" velocity="1 m/s" acceleration="5 m/s2" curvature_jump="1 m/s2"/>)",
+          "K6024", "1 m/s2", ""},
          {"home outside",
           R"(<axis name="Y" limits="1..3 mm" velocity="1 m/s" acceleration="5 m/s2" home="5 mm"/>)",
           "K6016", "5 mm", ""}}) {

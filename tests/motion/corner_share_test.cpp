@@ -125,5 +125,75 @@ TEST(CornerShare, AChainOfTheShortestBlocks) {
     EXPECT_LE(watch.shares().acceleration, 1 + 1e-3);
 }
 
+/// Steps with a corner of 90° between each two, on a machine whose axes have these jumps.
+double time_of_steps(std::optional<double> corner_jump) {
+    machine::Machine machine = machine_of();
+    for (machine::MachineAxis& axis : machine.axes) axis.corner_jump = corner_jump;
+    std::vector<Command> steps;
+    for (int i = 0; i < 20; ++i)
+        steps.push_back(line_to({2.0 * (i / 2 + 1), 2.0 * ((i + 1) / 2), 0}, 12000));
+    return time_of(machine, steps);
+}
+
+/// What nothing is said of is acceleration · tick, 5 mm/s here.
+TEST(CornerJump, IsTheAccelerationOfATickUnlessTheMachineSaysOtherwise) {
+    EXPECT_DOUBLE_EQ(time_of_steps(5.0), time_of_steps(std::nullopt));
+    EXPECT_LT(time_of_steps(20.0), time_of_steps(5.0));
+    EXPECT_GT(time_of_steps(1.0), time_of_steps(5.0));
+}
+
+/// An axis changes its velocity from tick to tick by no more than that, ramps included.
+TEST(CornerJump, HoldsWithTheRampsBesideIt) {
+    for (const double given : {2.0, 5.0, 8.0, 20.0}) {
+        machine::Machine machine = machine_of();
+        for (machine::MachineAxis& axis : machine.axes) axis.corner_jump = given;
+        const std::vector<Command> corner = {line_to({20, 0, 0}, 12000),
+                                             line_to({40, 15, 0}, 12000)};
+        TickWatch watch(machine, run(machine, corner).segments);
+        for (const Setpoint& setpoint : sample(machine, corner)) watch.add(setpoint);
+        EXPECT_LE(watch.shares().acceleration, std::max(1.0, given / 5) + 1e-3) << given;
+    }
+}
+
+/// `ACC[X]=50` takes half of it, too.
+TEST(CornerJump, IsAPartOfItWhereTheProgramLeavesAPartOfTheAcceleration) {
+    machine::Machine machine = machine_of();
+    path::Dynamics half;
+    half.acceleration.fill(0.5);
+    const auto entry_speed = [&](std::optional<double> jump, bool is_half) {
+        for (machine::MachineAxis& axis : machine.axes) axis.corner_jump = jump;
+        std::vector<Command> corner = {line_to({20, 0, 0}, 12000), line_to({20, 20, 0}, 12000)};
+        if (is_half)
+            for (Command& command : corner) command.dynamics.push_back(half);
+        double least = kUnlimited;
+        const std::vector<Segment> segments = run(machine, corner).segments;
+        for (std::size_t k = 1; k < segments.size(); ++k)
+            least = std::min(least, segments[k].profile.entry_speed);
+        return least;
+    };
+    EXPECT_NEAR(entry_speed(20, true), entry_speed(20, false) / 2, 0.1 * entry_speed(20, false));
+}
+
+/// Where the curvature jumps: the line and the arc of 5 mm are passed with v²/r = ⅔ · jump.
+TEST(CurvatureJump, IsTheJerkOfATickUnlessTheMachineSaysOtherwise) {
+    const std::vector<Command> way = {line_to({40, 0, 0}, 20000),
+                                      arc_to({40, 10, 0}, {40, 5, 0}, std::numbers::pi, 20000),
+                                      line_to({0, 10, 0}, 20000)};
+    const auto slowest = [&](std::optional<double> jump) {
+        machine::Machine machine = smooth_machine();
+        for (machine::MachineAxis& axis : machine.axes) axis.curvature_jump = jump;
+        const std::vector<Segment> segments = run(machine, way).segments;
+        double speed = kUnlimited;
+        for (const Segment& segment : segments) {
+            if (segment.line == 2 && segment.profile.entry_speed > 0)
+                speed = std::min(speed, segment.profile.entry_speed);
+        }
+        return speed;
+    };
+    EXPECT_DOUBLE_EQ(slowest(100), slowest(std::nullopt));
+    for (const double jump : {30.0, 100.0, 300.0})
+        EXPECT_NEAR(slowest(jump), std::sqrt(5 * jump * 2 / 3), 0.02 * slowest(jump)) << jump;
+}
+
 }  // namespace
 }  // namespace kadr::motion
