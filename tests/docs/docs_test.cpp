@@ -460,7 +460,7 @@ TEST_F(Docs, ChainsAndShortBlocksRunOn) {
     EXPECT_LT(*std::max_element(first, last), 1500.01);
 
     const std::vector<double> blocks = speeds_of("short");
-    ASSERT_GT(blocks.size(), 1000u);
+    ASSERT_GT(blocks.size(), 800u);
     // Between the ramps from rest and to rest.
     EXPECT_GT(*std::min_element(blocks.begin() + 5, blocks.end() - 5), 10);
     EXPECT_GT(*std::ranges::max_element(blocks), 400);
@@ -475,7 +475,7 @@ TEST_F(Docs, PicturesOfMotionAreWhatIsDrawnToday) {
     }
     const std::size_t mode = steps.find("G64");
     ASSERT_NE(mode, std::string::npos);
-    ASSERT_TRUE(kadr::write_file_whole("steps.mpf", steps.replace(mode, 3, "G642 CTOL=0.1")));
+    ASSERT_TRUE(kadr::write_file_whole("steps.mpf", steps.replace(mode, 3, "G642 CTOL=0.3")));
     const ProcessResult corner =
         run_process({KADR_BINARY, "run", "steps.mpf", "-d", "sinumerik", "--curves",
                      "motion_corner.svg", "--window", "4s..4.6s"});
