@@ -339,7 +339,7 @@ TEST(MachineFile, MistakesOfAnAxis) {
           "K6011", "0 mm/s", ""},
          {"a jump of the velocity as an acceleration",
           R"(<axis name="Y" velocity="1 m/s" acceleration="5 m/s2" corner_jump="1 m/s2"/>)",
-          "K6009", "1 m/s2", "write `m/min`, `mm/min`, `m/s` or `mm/s`"},
+          "K6009", "1 m/s2", "write `m/min`, `mm/min`, `mm/s`, `m/s` or `in/min`"},
          {"negative jump of the acceleration",
           R"(<axis name="Y" velocity="1 m/s" acceleration="5 m/s2" jerk="9 m/s3" curvature_jump="-1 m/s2"/>)",
           "K6011", "-1 m/s2", ""},

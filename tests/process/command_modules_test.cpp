@@ -128,9 +128,12 @@ TEST(CommandModules, AnswerWithSeveralCommands) {
         done);
     ASSERT_TRUE(done.diagnostics.all().empty());
     EXPECT_EQ(done.executed, 4u);
+    // Beside corners there are pieces that end between.
     std::vector<Vec3> ends;
     for (const Segment& segment : done.segments) {
-        if (segment.kind == SegmentKind::Feed) ends.push_back(path::end(segment.curve));
+        const Vec3 end = path::end(segment.curve);
+        if (segment.kind == SegmentKind::Feed && end == end.array().round().matrix())
+            ends.push_back(end);
     }
     ASSERT_EQ(ends.size(), 3000u + 2u);
     EXPECT_EQ(ends[0], Vec3(1, 0, 1));
