@@ -138,7 +138,8 @@ CornerShare Preparer::State::quickest_share(const Piece& piece) const {
     }
     const bool may_rest = piece.segment.is_transformed()
                               ? std::min(last.length, piece.length) >= kShortBlock
-                              : stays_sharp || std::max(last.length, piece.length) >= kShortBlock;
+                              : stays_sharp || std::max(last.length, piece.length) >= kShortBlock ||
+                                    burns_where_it_turns_back(piece);
     if (!may_rest) return best;
     const CornerShare rest{0, 1, best.is_alone, RampEnd::Whole};
     const double with_rest = time_beside(piece, rest);
@@ -147,6 +148,13 @@ CornerShare Preparer::State::quickest_share(const Piece& piece) const {
         (is_doubtful && time_between_rests(piece, best) > time_between_rests(piece, rest)))
         best = rest;
     return best;
+}
+
+/// Whether the beam burns a point at a corner that turns back: passing it is hardly faster than a
+/// rest, and takes from the ramps of both blocks, which the pulses time whole.
+bool Preparer::State::burns_where_it_turns_back(const Piece& piece) const {
+    if (!has_pulses() || !burns_point || piece.segment.is_transformed()) return false;
+    return last.direction.dot(path::evaluate(piece.segment.curve, 0).tangent) <= 0;
 }
 
 /// Whether both pieces are long enough for ramps of their own up to the speed of a corner. Many

@@ -198,6 +198,7 @@ struct Preparer::State {
     bool allows_zones(const Piece& piece) const;
     double corner_zone(const Piece& piece, double speed, double ramp) const;
     bool ends_smoothly(const Piece& piece) const;
+    bool burns_where_it_turns_back(const Piece& piece) const;
     bool has_own_ramps(const Piece& piece, double speed) const;
     bool is_alone(const Piece& piece) const;
     double time_beside(const Piece& piece, const CornerShare& share) const;

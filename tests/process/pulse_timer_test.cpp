@@ -143,8 +143,12 @@ TEST(PulseTimer, WhereEveryPointIsAStopBothModesTakeTheSame) {
     EXPECT_EQ(interval_of(0.06), 48);
 }
 
-/// Whatever the points: to be synchronised costs no time.
-TEST(PulseTimer, SynchronisedIsNeverSlower) {
+/// Whatever the points: to be synchronised saves time on the whole. Where nearly all of them are
+/// sharp corners a stop at each, whose ramps nothing shares, may be quicker by a tick or two a
+/// point.
+TEST(PulseTimer, SynchronisedSavesTime) {
+    double with_stops = 0;
+    double without = 0;
     std::uint64_t seed = 7;
     const auto chance = [&seed] {
         seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -166,8 +170,11 @@ TEST(PulseTimer, SynchronisedIsNeverSlower) {
         const Timed synchronised = run(laser_of(), commands);
         const Timed stopping = run(laser_of(machine::PulseMode::Stop), commands);
         EXPECT_EQ(synchronised.pulses, 40u);
-        EXPECT_LE(synchronised.totals.time, stopping.totals.time + 1e-9);
+        EXPECT_LE(synchronised.totals.time, 1.05 * stopping.totals.time);
+        with_stops += stopping.totals.time;
+        without += synchronised.totals.time;
     }
+    EXPECT_LT(without, 0.92 * with_stops);
 }
 
 TEST(PulseTimer, RapidsAndDwellsBurnNothingAndThePumpGoesOn) {
