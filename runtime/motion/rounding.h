@@ -15,7 +15,7 @@
 namespace kadr::motion {
 
 /// Less of a way, mm, is a corner.
-inline constexpr double kLeastWay = 1e-4;
+inline constexpr double kLeastWay = 1e-3;
 
 /// A motion beside the corner: its whole way, and what the program asks for behind it.
 struct RoundedSide {
