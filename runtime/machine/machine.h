@@ -34,7 +34,7 @@ struct MachineAxis {
     /// curvature changes; > 0. Nothing said: acceleration · tick, jerk · tick.
     std::optional<double> corner_jump{};
     std::optional<double> curvature_jump{};
-    double home = 0;          // reference point, where the axis stands at program start
+    double home = 0;  // reference point, where the axis stands at program start
     /// Reference points 2, 3 and 4, if the machine has them.
     std::array<std::optional<double>, kReferencePoints - 1> further_homes{};
 };
