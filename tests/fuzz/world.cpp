@@ -45,9 +45,19 @@ class Pieces final : public nc::TextSource {
 };
 
 /// By their numbers in front of a text. Inputs that were kept count on them: new ones come last.
-constexpr const char* kControls[] = {"iso",           "sinumerik",   "fanuc",
-                                     "axioma",        "fanuc-lathe", "fanuc-lathe-b",
-                                     "fanuc-lathe-c", "haas",        "heidenhain-iso"};
+constexpr const char* kControls[] = {"iso",
+                                     "sinumerik",
+                                     "fanuc",
+                                     "axioma",
+                                     "fanuc-lathe",
+                                     "fanuc-lathe-b",
+                                     "fanuc-lathe-c",
+                                     "haas",
+                                     "heidenhain-iso",
+                                     "fanuc-calculator",
+                                     "fanuc-lathe-calculator",
+                                     "fanuc-commons",
+                                     "haas-lathe"};
 
 /// Every dialect file of the house has a number.
 void check_controls(const fs::path& folder) {
