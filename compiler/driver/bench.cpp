@@ -25,7 +25,7 @@ void Bench::begin(const std::string& dialect, DiagnosticSink& sink) {
 }
 
 const nc::Dialect* Bench::wanted_dialect(const CallUnderTest& call, const std::string& name) {
-    // Looking through all dialect files takes longer than an execution: once a name is enough.
+    // Once a name is enough to look through the files.
     if (cycles_.contains(name)) {
         if (const nc::Dialect* loaded = session_.dialect(name, {})) return loaded;
     }

@@ -52,8 +52,13 @@ std::string dialect_of_text(Session& session, const std::string& source, std::st
     std::string suffix = std::filesystem::path(source).extension().string();
     if (suffix.size() < 2) return kDefaultDialect;
     suffix.erase(0, 1);
-    const std::vector<nc::DialectSummary> found = dialects_of_suffix(session, suffix);
+    std::vector<nc::DialectSummary> found = dialects_of_suffix(session, suffix);
     if (found.empty()) return kDefaultDialect;
+    if (found.size() == 1) return found[0].name;
+    // Another control's file with mistakes says nothing about this text.
+    std::erase_if(found, [&](const nc::DialectSummary& summary) {
+        return !nc::can_be_loaded(summary.name, session.share().dialects);
+    });
     if (found.size() == 1) return found[0].name;
     std::vector<std::string> with_header;
     std::string names;

@@ -179,7 +179,8 @@ std::optional<std::string> Modules::library_module_of(std::string_view function)
 std::optional<sema::ModuleLoader::ControlCycle> Modules::cycle_of_control(std::string_view word) {
     if (!controls_) controls_ = nc::list_dialects(session_.share().dialects);
     for (const nc::DialectSummary& summary : *controls_) {
-        const nc::Dialect* dialect = summary.is_valid ? session_.dialect(summary.name) : nullptr;
+        const bool is_sound = nc::can_be_loaded(summary.name, session_.share().dialects);
+        const nc::Dialect* dialect = is_sound ? session_.dialect(summary.name) : nullptr;
         if (dialect == nullptr || dialect->is_core()) continue;
         const auto cycle = nc::cycle_of_word(*dialect, word);
         if (!cycle || !nc::can_be_source(*dialect, *cycle)) continue;

@@ -112,7 +112,8 @@ std::string explanation_of_alarm(Session& session, std::string_view number) {
     std::vector<const DiagnosticRow*> rows;
     std::string out;
     for (const nc::DialectSummary& summary : nc::list_dialects(session.share().dialects)) {
-        const nc::Dialect* dialect = summary.is_valid ? session.dialect(summary.name) : nullptr;
+        const bool is_sound = nc::can_be_loaded(summary.name, session.share().dialects);
+        const nc::Dialect* dialect = is_sound ? session.dialect(summary.name) : nullptr;
         if (dialect == nullptr) continue;
         const std::vector<nc::KnownAlarm> found = nc::alarms_numbered(*dialect, number);
         if (found.empty()) continue;
@@ -158,9 +159,10 @@ Reply list_dialects(Session& session) {
     const std::size_t width = widest(names);
     std::string out;
     for (const auto& summary : summaries) {
+        const bool is_sound = nc::can_be_loaded(summary.name, session.share().dialects);
         fmt::format_to(std::back_inserter(out), "{:<{}}  {:<4} {}{}\n", summary.name, width,
                        summary.suffix.empty() ? "-" : summary.suffix, summary.title,
-                       summary.is_valid ? "" : ", has mistakes");
+                       is_sound ? "" : ", has mistakes");
     }
     return {Status::Done, std::move(out)};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <fstream>
 
 #include <pugixml.hpp>
 
@@ -309,6 +310,27 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const X
     message.arg(shown_value(root->name)).arg(shape.kind).arg(wanted);
     propose(message, root->range, root->name, {wanted});
     return std::nullopt;
+}
+
+std::map<std::string, std::string> first_tag(const std::string& path) {
+    // In front of the tag stand comments at most; where they are long, the whole file is read.
+    constexpr std::size_t kUsualHead = 4096;
+    std::string head(kUsualHead, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    pugi::xml_document document;
+    const auto read = [&document](const std::string& text) {
+        const auto parsed = document.load_buffer(text.data(), text.size(), pugi::parse_default,
+                                                 pugi::encoding_utf8);
+        // Elements without an end are no fault of a head.
+        return parsed || parsed.status == pugi::status_end_element_mismatch;
+    };
+    if (!read(head) || !document.document_element()) read(read_file(path).value_or(""));
+    std::map<std::string, std::string> attributes;
+    for (const pugi::xml_attribute& attribute : document.document_element().attributes())
+        attributes.emplace(attribute.name(), attribute.value());
+    return attributes;
 }
 
 bool check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink& sink) {

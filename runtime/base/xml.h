@@ -5,6 +5,7 @@
 // that nothing in it is misspelt, doubled or left out, is said here, in the same words for all.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -77,6 +78,10 @@ struct XmlShape {
 /// elements nested deeper than 64, which no file of ours needs and no stack should hold.
 std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const XmlShape& shape,
                                     DiagnosticSink& sink);
+
+/// The attributes of the outermost element's tag by their names, whatever stands behind it. Empty if
+/// the file cannot be read; of a broken tag what stands before the break.
+std::map<std::string, std::string> first_tag(const std::string& path);
 
 /// Whether an element and everything below it is as the shape says: every element and attribute
 /// known, nothing doubled, nothing missing, no stray text. Reports each mistake at its place, with

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "base/xml.h"
 #include "nc/check.h"
 #include "nc/load.h"
 #include "nc/refusals.h"
@@ -334,19 +336,23 @@ std::optional<Dialect> load_dialect_for(MachineKind kind, const std::string& nam
 std::vector<DialectSummary> list_dialects(const SearchPath& folders) {
     std::vector<DialectSummary> all;
     for (const std::string& name : dialect_names(folders)) {
-        Sources sources;
-        DiagnosticList sink;
-        const auto dialect = load_dialect(name, folders, sources, sink);
-        DialectSummary summary{name, {}, {}, {}, {}, dialect.has_value()};
-        if (const auto path = find_dialect_file(name, folders)) summary.file = *path;
-        if (dialect) {
-            summary.title = dialect->title();
-            summary.suffix = dialect->suffix();
-            summary.extends = dialect->tables().extends;
+        DialectSummary summary{name, {}, {}, {}, {}};
+        if (const auto path = find_dialect_file(name, folders)) {
+            summary.file = *path;
+            std::map<std::string, std::string> said = first_tag(*path);
+            summary.title = std::move(said["title"]);
+            summary.suffix = std::move(said["suffix"]);
+            summary.extends = std::move(said["extends"]);
         }
         all.push_back(std::move(summary));
     }
     return all;
+}
+
+bool can_be_loaded(const std::string& name, const SearchPath& folders) {
+    Sources sources;
+    DiagnosticList sink;
+    return load_dialect(name, folders, sources, sink).has_value();
 }
 
 }  // namespace kadr::nc

@@ -162,18 +162,21 @@ using SearchPath = std::vector<std::string>;
 std::optional<Dialect> load_dialect(const std::string& name_or_file, const SearchPath& folders,
                                     Sources& sources, DiagnosticSink& sink);
 
-/// What `kadr dialect list` shows of a file.
+/// What the first tag of a dialect file says.
 struct DialectSummary {
     std::string name;
     std::string title;
     std::string suffix;
     std::string extends;
     std::string file;
-    bool is_valid = false;  // false: loading it reports mistakes
 };
 
-/// All dialects in the folders, by name.
+/// All dialects in the folders, by name. Only the first tags are read: a file may have mistakes
+/// behind it, and one whose first tag cannot be read has a name alone.
 std::vector<DialectSummary> list_dialects(const SearchPath& folders);
+
+/// Whether loading the dialect reports no mistakes. As slow as loading it.
+bool can_be_loaded(const std::string& name, const SearchPath& folders);
 
 /// What a word of the control (`G83`, `CR`), a function of the vocabulary (`dwell`) or a cycle
 /// means and how it is written: one line of text an entry. Empty if the dialect does not know the

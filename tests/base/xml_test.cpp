@@ -2,8 +2,11 @@
 #include "base/xml.h"
 
 #include <array>
+#include <filesystem>
 
 #include <gtest/gtest.h>
+
+#include "base/text.h"
 
 namespace kadr {
 namespace {
@@ -124,6 +127,30 @@ TEST(Xml, AMisplacedElementIsToldWhereItBelongs) {
     ASSERT_EQ(notes.size(), 2u);
     EXPECT_EQ(notes[0].text, "`<step>` may stand inside `<plan>`");
     EXPECT_EQ(notes[1].text, "`<step>` may stand inside `<step>`");
+}
+
+TEST(Xml, TheFirstTagIsReadAlone) {
+    const std::string path = testing::TempDir() + "first_tag.xml";
+    const std::string tag = "<plan name=\"a &amp; b\" title='two'";
+    const auto tag_of = [&](const std::string& text) {
+        EXPECT_TRUE(write_file_whole(path, text));
+        return first_tag(path);
+    };
+    const std::map<std::string, std::string> both = {{"name", "a & b"}, {"title", "two"}};
+    const std::string many = "<!--" + std::string(5000, 'x') + "-->";
+    std::string steps;
+    for (int i = 0; i < 1000; ++i) steps += "<step by=\"x\"/>";
+    EXPECT_EQ(tag_of(tag + "/>"), both);
+    EXPECT_EQ(tag_of("\xEF\xBB\xBF<?xml version=\"1.0\"?>\n" + tag + ">" + steps + "</plan>"), both);
+    EXPECT_EQ(tag_of(many + tag + ">" + steps + "</plan>"), both);
+    EXPECT_EQ(tag_of(many.substr(0, 4080) + "-->" + tag + ">" + steps + "</plan>"), both);
+    // A mistake behind it is not looked at.
+    EXPECT_EQ(tag_of(tag + "><step by=\"</plan>"), both);
+    EXPECT_EQ(tag_of(tag + " name"), both);
+    EXPECT_TRUE(tag_of("no XML").empty());
+    EXPECT_TRUE(tag_of("").empty());
+    std::filesystem::remove(path);
+    EXPECT_TRUE(first_tag(path).empty());
 }
 
 TEST(Xml, AttributesOfXmlItselfPass) {

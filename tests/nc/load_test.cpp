@@ -338,7 +338,11 @@ TEST(Load, Questions) {
     ASSERT_GE(list.size(), 4u);
     EXPECT_EQ(list[0].name, "axioma");
     EXPECT_EQ(list[0].extends, "sinumerik");
-    EXPECT_TRUE(list[0].is_valid);
+    const Dialect& axioma = testing::shipped("axioma");
+    EXPECT_EQ(list[0].suffix, axioma.suffix());
+    EXPECT_EQ(list[0].title, axioma.title());
+    EXPECT_TRUE(can_be_loaded("axioma", testing::dialect_folders()));
+    EXPECT_FALSE(can_be_loaded("nonesuch", testing::dialect_folders()));
 }
 
 TEST(Load, ExplainsWhatIsNotRead) {
