@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics/driver.h"
+#include "base/text.h"
 #include "expand/expander.h"
 #include "nc/tables.h"
 
@@ -96,25 +97,45 @@ void CycleMessages::take(Diagnostic diagnostic) {
     if (!refusal_) refusal_ = diagnostic.message();
 }
 
+/// The control's own cycles are looked for first: their names are their own.
 const Program* LibraryCycles::find(std::string_view cycle) {
-    if (!files_) files_ = files_of_cycles();
-    for (std::size_t i = 0; i < files_->size(); ++i) {
-        if (i == programs_.size())
-            programs_.push_back(load_program(session_, (*files_)[i], dialect_.tables().file));
-        if (programs_[i] && find_cycle(*programs_[i], cycle) != nullptr) return &*programs_[i];
+    if (const auto known = found_.find(cycle); known != found_.end()) return known->second;
+    const Program* found = find_in(files_of_control(), cycle);
+    if (found == nullptr) found = find_in(files_that_declare(cycle), cycle);
+    found_.emplace(cycle, found);
+    return found;
+}
+
+const Program* LibraryCycles::find_in(const std::vector<std::string>& files,
+                                      std::string_view cycle) {
+    for (const std::string& file : files) {
+        auto known = programs_.find(file);
+        if (known == programs_.end()) {
+            auto program = load_program(session_, file, dialect_.tables().file);
+            known = programs_.emplace(file, std::move(program)).first;
+        }
+        const std::optional<Program>& program = known->second;
+        if (program && find_cycle(*program, cycle) != nullptr) return &*program;
     }
     return nullptr;
 }
 
-/// The control's own cycles are looked for first: their names are their own.
-std::vector<std::string> LibraryCycles::files_of_cycles() const {
+std::vector<std::string> LibraryCycles::files_of_control() const {
     std::vector<std::string> files;
     for (const nc::CycleInfo& cycle : dialect_.cycles()) {
         const bool is_new = std::ranges::find(files, cycle.file) == files.end();
         if (!cycle.file.empty() && is_new) files.push_back(cycle.file);
     }
-    const std::vector<std::string> library = cycle_files(session_.share().library);
-    files.insert(files.end(), library.begin(), library.end());
+    return files;
+}
+
+/// Reading a file takes a thousandth of checking it with all that it imports.
+std::vector<std::string> LibraryCycles::files_that_declare(std::string_view cycle) const {
+    std::vector<std::string> files = cycle_files(session_.share().library);
+    const std::string declaration = "\ncycle " + std::string(cycle) + '(';
+    std::erase_if(files, [&](const std::string& file) {
+        return ('\n' + read_file(file).value_or("")).find(declaration) == std::string::npos;
+    });
     return files;
 }
 

@@ -1,6 +1,8 @@
 // cycles.h — machining cycles for the interpreter, executed by the standard library's definitions.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,8 +43,7 @@ class CycleMessages final : public DiagnosticSink {
 };
 
 /// Runs `stdlib/cycles`, and the Kadr files of the dialect, for cycle calls that the interpreter
-/// meets. A file of the library is read and checked when a call asks for a cycle that none before
-/// it has.
+/// meets. A file of the library is checked when a call asks for a cycle that it declares.
 class LibraryCycles final : public interp::CycleExpander {
   public:
     /// References outlive the expander.
@@ -63,15 +64,17 @@ class LibraryCycles final : public interp::CycleExpander {
     std::optional<std::string> refusal() const override { return messages_.refusal(); }
 
   private:
-    std::vector<std::string> files_of_cycles() const;
+    std::vector<std::string> files_of_control() const;
+    std::vector<std::string> files_that_declare(std::string_view cycle) const;
     const Program* find(std::string_view cycle);
+    const Program* find_in(const std::vector<std::string>& files, std::string_view cycle);
 
     Session& session_;
     const nc::Dialect& dialect_;
     DiagnosticSink* sink_;
     CycleMessages messages_;
-    std::optional<std::vector<std::string>> files_;  // of the cycles; nothing: not looked up yet
-    std::vector<std::optional<Program>> programs_;   // of the first files
+    std::map<std::string, std::optional<Program>> programs_;    // by file; nothing: it has mistakes
+    std::map<std::string, const Program*, std::less<>> found_;  // by cycle; null: there is none
 };
 
 }  // namespace kadr::driver
