@@ -379,11 +379,44 @@ void Preparer::State::take_bend(Piece& piece) const {
         passed = is_alone ? alone : std::min(alone, std::cbrt(most * reach));
         piece.entry_limit = passed;
     }
-    const double full = taken(change, passed);
-    piece.jerk_share = piece.jerk_before = 1 - std::min(full, kMostJump);
+    const double share = 1 - std::min(taken(change, passed), kMostJump);
+    if (passed < speed && rests_at_bend(piece, passed, share)) {
+        piece.entry_limit = 0;
+        piece.rests_at_corner = true;
+        return;
+    }
+    piece.jerk_share = piece.jerk_before = share;
     piece.jerk *= piece.jerk_share;
     piece.acceleration =
         std::min(piece.acceleration, piece.turning_acceleration * piece.jerk_share);
+}
+
+/// Whether a rest where the curvature jumps is quicker than to pass it at this speed: what turns
+/// with the jump takes from the jerk, and so from the ramps of both pieces.
+bool Preparer::State::rests_at_bend(const Piece& piece, double passed, double share) const {
+    if (piece.course.is_on() || std::isfinite(last.exit_feed) || piece.segment.is_thread)
+        return false;
+    if (std::max(last.length, piece.length) < kShortBlock) return false;
+    const auto ramp_of = [](const auto& beside, double part) {
+        return RampLimits{std::min(beside.acceleration, part * beside.turning_acceleration),
+                          part * beside.jerk};
+    };
+    const auto half = [&](const auto& beside, double speed, double part) {
+        return time_over(beside.length / 2, std::min(speed, beside.speed), beside.speed,
+                         ramp_of(beside, part));
+    };
+    const double stopped = half(last, 0, 1) + half(piece, 0, 1);
+    const double through = half(last, passed, share) + half(piece, passed, share);
+    if (through > stopped) return true;
+    if (through <= kSurelyQuicker * stopped) return false;
+    const auto from_rest = [&](const auto& beside, double speed, double part) {
+        const RampLimits ramp = ramp_of(beside, part);
+        const double reached = std::min(speed, speed_from_rest(beside.length, ramp));
+        return time_from_rest(beside.length, reached,
+                              {beside.speed, ramp.acceleration, ramp.acceleration, ramp.jerk});
+    };
+    return from_rest(last, passed, share) + from_rest(piece, passed, share) >
+           from_rest(last, 0, 1) + from_rest(piece, 0, 1);
 }
 
 void Preparer::State::remember(const Piece& piece) {
@@ -407,6 +440,7 @@ void Preparer::State::remember(const Piece& piece) {
     last.speed = piece.speed;
     last.acceleration = piece.acceleration;
     last.jerk = piece.jerk;
+    last.turning_acceleration = piece.turning_acceleration;
     last.turns_only = segment.turns_only;
     last.must_stop = false;
     last.exit_feed = std::numeric_limits<double>::infinity();

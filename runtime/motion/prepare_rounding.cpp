@@ -291,6 +291,7 @@ CornerPassage Preparer::State::corner_between(const Beside& before, const Beside
     memory.speed = before.limits.speed;
     memory.acceleration = before.limits.acceleration;
     memory.jerk = before.limits.jerk;
+    memory.turning_acceleration = before.limits.turning_acceleration;
     memory.must_stop = false;
     if (options.corner_rule == CornerRule::JunctionDeviation)
         memory.direction =

@@ -37,6 +37,7 @@ struct CornerMemory {
     path::Vec3 direction = path::Vec3::Zero();  // at its end
     double acceleration = 0;
     double jerk = std::numeric_limits<double>::infinity();
+    double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
     bool turns_only = false;
     bool is_bent = false;
     bool can_be_cut = true;  // into parts that are as exact as the whole
@@ -213,6 +214,7 @@ struct Preparer::State {
     double crowded_jump(const Piece& piece, std::size_t axis, double speed) const;
     double corner_acceleration_limit(const AxisRates& in) const;
     void take_bend(Piece& piece) const;
+    bool rests_at_bend(const Piece& piece, double passed, double share) const;
     void remember(const Piece& piece);
     /// prepare_dynamics.cpp
     void follow_dynamics(const path::Command& command);

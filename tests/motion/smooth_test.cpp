@@ -200,16 +200,43 @@ TEST(SmoothPlan, AnArcIsEnteredWithTheJerkOfATick) {
     // A line goes over into an arc of 10 mm: v²/10 mm at once. Half of the jerk is for it: 0.75·v²
     // / (10 mm · 1 ms) = 50000 mm/s³.
     const auto machine = machine_of(smooth(100000));
-    const Motion result = run(
-        machine,
-        {line_to({30, 0, 0}, 6000), arc_to({40, 10, 0}, {30, 10, 0}, std::numbers::pi / 2, 6000)});
+    const auto at_feed = [&](double feed) {
+        return run(machine, {line_to({30, 0, 0}, feed),
+                             arc_to({40, 10, 0}, {30, 10, 0}, std::numbers::pi / 2, feed)});
+    };
+    const Motion result = at_feed(1800);
     EXPECT_NEAR(result.segments[0].profile.exit_speed, std::sqrt(500 / 0.75), 1e-9);
     // And what the arc itself takes at this speed, v³ / (10 mm)²: 172 mm/s³.
     EXPECT_LE(result.totals.max_jerk[1], 100173);
+    // A rest is quicker where the ramps need all of the jerk.
+    EXPECT_EQ(at_feed(6000).segments[0].profile.exit_speed, 0);
     // As slow as 10 mm/s there is nothing to slow down for.
     const Motion slow = run(machine, {line_to({30, 0, 0}, 600),
                                       arc_to({40, 10, 0}, {30, 10, 0}, std::numbers::pi / 2, 600)});
     EXPECT_NEAR(slow.segments[0].profile.exit_speed, 10, 1e-9);
+}
+
+/// Where the curvature jumps, a motion is passed only where that is quicker than a stop: lines and
+/// arcs, and arcs that turn the other way.
+TEST(SmoothPlan, NoJumpOfTheCurvatureIsSlowerThanAStop) {
+    for (const double jerk : {5e3, 1e5, 5e6}) {
+        const auto machine = machine_of(smooth(jerk));
+        for (const double radius : {2.0, 15.0, 60.0}) {
+            for (const double feed : {1000.0, 6000.0, 11500.0, 20000.0}) {
+                const double pi = std::numbers::pi;
+                std::vector<Command> program = {
+                    line_to({20, 0, 0}, feed),
+                    arc_to({20, 2 * radius, 0}, {20, radius, 0}, pi, feed),
+                    line_to({0, 2 * radius, 0}, feed),
+                    arc_to({0, 4 * radius, 0}, {0, 3 * radius, 0}, -pi, feed),
+                    arc_to({0, 6 * radius, 0}, {0, 5 * radius, 0}, pi, feed)};
+                const double through = run(machine, program).totals.time;
+                for (Command& command : program) command.exact_stop = true;
+                EXPECT_LE(through, 1.001 * run(machine, program).totals.time)
+                    << "jerk " << jerk << ", radius " << radius << ", F" << feed;
+            }
+        }
+    }
 }
 
 TEST(SmoothPlan, EveryLookAheadEndsAtRestAndNoneIsFaster) {
