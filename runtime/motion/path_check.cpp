@@ -64,18 +64,17 @@ struct StraightWay {
     Vec3 carrier = Vec3::Zero();
     std::array<double, kFollowers> standing{};  // beside X, Y and Z, in the order of the machine
 
-    /// Whether the setpoint surely is on it, not much before a place; then where, and its tip.
-    bool has(const Setpoint& setpoint, double tolerance, std::size_t followers, double& place,
-             Vec3& tip) const {
+    /// Whether the setpoint surely is on it, not much before a place; then its foot, and its tip.
+    bool has(const Setpoint& setpoint, double tolerance, std::size_t followers, double place,
+             double& foot, Vec3& tip) const {
         for (std::size_t i = 0; i < followers; ++i)
             if (setpoint.axis[i + 3] != standing[i]) return false;
         const Vec3 at = Vec3(setpoint.axis[0], setpoint.axis[1], setpoint.axis[2]) - carrier;
         const double along = (at - line.start).dot(line.direction);
         const double from = std::max(0.0, place - 2 * tolerance);
-        const double foot = std::clamp(along, std::min(from, line.length), line.length);
+        foot = std::clamp(along, std::min(from, line.length), line.length);
         if (!((at - line.start - line.direction * foot).squaredNorm() <= tolerance * tolerance))
             return false;
-        place = std::max(place, foot);
         tip = at;
         return true;
     }
@@ -234,6 +233,8 @@ struct PathCheck::State {
     void take();
     const StandingTool& tool_for(const ProgrammedMotion& motion);
     double reach() const;
+    void stay(double at, const Vec3& tip_now);
+    void leave(std::size_t at, double there);
     void fail(PathFault fault, const Waiting& waiting, double distance, double allowed);
     void fail_near(const Waiting& waiting, const Nearness& near);
 
@@ -250,6 +251,7 @@ struct PathCheck::State {
     std::vector<Waiting> taken;   // from `laid`, to be given back empty
     std::deque<Waiting> motions;  // the first one is where the tip is
     double place = 0;             // the farthest there so far
+    double aside = 0;             // mm, that the tip has gone since without coming farther
     bool has_begun = false;
     const Setpoint* setpoint = nullptr;
     StandingTool tool;              // of the setpoint …
@@ -288,6 +290,22 @@ double PathCheck::State::reach() const {
     return std::max(moved, std::max(setpoint->feed, feed_before) * tick) + in_a_tick;
 }
 
+/// The tip is on the first motion still. One that goes forth and back within the tolerance of it is
+/// on its way along the next ones, and nobody can see on which.
+void PathCheck::State::stay(double at, const Vec3& tip_now) {
+    if (at <= place && has_begun) aside += (tip_now - before).norm();
+    place = std::max(place, at);
+}
+
+/// The tip goes on to a later motion; the next one is the first then.
+void PathCheck::State::leave(std::size_t at, double there) {
+    double gone = there;
+    for (std::size_t k = 1; k < at; ++k) gone += motions[k].length;
+    aside = std::max(0.0, aside - gone);
+    motions.erase(motions.begin(), motions.begin() + static_cast<std::ptrdiff_t>(at));
+    place = there;
+}
+
 void PathCheck::State::fail(PathFault fault, const Waiting& waiting, double distance,
                             double allowed) {
     deviation = PathDeviation{fault, distance, allowed, time, {waiting.line, waiting.source, {}}};
@@ -322,14 +340,15 @@ bool PathCheck::State::is_on_straight() {
     if (motions.size() >= kMostWaiting) return false;
     const std::size_t followers = layer.followers();
     const double come = std::max(setpoint->feed, feed_before) * tick + in_a_tick;
-    const double behind = kBehind * motions[0].tolerance;
+    const double behind = kBehind * motions[0].tolerance + kLonger * aside;
     double passed = 0;
+    double foot = 0;
     Vec3 tip;
     for (std::size_t i = 0; i < motions.size(); ++i) {
         const Waiting& here = motions[i];
         if (!here.is_straight || here.system != motions[0].system) return false;
-        double there = i == 0 ? place : 0;
-        if (here.straight.has(*setpoint, here.tolerance, followers, there, tip)) {
+        const double there = i == 0 ? place : 0;
+        if (here.straight.has(*setpoint, here.tolerance, followers, there, foot, tip)) {
             double widest = 0;
             for (std::size_t k = 0; k < i; ++k) {
                 widest = std::max(widest, motions[k].tolerance);
@@ -338,8 +357,8 @@ bool PathCheck::State::is_on_straight() {
                 const Vec3& end = motions[k].straight.line.end;
                 if (!has_begun || path::distance_to_line(end, before, tip) > allowed) return false;
             }
-            for (std::size_t k = 0; k < i; ++k) motions.pop_front();
-            place = there;
+            if (i == 0) stay(foot, tip);
+            else leave(i, foot);
             before = tip;
             system_before = motions.front().system;
             feed_before = setpoint->feed;
@@ -362,7 +381,7 @@ bool PathCheck::State::go_on() {
     const ProgrammedMotion& here = motion_at(0);
     const Nearness near = nearest_on(*chain, here, tool_for(here), place);
     if (keeps(here, near)) {
-        place = std::max(place, near.place);
+        stay(near.place, tool_for(here).tip);
         const bool may_wait = motions.size() < kMostWaiting;
         return may_wait || motions.size() == 1 || search();
     }
@@ -374,7 +393,7 @@ bool PathCheck::State::go_on() {
 bool PathCheck::State::search() {
     const Waiting* best = nullptr;
     Nearness nearest;
-    double behind = kBehind * motions[0].tolerance;
+    double behind = kBehind * motions[0].tolerance + kLonger * aside;
     for (const bool is_thorough : {false, true}) {
         double passed = 0;
         for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -393,7 +412,7 @@ bool PathCheck::State::search() {
                     nearest = near;
                 }
             }
-            behind = std::max(behind, kBehind * motion.tolerance);
+            behind = std::max(behind, kBehind * motion.tolerance + kLonger * aside);
             // What is left of the first one is not known in mm; it may be nothing.
             if (i > 0 && !motion.way.turns_only) passed += motion.length;
             if (passed > kLonger * reach() + behind) break;
@@ -406,8 +425,8 @@ bool PathCheck::State::search() {
 /// The tip is on the motion at `at`; those before it are through.
 bool PathCheck::State::stand(std::size_t at, const Nearness& near) {
     if (has_begun && leaves_out(at)) return false;
-    motions.erase(motions.begin(), motions.begin() + static_cast<std::ptrdiff_t>(at));
-    place = at == 0 ? std::max(place, near.place) : near.place;
+    if (at == 0) stay(near.place, tool.tip);
+    else leave(at, near.place);
     return true;
 }
 

@@ -62,6 +62,26 @@ TEST(PathCheck, TakesEveryTolerance) {
     }
 }
 
+/// All of the way lies within the tolerance of its first line, on which the check sees the tip
+/// stay.
+TEST(PathCheck, FollowsAWayForthAndBackWithinItsTolerance) {
+    const machine::Machine machine = machine_of();
+    for (const int turns : {2, 5, 20, 200}) {
+        for (const path::Blending& wish : {within(0.1), within(0.1, true), by_distance(0.1)}) {
+            std::vector<Command> program = {rapid_to({0, 5, 0}), line_to({0, 0, 0}, 5000)};
+            for (int i = 1; i <= turns; ++i) program.push_back(line_to({i % 2 * 0.25, 0, 0}, 5000));
+            program.push_back(line_to({0, 0, -0.5}, 5000));
+            program.push_back(line_to({5, 0, -0.5}, 5000));
+            program = numbered(rounded(program, wish));
+            std::vector<Setpoint> setpoints = sample(machine, program);
+            EXPECT_FALSE(deviation_of(machine, program, setpoints).has_value()) << turns;
+            // What lies behind is held to the way as well as ever.
+            setpoints[setpoints.size() - 20].axis[1] += 0.2;
+            EXPECT_TRUE(deviation_of(machine, program, setpoints).has_value()) << turns;
+        }
+    }
+}
+
 RC_GTEST_PROP(PathCheck, RefusesNothingThatIsPlanned, ()) {
     const auto machine = any_machine();
     std::vector<Command> program = any_program();
