@@ -415,7 +415,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                 if (!take_expression(out.value)) return false;
                 if (rules_.stores_comparisons || out.value.is_logical) return true;
                 skip();
-                if (peek() == '=') return fail_here(diag::ExpressionSyntax);
+                if (!words_.is_end(at_) && peek() != language_.close)
+                    return fail_here(diag::ExpressionSyntax);
                 return fail(diag::ExpressionSyntax, out.value.span);
             case Hole::Value:
             case Hole::First:

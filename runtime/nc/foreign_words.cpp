@@ -10,7 +10,7 @@ namespace kadr::nc {
 
 namespace {
 
-constexpr std::string_view kSigns = "#([;=,";
+constexpr std::string_view kSigns = "#([;=,:<>!";
 
 std::size_t end_of_word(std::string_view line, std::size_t begin) {
     std::size_t end = begin;
@@ -83,32 +83,63 @@ bool begins_code(const DialectTables& tables, char letter) {
     return address != kNoAddress && tables.addresses[address].kind == Address::Kind::Code;
 }
 
+/// Whether a condition has begun in front of the place.
+bool is_in_condition(std::string_view line, std::size_t at) {
+    for (std::size_t i = 0; i < at; ++i) {
+        if (!is_letter(line[i])) continue;
+        std::size_t end = i;
+        while (end < at && is_letter(line[end])) ++end;
+        const std::string word = upper_ascii(line.substr(i, end - i));
+        if (word == "IF" || word == "WHILE" || word == "UNTIL") return true;
+        i = end;
+    }
+    return false;
+}
+
 /// Whether a sign stands as people who come from other controls write it: a bracket behind a blank
-/// opens a comment, a comma between digits is a decimal point, the second of two signs is no slip.
+/// opens a comment, a comma between digits is a decimal point, the second of two signs is no slip,
+/// and where `=` assigns it is wrong in a condition alone.
 bool is_out_of_habit(const DialectTables& tables, std::string_view line, std::size_t at) {
     const char before = at > 0 ? line[at - 1] : ' ';
     const char behind = at + 1 < line.size() ? line[at + 1] : ' ';
     switch (line[at]) {
         case '(': return is_blank(before) || tables.comment.open == "(";
         case ',': return is_digit(before) && is_digit(behind);
-        case '=': return before != '=';
+        case '=':
+            return before != '=' && (!tables.rules.has_assignment || is_in_condition(line, at));
         default: return true;
     }
+}
+
+/// The list's word for a sign, the longest that stands there: `<=` before `<`. In a condition `=`
+/// is what `==` is elsewhere.
+const std::string* entry_of_sign(const DialectTables& tables, std::string_view line,
+                                 std::size_t at) {
+    if (!is_out_of_habit(tables, line, at)) return nullptr;
+    const std::string* found = at + 1 < line.size() ? entry(tables, line.substr(at, 2)) : nullptr;
+    if (found == nullptr && line[at] == '=' && is_in_condition(line, at))
+        found = entry(tables, "==");
+    return found != nullptr ? found : entry(tables, line.substr(at, 1));
+}
+
+/// Whether a letter with a number, `R5`, is used as a variable, in brackets or before an equals
+/// sign.
+bool is_variable(std::string_view line, std::size_t begin) {
+    std::size_t end = end_of_word(line, begin);
+    while (end < line.size() && is_blank(line[end])) ++end;
+    const bool is_assigned = end < line.size() && line[end] == '=';
+    return is_assigned || line.substr(0, begin).find_first_of("[(") != line.npos;
 }
 
 /// The word that holds the place, or the sign that stands there.
 const std::string* entry_at(const DialectTables& tables, std::string_view line, std::size_t at) {
     if (at >= line.size()) return nullptr;
-    if (kSigns.find(line[at]) != kSigns.npos) {
-        if (!is_out_of_habit(tables, line, at)) return nullptr;
-        const bool is_double = at + 1 < line.size() && line[at] == '=' && line[at + 1] == '=';
-        return entry(tables, line.substr(at, is_double ? 2 : 1));
-    }
+    if (kSigns.find(line[at]) != kSigns.npos) return entry_of_sign(tables, line, at);
     if (!is_letter(line[at])) return nullptr;
     const std::string word = spelled(line.substr(at, end_of_word(line, at) - at));
     const std::string* const found = entry(tables, word);
     // A letter of the list stands for itself with any number: `O100`.
-    const bool is_numbered = word.size() > 1 && is_digit(word[1]);
+    const bool is_numbered = word.size() > 1 && is_digit(word[1]) && !is_variable(line, at);
     return found == nullptr && is_numbered ? entry(tables, word.substr(0, 1)) : found;
 }
 
@@ -142,6 +173,10 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
     // `POPEN` where programs have names: it was called, and there is none.
     const bool is_word = fault.begin < line.size() && is_letter(line[fault.begin]);
     if (place.is_executed && (!is_word || is_value(line, fault.begin))) return {};
+    const std::size_t behind = end_of_word(line, fault.begin);
+    if (place.is_executed &&
+        is_own(tables, spelled(line.substr(fault.begin, behind - fault.begin))))
+        return {};
     if (const std::string* found = entry_at(tables, line, fault.begin)) return *found;
     if (place.is_executed) return {};
     for (std::size_t at = 0; at < line.size();) {
@@ -166,6 +201,7 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
     const std::string_view before = word_before(line, fault.begin);
     if (before.empty()) return {};
     const auto begin = static_cast<std::size_t>(before.data() - line.data());
+    if (is_variable(line, begin)) return {};
     const std::string* const found = entry_at(tables, line, begin);
     return found != nullptr ? std::string_view(*found) : std::string_view();
 }

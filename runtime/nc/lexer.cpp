@@ -696,7 +696,7 @@ class Lexer {
         skip_blanks();
         if (address == kNoAddress) {
             if (peek() == '[' && take_bracketed_name(name, begin)) return;
-            if (peek() == ':') {
+            if (peek() == ':' && tables_.language.label_sign == ":") {
                 ++at_;
                 const bool is_front =
                     out_.words.empty() && out_.label.empty() && !is_behind_statement_;

@@ -152,6 +152,21 @@ bool LineReader::is_in_cycle() const {
            });
 }
 
+namespace {
+
+/// Whether a message says that a word or a sign is not understood; others, of a number out of its
+/// range or a bracket that is not closed, have nothing to do with the words of other controls.
+bool is_about_words(const DiagnosticRow& row) {
+    static constexpr std::array kRows = {
+        &diag::IsoUnknownWord,   &diag::IsoUnknownCode,  &diag::IsoNoValue,
+        &diag::IsoWordsMissing,  &diag::IsoWordUnused,   &diag::IsoSyntax,
+        &diag::ExpressionSyntax, &diag::StatementSyntax, &diag::AssignmentMissing,
+        &diag::LoopNumber,       &diag::CallNotAlone};
+    return std::ranges::find(kRows, &row) != kRows.end();
+}
+
+}  // namespace
+
 void LineReader::report(std::string_view line, const LineFault& fault, FaultOf of) {
     note_fault();
     DiagnosticBuilder builder = sink_.report(*fault.row, place(line, line_number_, fault.span));
@@ -162,8 +177,11 @@ void LineReader::report(std::string_view line, const LineFault& fault, FaultOf o
     }
     if (const auto alarm = dialect_.alarm(*fault.row, detail))
         builder.alarm(alarm->number, alarm->text);
+    const bool is_executed = of == FaultOf::Execution;
     const std::string_view instead =
-        instead_of_foreign(tables_, line, fault.span, {is_in_cycle(), of == FaultOf::Execution});
+        is_executed || is_about_words(*fault.row)
+            ? instead_of_foreign(tables_, line, fault.span, {is_in_cycle(), is_executed})
+            : std::string_view();
     const std::size_t at = fault.span.begin;
     const bool is_small = !tables_.rules.ignores_case && at < line.size() && is_lower(line[at]);
     if (!instead.empty()) builder.fix(std::string(instead));
@@ -260,6 +278,7 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
         case Kind::Unused: out.row = &diag::IsoWordUnused, out.arguments = {word}; break;
         case Kind::Alone:
             out.row = &diag::IsoAlone, out.arguments = {word};
+            if (fault.other > fault.word) out.span = lexed_->spans[fault.other];
             if (const auto wrong = axis_of_program(tables_, *lexed_, fault.word)) {
                 out.row = &diag::MachineAxisWanted;
                 out.span = lexed_->spans[*wrong];

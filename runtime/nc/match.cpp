@@ -698,7 +698,21 @@ class Matcher {
         if (!alone_) return {};
         const bool has_more = match_.form_count > 1 || seen_slots_ != 0;
         if (!has_more) return {};
-        return MatchFault{MatchFault::Kind::Alone, *alone_};
+        return MatchFault{MatchFault::Kind::Alone, *alone_, place_beside().value_or(*alone_)};
+    }
+
+    /// Of a function that takes places, the first one that it does not take: Z of `G68 X0 Y0 Z0
+    /// R30`.
+    std::optional<std::size_t> place_beside() const {
+        bool takes_places = false;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            const int slot = words_[i].is_left_out ? -1 : address(i).slot;
+            if (slot < 0 || (kTargetSlots & bit(static_cast<Slot>(slot))) == 0) continue;
+            const bool is_taken = (seen_slots_ & bit(static_cast<Slot>(slot))) == 0;
+            if (!is_taken && takes_places) return i;
+            takes_places |= is_taken;
+        }
+        return std::nullopt;
     }
 
     const DialectTables& tables_;

@@ -83,7 +83,7 @@ struct MatchFault {
         Value,         // `word` stands in `form` with another value
         Conflict,      // `word` and `other` belong to different forms of one code
         Unused,        // `word` means nothing here
-        Alone,         // `word` must stand in a block of its own
+        Alone,         // `word` must stand in a block of its own, without `other` at least
         Company,       // `word` does not stand beside `other`
         NotSupported,  // `word` in `form` is known, and not executed
         Mode,          // `word`: AC(), IC() or the like does not fit here
