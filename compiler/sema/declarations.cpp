@@ -250,7 +250,11 @@ Type Checker::resolve_type(syntax::TypeId id) {
         if (const auto near = nearest_name(name, known.data(), known.size())) {
             builder.fix(ref.range, std::string(*near),
                         "did you mean `" + std::string(*near) + "`?");
+            return types::kError;
         }
+        const std::string lower = syntax::lower_ascii(name);
+        if (lower != name && syntax::is_keyword(lower))
+            builder.fix(ref.range, lower, "keywords are written in lower case");
         return types::kError;
     }
     if (ref.is_optional && ref.array == syntax::TypeRef::Array::None) type = types_.optional(type);

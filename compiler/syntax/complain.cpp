@@ -441,8 +441,7 @@ bool Complaints::explain_sign(const Place& place) {
     if (place.expects_only(Token::Semicolon) && (is_for || is_field) && !place.is_new_line) {
         auto message = file_.sink.report(diag::SignMissing, gap);
         message.arg(";").arg(quoted(place.previous));
-        if (is_for && place.offending.token == Token::Comma)
-            message.fix("a loop has one variable: declare the others before it");
+        if (is_for && place.offending.token == Token::Comma) fix_comma_of_loop(place, message);
         return true;
     }
     const bool is_name_first = place.previous.token == Token::Identifier;
@@ -451,6 +450,34 @@ bool Complaints::explain_sign(const Place& place) {
         return true;
     }
     return false;
+}
+
+/// The last comma in front of the bracket that closes the list in which one stands, without
+/// brackets between them.
+std::size_t Complaints::last_comma(std::size_t index) const {
+    std::size_t last = index;
+    for (; !opens(stream_.lexeme(index).token) && !closes(stream_.lexeme(index).token); ++index) {
+        if (index + 1 >= stream_.size()) break;
+        if (stream_.lexeme(index).token == Token::Comma) last = index;
+    }
+    return last;
+}
+
+/// `for (int i = 0, i < 5, i++)`, but `for (int i = 0, j = 1; …)`.
+void Complaints::fix_comma_of_loop(const Place& place, DiagnosticBuilder& report) const {
+    const std::string_view next = file_.spelling(stream_.lexeme(place.index + 1));
+    for (std::size_t i = place.index; i > 0 && stream_.lexeme(i).token != Token::OpenParen; --i) {
+        const bool is_asked = stream_.lexeme(i).token == Token::Assign &&
+                              file_.spelling(stream_.lexeme(i - 1)) == next;
+        if (!is_asked) continue;
+        const std::size_t last = last_comma(place.index);
+        std::string parts(file_.text.substr(place.offending.begin,
+                                            stream_.lexeme(last).end - place.offending.begin));
+        std::ranges::replace(parts, ',', ';');
+        return void(report.fix(file_.range(place.offending.begin, stream_.lexeme(last).end), parts,
+                               "semicolons stand between the parts of a loop"));
+    }
+    report.fix("a loop has one variable: declare the others before it");
 }
 
 /// What a keyword is followed by, in parentheses: up to the body or the end of the statement.
@@ -469,10 +496,26 @@ void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) 
         if (closes(token) && depth > 0) --depth;
     }
     if (end == place.index) {
-        report.fix(file_.range(place.offending.begin, place.offending.begin), "(", "open it");
+        const bool is_empty = place.previous.token == Token::Identifier;  // `program p {`
+        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+        if (is_empty) report.fix(gap, "()", "without parameters they are empty");
+        else report.fix(file_.range(place.offending.begin, place.offending.begin), "(", "open it");
         return;
     }
     const SourceRange range = file_.range(place.offending.begin, stream_.lexeme(end - 1).end);
+    // `for i in 1..5`
+    const bool is_loop = place.previous.token == Token::For && end > place.index + 2 &&
+                         place.offending.token == Token::Identifier &&
+                         lower_ascii(file_.spelling(stream_.lexeme(place.index + 1))) == "in";
+    if (is_loop) {
+        const Lexeme& first = stream_.lexeme(place.index + 2);
+        const std::string list(file_.text.substr(first.begin, range.end - first.begin));
+        const std::string type = list.find("..") != list.npos ? "int " : "auto ";
+        report.fix(range,
+                   '(' + type + std::string(file_.spelling(place.offending)) + " : " + list + ')',
+                   "a loop over a list");
+        return;
+    }
     report.fix(range,
                "(" + std::string(file_.text.substr(range.begin, range.end - range.begin)) + ")",
                "put it in parentheses");
@@ -622,15 +665,29 @@ void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) c
                is_whole ? '=' + inside : "=(" + inside + ')', kValueBehindSign);
 }
 
-/// `X=[d*2]`, `a*[b+c]`: square brackets that group.
+/// Whether a comma stands between two brackets, outside of those inside.
+bool Complaints::is_list(std::size_t open, std::size_t close) const {
+    std::size_t depth = 0;
+    for (std::size_t i = open + 1; i < close; ++i) {
+        const Token token = stream_.lexeme(i).token;
+        if (opens(token)) ++depth;
+        else if (closes(token) && depth > 0) --depth;
+        else if (token == Token::Comma && depth == 0) return true;
+    }
+    return false;
+}
+
+/// `X=[d*2]`, `a*[b+c]`: square brackets that group; `[1mm, 2mm]`: those of a list.
 void Complaints::fix_brackets(const Place& place, DiagnosticBuilder& report) const {
     const std::size_t close = matching(place.index);
     if (stream_.lexeme(close).token != Token::CloseBracket) return;
     const bool is_whole =
         place.previous.token == Token::Assign && ends_value(stream_.lexeme(close + 1).token);
+    const SourceRange range = file_.range(place.offending.begin, stream_.lexeme(close).end);
     const std::string inside = round_brackets(place.index);
-    report.fix(file_.range(place.offending.begin, stream_.lexeme(close).end),
-               is_whole ? inside : '(' + inside + ')', "parentheses are round");
+    if (is_whole && is_list(place.index, close))
+        report.fix(range, '{' + inside + '}', "the values of a list stand in braces");
+    else report.fix(range, is_whole ? inside : '(' + inside + ')', "parentheses are round");
 }
 
 /// `G1 Xd Yd Zd;`: words whose values are names without `=`. One or two of them are a point and
@@ -701,8 +758,13 @@ bool Complaints::explain_closing(const Place& place) {
         return true;
     }
     if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::Comma) {
+        const std::uint32_t begin = stream_.lexeme(place.head_index).begin;
+        std::uint32_t end = begin;  // of the type
+        for (std::size_t i = place.head_index; stream_.lexeme(i).token != Token::Identifier; ++i)
+            end = stream_.lexeme(i).end;
         file_.sink.report(diag::SeveralNames, range)
-            .fix(range, ";", "end the declaration and begin another one");
+            .fix(range, "; " + std::string(file_.text.substr(begin, end - begin)),
+                 "end the declaration and begin another one");
         return true;
     }
     return explain_assignment(place) || explain_comma(place);

@@ -113,6 +113,9 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     void fix_operator(const Place& place, DiagnosticBuilder& report) const;
     void fix_parentheses(const Place& place, DiagnosticBuilder& report) const;
     void fix_word_value(const Place& place, DiagnosticBuilder& report) const;
+    bool is_list(std::size_t open, std::size_t close) const;
+    std::size_t last_comma(std::size_t index) const;
+    void fix_comma_of_loop(const Place& place, DiagnosticBuilder& report) const;
     void fix_brackets(const Place& place, DiagnosticBuilder& report) const;
     bool explain_glued_words(const Place& place);
     std::size_t matching(std::size_t open) const;

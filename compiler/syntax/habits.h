@@ -19,6 +19,9 @@ struct Habit {
 };
 
 /// A word in lower case: words of other languages are known in capitals as well.
+/// Whether the language has the keyword, in small letters.
+bool is_keyword(std::string_view word);
+
 std::string lower_ascii(std::string_view text);
 
 /// The word, in capitals or not; null if it is none of them.

@@ -86,4 +86,6 @@ const Keyword* find_keyword(std::string_view name) {
     return nullptr;
 }
 
+bool is_keyword(std::string_view word) { return find_keyword(word) != nullptr; }
+
 }  // namespace kadr::syntax
