@@ -157,7 +157,8 @@ class Execution::Tagger final : public Stream<nc::Block> {
     Look look_;  // may be empty
 };
 
-/// Adds to a message about generated text the statement that wrote the line.
+/// Places a message about generated text, which is nowhere on the disk, at the statement that wrote
+/// the line.
 class Execution::StatementNotes final : public DiagnosticSink {
   public:
     StatementNotes(const Execution& execution, DiagnosticSink& next)
@@ -170,18 +171,18 @@ class Execution::StatementNotes final : public DiagnosticSink {
             ++alarms_;
             name_alarm(diagnostic);
         }
-        if (execution_.generated_ && diagnostic.line &&
-            diagnostic.line->file == execution_.text_name_) {
-            const SourceId source = execution_.generated_->lines().find(diagnostic.line->line);
-            const SourceRange range = execution_.statement(source);
-            // Run from its source a program meets a part that lies right (docs/stdlib.md).
-            if (range.file.is_valid() && diagnostic.row == &diag::TouchMissing) return;
-            if (range.file.is_valid()) {
-                diagnostic.notes.push_back(
-                    {range, std::nullopt, "the line was written by this statement"});
-            }
-        }
+        // Run from its source a program meets a part that lies right (docs/stdlib.md).
+        if (place_at_statement(diagnostic) && diagnostic.row == &diag::TouchMissing) return;
         next_.take(std::move(diagnostic));
+    }
+
+    /// Whether the line of the message is generated; its place is that of the statement then.
+    bool place_at_statement(Diagnostic& diagnostic) const {
+        const bool is_generated = execution_.generated_ && diagnostic.line &&
+                                  diagnostic.line->file == execution_.text_name_;
+        if (!is_generated) return false;
+        execution_.generated_->move_to_statement(diagnostic);
+        return !diagnostic.line;
     }
 
   private:
@@ -374,13 +375,23 @@ void Execution::connect(DiagnosticSink& sink) {
     // A cycle that a test executes by itself runs with the tool of its caller.
     const bool is_subject = generated_ && !own_program_;
     const std::optional<machine::ProbeScene>& probe = session_.told().probe;
-    const interp::InterpreterOptions interpreter_options{.max_blocks = options.max_blocks,
-                                                         .skip_levels = options.skip_levels,
-                                                         .optional_stop = options.optional_stop,
-                                                         .asks_for_tool = !is_subject,
-                                                         .probe = probe ? &*probe : nullptr,
-                                                         .touches = aside_.touches,
-                                                         .in_step = aside_.watch != nullptr};
+    const interp::InterpreterOptions interpreter_options{
+        .max_blocks = options.max_blocks,
+        .skip_levels = options.skip_levels,
+        .optional_stop = options.optional_stop,
+        .asks_for_tool = !is_subject,
+        .has_named_machine = is_subject || !options.machine.empty(),
+        .probe = probe ? &*probe : nullptr,
+        .touches = aside_.touches,
+        .in_step = aside_.watch != nullptr,
+        .is_allowed = [this](const DiagnosticRow& row, const LinePlace& place) {
+            Diagnostic warning;
+            warning.row = &row;
+            warning.severity = Severity::Warning;
+            warning.line = place;
+            sink_->place_at_statement(warning);
+            return session_.messages().is_silenced(warning);
+        }};
     interpreter_ = std::make_unique<interp::Interpreter>(
         *dialect_, *machine_, *tagged_, reader_.get(), cycles_, interpreter_options, *sink_);
     reader_->follow(*interpreter_);

@@ -106,6 +106,7 @@ class Execution final : public Stream<path::Command> {
 
     /// The control's program, of which an onlooker asks what acts.
     interp::Program& reader() { return *reader_; }
+    const interp::Program& reader() const { return *reader_; }
     /// Variables of the control that the program has set.
     std::vector<interp::ControlVariable> variables() const { return reader_->variables(); }
 

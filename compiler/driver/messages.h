@@ -47,11 +47,12 @@ class Messages final : public DiagnosticSink {
 
     /// Whether a comment in the source silences warnings of this code at the place.
     bool is_allowed(std::string_view code, const SourceRange& place) const;
+    /// Whether a comment at the place of a warning allows it.
+    bool is_silenced(const Diagnostic& diagnostic) const;
 
   private:
     void count(const Diagnostic& diagnostic);
     bool is_known(const std::string& rendered);
-    bool is_silenced(const Diagnostic& diagnostic) const;
     std::string rendered(const Diagnostic& diagnostic) const;
 
     const Sources& sources_;

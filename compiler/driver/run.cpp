@@ -154,6 +154,7 @@ class Run {
     bool samples() const { return outputs_.setpoints || outputs_.curves || page_; }
     void finish_check(const motion::PlannerOptions& options);
     bool open_machine_output();
+    void report_events_ahead();
     bool has_threads() const;
     RunFigures figures(const motion::Totals& totals) const;
     void finish(const RunFigures& figures);
@@ -307,11 +308,28 @@ void Run::execute() {
     tap.pass_until(motion.executed());
     for (const motion::OperatorEvent& event : motion.events_ahead())
         session_.messages().report(diag::OperatorBlockNotBegun).arg(block_name(event));
+    report_events_ahead();
     if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
     RunFigures all = figures(motion.totals());
     all.pulses = motion.pulses();
     if (motion.scan() != nullptr) all.scan = *motion.scan();
     finish(all);
+}
+
+/// What was to happen at a block or a time to which the run did not come.
+void Run::report_events_ahead() {
+    const auto report = [this](const std::string& what, const std::string& why) {
+        session_.messages().report(diag::EventNotMet).arg(what).arg(why);
+    };
+    const auto name = [](const auto& event) {
+        return event.number >= 0 ? 'N' + std::to_string(event.number)
+                                 : ':' + std::to_string(event.line);
+    };
+    for (const auto& ahead : std::as_const(*execution_).reader().events_ahead())
+        report(ahead.event->text, ahead.has_begun ? "the run ends before"
+                                                  : "no block begins at " + name(*ahead.event));
+    for (const interp::ProbeTouch& touch : execution_->interpreter().touches_ahead())
+        report("touch", "no probing block begins at " + name(touch));
 }
 
 /// Whoever looks on wants to see one thing after the other.

@@ -335,7 +335,7 @@ Status TestRun::perform() {
         ++failed_;
     }
     out->write(lines_);
-    if (!has_none) {
+    if (run_ > 0) {
         out->write(std::to_string(run_) + (run_ == 1 ? " test, " : " tests, ") +
                    std::to_string(failed_) + " failed\n");
     }

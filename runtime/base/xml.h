@@ -79,8 +79,8 @@ struct XmlShape {
 std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const XmlShape& shape,
                                     DiagnosticSink& sink);
 
-/// The attributes of the outermost element's tag by their names, whatever stands behind it. Empty if
-/// the file cannot be read; of a broken tag what stands before the break.
+/// The attributes of the outermost element's tag by their names, whatever stands behind it. Empty
+/// if the file cannot be read; of a broken tag what stands before the break.
 std::map<std::string, std::string> first_tag(const std::string& path);
 
 /// Whether an element and everything below it is as the shape says: every element and attribute

@@ -4,11 +4,13 @@
 // nothing. Thresholds are rows of danger_limits.def, messages of diagnostics/danger.def.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
 #include "base/danger_limits.h"
 #include "base/diagnostics/danger.h"
+#include "base/diagnostics/doubtful.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/block_words.h"
@@ -37,6 +39,19 @@ constexpr int kShownDecimals = 4;
 
 }  // namespace
 
+/// Whether a comment in the line allows the warning: it silences this line, and not the next one.
+bool Executor::is_allowed(const DiagnosticRow& row, const Block& block) const {
+    return options_.is_allowed && places_ != nullptr &&
+           options_.is_allowed(row, places_->place(origin(block)));
+}
+
+/// Whether a feed is warned of here, once of each.
+bool Executor::tells_feed(const DiagnosticRow& row, const Block& block) {
+    if (!is_allowed(row, block)) return dangers_.is_new(modal_.feed);
+    dangers_.feed = std::numeric_limits<double>::quiet_NaN();  // the next cut is looked at again
+    return false;
+}
+
 /// The feed of a cut with a turning spindle, where it is another one than that of the cut before.
 void Executor::watch_feed(const Block& block) {
     if (only_turns_axes(block) || is_scanning_) return;
@@ -50,7 +65,7 @@ void Executor::watch_feed(const Block& block) {
     switch (modal_.feed_mode) {
         case FeedMode::PerRevolution:
             if (modal_.feed > danger::kMostTurnFeed) {
-                if (dangers_.is_new(modal_.feed))
+                if (tells_feed(diag::TurnFeedTooGreat, block))
                     at_feed(diag::TurnFeedTooGreat).arg(modal_.feed).arg(danger::kMostTurnFeed);
                 return;
             }
@@ -58,7 +73,8 @@ void Executor::watch_feed(const Block& block) {
             break;
         case FeedMode::PerMinute:
             if (modal_.feed < danger::kLeastFeed) {
-                if (dangers_.is_new(modal_.feed)) at_feed(diag::FeedTooSmall).arg(modal_.feed);
+                if (tells_feed(diag::FeedTooSmall, block))
+                    at_feed(diag::FeedTooSmall).arg(modal_.feed);
                 return;
             }
             per_minute = modal_.feed;
@@ -66,7 +82,7 @@ void Executor::watch_feed(const Block& block) {
         case FeedMode::InverseTime: return;
     }
     const bool is_too_fast = most > 0 && per_minute > most * (1 + 1e-9);
-    if (is_too_fast && dangers_.is_new(modal_.feed))
+    if (is_too_fast && tells_feed(diag::FeedAboveMachine, block))
         at_feed(diag::FeedAboveMachine).arg(round_to(per_minute, kShownDecimals)).arg(most);
 }
 
@@ -80,6 +96,7 @@ void Executor::watch_cutting_speed(const Block& block, double from, double to) {
     const double wanted = mm_min / (2 * std::numbers::pi * radius);
     const bool is_in_centre = !std::isfinite(wanted);
     if (!(mm_min > 0) || (!is_in_centre && !(most > 0 && wanted > most))) return;
+    if (is_allowed(diag::NoSpeedLimit, block)) return;
     dangers_.told_speed = true;
     const std::string shown =
         is_in_centre ? "infinitely many" : std::to_string(std::llround(wanted));
@@ -137,6 +154,16 @@ void Executor::watch_turret_offset(const Block& block, std::int64_t number) {
     report(diag::OtherToolsOffset, block).arg(number).arg(tool_.current);
 }
 
+/// X becomes a diameter, as on a lathe.
+void Executor::watch_diameter(const Block& block, Function function) {
+    if (options_.has_named_machine || is_lathe_ || dangers_.told_mill) return;
+    if (is_allowed(diag::DiameterOnMill, block)) return;
+    dangers_.told_mill = true;
+    report(diag::DiameterOnMill, block, function)
+        .arg(word_of(block, function))
+        .fix("`-m lathe` runs it on one");
+}
+
 /// The radius of an offset is about to act beside a contour. Shops number the offsets of radii as
 /// they like, so only that of another tool of the machine is one.
 void Executor::watch_radius(const Block& block, std::int64_t number) {
@@ -147,7 +174,8 @@ void Executor::watch_radius(const Block& block, std::int64_t number) {
         machine_.tools, [&](const auto& tool) { return tool.number == number; });
     const bool is_told =
         std::ranges::find(dangers_.told_radii, number) != dangers_.told_radii.end();
-    if (is_of_length || !is_other_tool || is_told) return;
+    if (is_of_length || !is_other_tool || is_told || is_allowed(diag::OtherToolsRadius, block))
+        return;
     dangers_.told_radii.push_back(number);
     const bool is_said_here = block.find(Function::RadiusOffset) != nullptr;
     (is_said_here ? report(diag::OtherToolsRadius, block, Function::RadiusOffset)

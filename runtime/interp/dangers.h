@@ -31,6 +31,7 @@ struct Dangers {
     bool has_rapid_end = false;                 // … and before a cut there was one
     path::Vec3 rapid_end = path::Vec3::Zero();  // of the tip in the base system
 
+    bool told_mill = false;                // that a program which turns runs on a mill
     bool told_speed = false;               // that no limit holds the spindle
     std::vector<std::int64_t> told_radii;  // offsets of other tools
 

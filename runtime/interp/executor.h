@@ -66,6 +66,7 @@ class Executor {
              const InterpreterOptions& options, DiagnosticSink& sink);
 
     std::size_t pull(std::span<path::Command> out);
+    std::vector<ProbeTouch> touches_ahead() const;
     bool alarmed() const { return alarmed_; }
     std::uint64_t blocks() const { return block_count_; }
     /// Whether a motion that is out may have a course of its feed to be worked out.
@@ -655,6 +656,9 @@ class Executor {
     void watch_length(const nc::Block& block, Axis axis);
     void watch_missing_length(const nc::Block& block);
     void watch_turret_offset(const nc::Block& block, std::int64_t number);
+    bool is_allowed(const DiagnosticRow& row, const nc::Block& block) const;
+    bool tells_feed(const DiagnosticRow& row, const nc::Block& block);
+    void watch_diameter(const nc::Block& block, nc::Function function);
     double below_retract() const;
     void watch_change(const nc::Block& block);
     void watch_spindle_stop(const nc::Block& block);
@@ -773,7 +777,7 @@ class Executor {
     Output output_;
     ProgramClocks clocks_;
     std::optional<Probed> probed_;
-    std::vector<bool> touches_done_;           // of options_.touches
+    std::vector<bool> touches_done_;           // of options_.touches: the block has probed
     std::optional<ControlFrame> probe_place_;  // of the surfaces that the probe meets
     double probe_kept_ = 0;                    // a coordinate that was measured
     std::uint64_t block_count_ = 0;

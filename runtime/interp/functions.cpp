@@ -473,6 +473,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             axes_.word_scale[index(Axis::X)] =
                 invocation.function == Function::DiameterOff ? 1 : 0.5;
             diameter_is_absolute_ = invocation.function == Function::DiameterAbsolute;
+            if (invocation.function != Function::DiameterOff)
+                watch_diameter(block, invocation.function);
             break;
         case Function::Pole: set_pole(block, invocation); break;
         case Function::PolarPoint: break;  // the motion's matter

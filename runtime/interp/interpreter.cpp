@@ -41,6 +41,10 @@ bool Interpreter::alarmed() const { return state_->executor.alarmed(); }
 std::vector<StateItem> Interpreter::state() const { return state_->executor.state(); }
 const AxisValues& Interpreter::position() const { return state_->executor.position(); }
 Snapshot Interpreter::snapshot() const { return state_->executor.snapshot(); }
+std::vector<ProbeTouch> Interpreter::touches_ahead() const {
+    return state_->executor.touches_ahead();
+}
+
 std::uint64_t Interpreter::blocks() const { return state_->executor.blocks(); }
 
 double Interpreter::elapsed() { return state_->executor.elapsed(); }

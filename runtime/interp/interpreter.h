@@ -84,11 +84,15 @@ struct InterpreterOptions {
     std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
     bool optional_stop = false;
     bool asks_for_tool = true;                   // warns of a cut before any tool is called
+    bool has_named_machine = true;               // false: nobody has said which machine it is
     std::int64_t date = kFirstDate;              // day on which the run begins, YYYYMMDD
     int time_of_day = 0;                         // … and when, in seconds since midnight
     const machine::ProbeScene* probe = nullptr;  // what a probe meets; null: nobody knows
     std::vector<ProbeTouch> touches = {};
     bool in_step = false;  // no block is read before the one in front of it is executed
+    /// Whether a comment silences a warning at its place, so that it is not said once and for all
+    /// there. Empty: none does.
+    std::function<bool(const DiagnosticRow& row, const LinePlace& place)> is_allowed = {};
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.
@@ -110,6 +114,8 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     std::size_t pull(std::span<path::Command> out) override;
     bool alarmed() const;          // an alarm ended the run
     std::uint64_t blocks() const;  // executed so far
+    /// Touches of the options whose block has not probed so far.
+    std::vector<ProbeTouch> touches_ahead() const;
     /// The modal state behind the last block, one entry a group, for people.
     std::vector<StateItem> state() const;
     /// Where the tool stands in the programmed system; mm, deg.

@@ -4,6 +4,8 @@
 // Without either the probe goes to the end of its way and counts as triggered there.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
@@ -86,6 +88,21 @@ std::optional<double> Executor::touch_of_event(const Block& block, const Program
         return std::nullopt;
     }
     return std::nullopt;
+}
+
+/// Several touches of one block are for several runs of it: one of them has come is enough.
+std::vector<ProbeTouch> Executor::touches_ahead() const {
+    std::vector<ProbeTouch> ahead;
+    const auto is_done = [this](const ProbeTouch& touch) {
+        for (std::size_t i = 0; i < touches_done_.size(); ++i) {
+            const ProbeTouch& other = options_.touches[i];
+            if (touches_done_[i] && other.number == touch.number && other.line == touch.line)
+                return true;
+        }
+        return false;
+    };
+    std::ranges::copy_if(options_.touches, std::back_inserter(ahead), std::not_fn(is_done));
+    return ahead;
 }
 
 std::optional<double> Executor::touch_of_scene(const Target& target, bool springs_back) {

@@ -871,6 +871,13 @@ bool Program::is_behind_fault(const Block& block) const {
 }
 std::uint64_t Program::lines() const { return state_->most_line; }
 bool Program::has_fault() const { return state_->lines.failed(); }
+std::vector<Program::EventAhead> Program::events_ahead() const {
+    std::vector<EventAhead> ahead;
+    for (const State::PendingEvent& each : state_->pending_events)
+        ahead.push_back({each.event, each.begun.has_value()});
+    return ahead;
+}
+
 std::vector<ControlVariable> Program::variables() const {
     return state_->variables_at_end ? *state_->variables_at_end : state_->variables.list();
 }

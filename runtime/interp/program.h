@@ -127,6 +127,12 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
 
     /// In the order of the dialect's tables, then as declared.
     std::vector<ControlVariable> variables() const;
+    /// An event of the options that has not happened so far.
+    struct EventAhead {
+        const InputEvent* event = nullptr;
+        bool has_begun = false;  // its block has come, or it has none; its time has not
+    };
+    std::vector<EventAhead> events_ahead() const;
     /// The codes that act behind the lines that were read so far.
     const std::vector<ActiveCode>& codes();
     /// Statements of the control's own language that were executed so far.

@@ -98,7 +98,9 @@ Vec3 Executor::activate_length(const Block& block, AxisMask moved) {
         lengths[at] = wanted[at];
         changed = static_cast<AxisMask>(changed | 1u << i);
     }
-    tool_.has_changed = lengths != wanted;
+    // The watch looks at the first motion along the axis, whatever moves before.
+    const bool is_unwatched = (moved & bit(axis)) == 0 && dangers_.tool != tool_.current;
+    tool_.has_changed = lengths != wanted || is_unwatched;
     if (changed == 0) return Vec3::Zero();
     const Vec3 shift = length_shift_of(lengths);
     Vec3 carried = shift - length_shift_of(tool_.lengths);

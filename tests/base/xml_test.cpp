@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/text.h"
+#include "tests/common/scratch.h"
 
 namespace kadr {
 namespace {
@@ -130,7 +131,7 @@ TEST(Xml, AMisplacedElementIsToldWhereItBelongs) {
 }
 
 TEST(Xml, TheFirstTagIsReadAlone) {
-    const std::string path = testing::TempDir() + "first_tag.xml";
+    const std::string path = testing::scratch("first_tag.xml");
     const std::string tag = "<plan name=\"a &amp; b\" title='two'";
     const auto tag_of = [&](const std::string& text) {
         EXPECT_TRUE(write_file_whole(path, text));
@@ -141,7 +142,8 @@ TEST(Xml, TheFirstTagIsReadAlone) {
     std::string steps;
     for (int i = 0; i < 1000; ++i) steps += "<step by=\"x\"/>";
     EXPECT_EQ(tag_of(tag + "/>"), both);
-    EXPECT_EQ(tag_of("\xEF\xBB\xBF<?xml version=\"1.0\"?>\n" + tag + ">" + steps + "</plan>"), both);
+    EXPECT_EQ(tag_of("\xEF\xBB\xBF<?xml version=\"1.0\"?>\n" + tag + ">" + steps + "</plan>"),
+              both);
     EXPECT_EQ(tag_of(many + tag + ">" + steps + "</plan>"), both);
     EXPECT_EQ(tag_of(many.substr(0, 4080) + "-->" + tag + ">" + steps + "</plan>"), both);
     // A mistake behind it is not looked at.

@@ -125,6 +125,27 @@ TEST_F(Warnings, AreSilencedWithAReason) {
     EXPECT_EQ(said("part.nc", with("(ALLOW K5973)"), check), "5:1 K5973");
 }
 
+TEST_F(Warnings, AreSaidWhereTheNextLineIsNotAllowed) {
+    const std::vector<std::string> check = {"check", "part.mpf", "-d", "sinumerik"};
+    const std::string head = "T1 D1 M6\nG0 X0 Y0 Z5\nS100 M3\nG1 Z-1 F0.5 ; kadr: allow K5971\n";
+    EXPECT_EQ(said("part.mpf", head + "G1 X2 F100\nM30\n", check), "");
+    EXPECT_EQ(said("part.mpf", head + "G1 Z-2 F0.5\nX5\nM30\n", check), "5:8 K5971");
+    EXPECT_EQ(said("part.mpf", head + "X2\nX5\nM30\n", check), "5:1 K5971");
+    EXPECT_EQ(said("part.kadr",
+                   "program p() {\n    tool(1); S1000 M3; G0 X0 Y0 Z5;\n"
+                   "    G1 Z-1 F0.5;  // kadr: allow K5971 the touch-off crawls\n"
+                   "    G1 X5 F0.5;\n    M30;\n}\n",
+                   {"run", "part.kadr", "-d", "sinumerik", "--summary", "/dev/null"}),
+              "4:5 K5971");
+}
+
+TEST_F(Warnings, OfADiameterOnAMillThatNobodyHasNamed) {
+    const std::string text = "T1 D1 M6\nG18 DIAMON\nG0 X50 Z5\nM30\n";
+    EXPECT_EQ(said("turn.mpf", text, {"check", "turn.mpf", "-d", "sinumerik"}), "2:5 K5907");
+    EXPECT_EQ(said("turn.mpf", text, {"check", "turn.mpf", "-d", "sinumerik", "-m", "mill"}), "");
+    EXPECT_EQ(said("turn.mpf", text, {"check", "turn.mpf", "-d", "sinumerik", "-m", "lathe"}), "");
+}
+
 TEST_F(Warnings, OfACutterThatTheMachineHasNotAreErrorsWhereItRuns) {
     const std::string pocket =
         "import cycles.milling;\nprogram p() {\n    tool(TOOL); S1000 M3;\n"

@@ -213,9 +213,9 @@ class MachineRowExamples : public kadr::test::ScratchFolder {
             for (const char* word : {"--diagnostics", "json"}) words.emplace_back(word);
             return kadr::testing::messages_of(run_process(words).err);
         }
-        if (row.code == "K6211") {
+        if (row.code == "K6211" || row.code == "K6215") {
             save("part.mpf", kLongText);
-            save("events.txt", example + "\n7s cycle start\n");
+            save("events.txt", example + (row.code == "K6211" ? "\n7s cycle start\n" : "\n"));
             return said_of({"run", file("part.mpf"), "--events", file("events.txt")});
         }
         if (example.find(",dy") != std::string::npos || example.starts_with("-50,")) {

@@ -134,6 +134,22 @@ TEST_F(Operator, SetpointsStandWhileHeld) {
     EXPECT_GT(Row(rows[7200])["X"], place);
 }
 
+TEST_F(Operator, EventsThatNeverComeAreTold) {
+    const auto said = [&](const std::string& event) {
+        save("probe.nc", "%\nO1\nN10 G0 X0.\nN20 G31 X10. F100\nN30 #1=#5061\nN40 M30\n%\n");
+        save("events", event + '\n');
+        return kadr({"run", file("probe.nc"), "-d", "fanuc", "--events", file("events")}).err;
+    };
+    EXPECT_EQ(said("N20 touch X5").find("K6215"), std::string::npos);
+    EXPECT_EQ(said("N30 set #500=1").find("K6215"), std::string::npos);
+    for (const auto& [event, words] :
+         {std::pair{"N30 touch X5", "`touch` has not happened: no probing block begins at N30"},
+          {":9 touch none", "no probing block begins at :9"},
+          {"N99 set #500=1", "`#500=1` has not happened: no block begins at N99"},
+          {"900s set #500=1", "`#500=1` has not happened: the run ends before"}})
+        EXPECT_NE(said(event).find(words), std::string::npos) << said(event);
+}
+
 TEST_F(Operator, EventsFromAFile) {
     save("events", "# tool looked at\nN20 + 1s feed hold\n\nN20 + 3s cycle start  # goes on\n");
     EXPECT_NEAR(summary({"--events", file("events")})["time_s"], double(summary({})["time_s"]) + 2,
