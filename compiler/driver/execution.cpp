@@ -59,6 +59,7 @@ std::string dialect_of_text(Session& session, const std::string& source, std::st
     std::erase_if(found, [&](const nc::DialectSummary& summary) {
         return !nc::can_be_loaded(summary.name, session.share().dialects);
     });
+    if (found.empty()) return kDefaultDialect;
     if (found.size() == 1) return found[0].name;
     std::vector<std::string> with_header;
     std::string names;

@@ -264,9 +264,8 @@ std::optional<RunEvents> read_events(Session& session, const std::string& file) 
     return is_good ? std::optional(events) : std::nullopt;
 }
 
-std::string block_name(const OperatorEvent& event) {
-    return event.number >= 0 ? 'N' + std::to_string(event.number)
-                             : ':' + std::to_string(event.line);
+std::string block_name(std::int64_t number, std::uint32_t line) {
+    return number >= 0 ? 'N' + std::to_string(number) : ':' + std::to_string(line);
 }
 
 }  // namespace kadr::driver

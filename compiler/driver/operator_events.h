@@ -57,6 +57,6 @@ std::optional<interp::InputEvent> input_event(std::string_view text);
 std::optional<RunEvents> read_events(Session& session, const std::string& file);
 
 /// The block of an event, as a person names it: `N120`, `:34`.
-std::string block_name(const motion::OperatorEvent& event);
+std::string block_name(std::int64_t number, std::uint32_t line);
 
 }  // namespace kadr::driver

@@ -307,7 +307,9 @@ void Run::execute() {
     }
     tap.pass_until(motion.executed());
     for (const motion::OperatorEvent& event : motion.events_ahead())
-        session_.messages().report(diag::OperatorBlockNotBegun).arg(block_name(event));
+        session_.messages()
+            .report(diag::OperatorBlockNotBegun)
+            .arg(block_name(event.number, event.line));
     report_events_ahead();
     if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
     RunFigures all = figures(motion.totals());
@@ -321,10 +323,7 @@ void Run::report_events_ahead() {
     const auto report = [this](const std::string& what, const std::string& why) {
         session_.messages().report(diag::EventNotMet).arg(what).arg(why);
     };
-    const auto name = [](const auto& event) {
-        return event.number >= 0 ? 'N' + std::to_string(event.number)
-                                 : ':' + std::to_string(event.line);
-    };
+    const auto name = [](const auto& event) { return block_name(event.number, event.line); };
     for (const auto& ahead : std::as_const(*execution_).reader().events_ahead())
         report(ahead.event->text, ahead.has_begun ? "the run ends before"
                                                   : "no block begins at " + name(*ahead.event));

@@ -99,7 +99,9 @@ Vec3 Executor::activate_length(const Block& block, AxisMask moved) {
         changed = static_cast<AxisMask>(changed | 1u << i);
     }
     // The watch looks at the first motion along the axis, whatever moves before.
-    const bool is_unwatched = (moved & bit(axis)) == 0 && dangers_.tool != tool_.current;
+    const bool is_by_number = tool_.source == Tool::Source::Offset && tool_.length_number() != 0;
+    const bool is_unwatched =
+        is_by_number && (moved & bit(axis)) == 0 && dangers_.tool != tool_.current;
     tool_.has_changed = lengths != wanted || is_unwatched;
     if (changed == 0) return Vec3::Zero();
     const Vec3 shift = length_shift_of(lengths);

@@ -179,7 +179,7 @@ TEST_F(Laser, PowerFollowsTheSpeed) {
         std::map<int, int> at_feed;
         int part = 0;
         for (Row& row : rows_of(read_file(file("cut.csv")).value())) {
-            EXPECT_EQ(row.contains("pulse"), 0u);
+            EXPECT_FALSE(row.contains("pulse"));
             const int line = static_cast<int>(row["iso"]);
             if (line != 2 && line != 4) {
                 EXPECT_EQ(row["power"], 0);

@@ -26,8 +26,9 @@ std::string shown(const OperatorEvent& event) {
                        : event.act == OperatorAct::RapidOverride ? "rapid"
                        : event.act == OperatorAct::FeedHold      ? "hold"
                                                                  : "start";
-    return (is_at_block ? block_name(event) + '+' : "") + std::to_string(event.time).substr(0, 5) +
-           ' ' + what + ' ' + std::to_string(event.value).substr(0, 4);
+    return (is_at_block ? block_name(event.number, event.line) + '+' : "") +
+           std::to_string(event.time).substr(0, 5) + ' ' + what + ' ' +
+           std::to_string(event.value).substr(0, 4);
 }
 
 TEST(OperatorEvents, LinesOfAFile) {
