@@ -35,9 +35,11 @@ constexpr double kCourseErrorOfCell = 5e-4;
 constexpr double kCourseShare = 2e-4;
 constexpr double kSlightError = 1e-9;  // mm, rad: of which that is not asked
 // The error of the rate at the ends of a course, per step, is so often that an eighth of the way
-// inside, and may be this part of a velocity.
+// inside, and may be this part of a velocity, and this part of an acceleration that the path has
+// where it speeds up as much as the axes allow.
 constexpr double kEndRate = 7.3;
 constexpr double kVelocityError = 5e-4;
+constexpr double kAccelerationError = 5e-4;
 // More parts a motion has not; the rest is taken as it comes.
 constexpr std::size_t kMostParts = 2048;
 // Between two nodes of a course no joint turns farther, rad.
@@ -383,6 +385,18 @@ bool is_continuous(const Chain& chain, const Segment& piece) {
     return true;
 }
 
+/// The most acceleration along the path that no axis forbids at either end, where the path does not
+/// bend it.
+double most_along(const AxisCourse& course, const AxisBounds& bounds) {
+    double along = std::numeric_limits<double>::infinity();
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const double rate =
+            std::max(std::abs(course.rate(axis, 0)), std::abs(course.rate(axis, 1)));
+        if (rate * along > bounds.acceleration[axis]) along = bounds.acceleration[axis] / rate;
+    }
+    return along;
+}
+
 /// Whether the course is the way of the axes between its nodes too, to a small part of what the
 /// limits allow. The error of a polynomial through five places is greatest in its derivatives at
 /// the ends: there it is 30 and 64 times what it is an eighth of the way inside, per step² and
@@ -393,6 +407,7 @@ bool is_exact(const Chain& chain, const Segment& piece, const AxisCourse& course
     const double slight = wishes.as_cells ? kCourseErrorOfCell : kCourseError;
     const double time = piece.turn.length / kIntervals / speed;  // of a step
     const bool passes_in_a_tick = piece.turn.length < wishes.time * speed;
+    const double along = most_along(course, bounds) * kIntervals / piece.turn.length;
     for (const double u : {0.125, 0.875}) {
         const LogicalAxes exact = axes_at(chain, piece, u * piece.turn.length);
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -401,6 +416,8 @@ bool is_exact(const Chain& chain, const Segment& piece, const AxisCourse& course
             const double way = std::abs(course.position(axis, 1) - course.position(axis, 0.5)) +
                                std::abs(course.position(axis, 0.5) - course.position(axis, 0));
             if (error > std::max(kCourseShare * way, kSlightError)) return false;
+            if (kEndRate * error * along > kAccelerationError * bounds.acceleration[axis])
+                return false;
             if (passes_in_a_tick) continue;
             if (kEndRate * error > kVelocityError * bounds.velocity[axis] * time) return false;
             if (30 * error > slight * bounds.acceleration[axis] * time * time) return false;

@@ -385,6 +385,23 @@ RC_GTEST_PROP(Transformed, KeepsTheTipOnItsPathAndTheAxesWithinLimits, ()) {
     RC_ASSERT(watch.shares().jerk < 1.001);
 }
 
+/// Where the tool comes near the pole, C is faster at the end than a polynomial through five places
+/// says: it stops with the acceleration that it has, and not with 1.0015 of it.
+TEST(Transformed, AxesKeepTheirAccelerationWhereTheyStopNearThePole) {
+    const machine::Machine machine = table_table();
+    for (const Turning turning : {Turning::Cone, Turning::Axes}) {
+        for (double tilt = 1; tilt < 3; tilt += 0.25) {
+            Program program(machine);
+            program.go_fast({0, 0, 0}, direction(-177.769, 3.26));
+            program.go({-58.62, -59.4, -58.74}, direction(-187.419, tilt), 500, turning);
+            const Motion motion = run(machine, program.commands);
+            TickWatch watch(machine, motion.segments);
+            for (const Setpoint& setpoint : sample(machine, program.commands)) watch.add(setpoint);
+            EXPECT_LT(watch.shares().acceleration, 1.001) << tilt;
+        }
+    }
+}
+
 /// What a setpoint shows against a course along a line: the tip on it, the tool as the mathematics
 /// say, by formulas of their own.
 struct Led {
