@@ -1,8 +1,8 @@
-#include "syntax/complain.h"
+// complain.cpp — what a mistake is in a technologist's words.
+#include "syntax/complaint_place.h"
 
 #include <algorithm>
 
-#include "base/assert.h"
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
@@ -10,74 +10,10 @@
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
 #include "syntax/parse.h"
+#include "syntax/token_kinds.h"
 #include "syntax/words.h"
 
 namespace kadr::syntax {
-
-namespace {
-
-bool is_word(Token token) {
-    return token == Token::LiteralWord || token == Token::BareWord || token == Token::Address;
-}
-
-bool opens(Token token) {
-    return token == Token::OpenParen || token == Token::OpenBracket || token == Token::OpenBrace ||
-           token == Token::OpenValue;
-}
-
-bool closes(Token token) {
-    return token == Token::CloseParen || token == Token::CloseBracket || token == Token::CloseBrace;
-}
-
-/// Words that can only begin a declaration of a file.
-bool begins_declaration(Token token) {
-    switch (token) {
-        case Token::Cycle:
-        case Token::Program:
-        case Token::Curve:
-        case Token::Test:
-        case Token::Property:
-        case Token::Struct:
-        case Token::Enum:
-        case Token::Import:
-        case Token::Include:
-        case Token::Language:
-        case Token::Dialect: return true;
-        default: return false;
-    }
-}
-
-/// Words that only begin a statement.
-bool begins_statement(Token token) {
-    switch (token) {
-        case Token::If:
-        case Token::While:
-        case Token::Do:
-        case Token::For:
-        case Token::Switch:
-        case Token::Break:
-        case Token::Continue:
-        case Token::Return:
-        case Token::With:
-        case Token::Const:
-        case Token::Auto:
-        case Token::TypeName:
-        case Token::Note:
-        case Token::Raw:
-        case Token::Require:
-        case Token::Assert:
-        case Token::ErrorWord:
-        case Token::Warn:
-        case Token::Expect:
-        case Token::Assume:
-        case Token::Close: return true;
-        default: return begins_declaration(token);
-    }
-}
-
-bool is_keyword(Token token) { return token >= Token::If && token <= Token::Contains; }
-
-}  // namespace
 
 // ---------------------------------------------------------------- the tokens
 
@@ -97,25 +33,6 @@ antlr4::Token* LexemeStream::LT(ssize_t offset) {
 antlr4::Token* LexemeStream::get(std::size_t index) const { return &tokens_[index]; }
 
 // ---------------------------------------------------------------- what is wrong
-
-/// Where the parser stands and what it could go on with.
-struct Complaints::Place {
-    std::size_t index;
-    const Lexeme& offending;
-    const Lexeme& previous;
-    antlr4::misc::IntervalSet expected;
-    std::size_t rule;  // innermost
-    Token head;        // first token of the statement or declaration around
-    std::size_t head_index;
-    bool is_new_line;
-
-    bool expects(Token token) const {
-        return expected.contains(token == Token::EndOfFile ? antlr4::Token::EOF
-                                                           : static_cast<std::size_t>(token));
-    }
-    /// Whether nothing but this token can go on.
-    bool expects_only(Token token) const { return expects(token) && expected.size() == 1; }
-};
 
 Complaints::Place Complaints::place_of(antlr4::Parser& parser, std::size_t index) {
     const Lexeme& offending = stream_.lexeme(index);
@@ -187,91 +104,19 @@ void Complaints::explain(const Place& place) {
     } else if (place.expects(Token::OpenBrace) && place.rule == KadrParser::RuleBlock) {
         const SourceRange gap = file_.range(place.previous.end, place.previous.end);
         file_.sink.report(diag::BodyMissing, gap).arg(quoted(place.previous));
+    } else if (place.offending.token == Token::OpenBrace && place.expects(Token::OpenParen) &&
+               place.previous.token == Token::Identifier && place.head_index + 2 == place.index &&
+               place.head == Token::TypeName) {
+        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+        auto message = file_.sink.report(diag::SignMissing, gap);
+        message.arg("(").arg(quoted(place.previous));
+        fix_parentheses(place, message);
     } else if (place.head == Token::Switch && place.expects_only(Token::CloseBrace)) {
         file_.sink.report(diag::CaseMissing, range).arg(quoted(place.offending));
     } else {
         auto report = file_.sink.report(diag::Unexpected, range);
         report.arg(quoted(place.offending)).arg(quoted(place.previous));
         if (!fix_sign(place, report)) fix_operator(place, report);
-    }
-}
-
-/// Whether the lexeme is the last of its line.
-bool Complaints::ends_line(std::size_t index) const {
-    return index + 1 >= stream_.size() || stream_.lexeme(index + 1).token == Token::EndOfFile ||
-           file_.crosses_line(stream_.lexeme(index).end, stream_.lexeme(index + 1).begin);
-}
-
-/// The bracket that closes the one at `open`; the last lexeme if none does.
-std::size_t Complaints::matching(std::size_t open) const {
-    std::size_t depth = 0;
-    for (std::size_t i = open; i < stream_.size(); ++i) {
-        if (opens(stream_.lexeme(i).token)) ++depth;
-        if (closes(stream_.lexeme(i).token) && --depth == 0) return i;
-    }
-    return stream_.size() - 1;
-}
-
-/// `(int)x`.
-bool Complaints::is_cast(const Place& place) const {
-    if (place.previous.token != Token::CloseParen || place.index < 3) return false;
-    const std::string_view type = file_.spelling(stream_.lexeme(place.index - 2));
-    constexpr std::string_view kTypes[] = {"int", "real", "float", "double", "long", "bool"};
-    return stream_.lexeme(place.index - 3).token == Token::OpenParen &&
-           std::ranges::find(kTypes, type) != std::end(kTypes);
-}
-
-/// Signs as other languages have them; false: it is none of those.
-bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
-    const Token before = place.previous.token;
-    const Lexeme& offending = place.offending;
-    const Lexeme& next = stream_.lexeme(std::min(place.index + 1, stream_.size() - 1));
-    const bool is_joined = place.previous.end == offending.begin;
-    const SourceRange both = file_.range(place.previous.begin, offending.end);
-    const auto is = [&](Token first, Token second) {
-        return is_joined && before == first && offending.token == second;
-    };
-    if (is(Token::Minus, Token::Greater)) {
-        report.fix(both, ".", "a member stands behind a point");
-    } else if (is(Token::Less, Token::Greater)) {
-        report.fix(both, "!=", "unequal");
-    } else if (is(Token::Star, Token::Star)) {
-        report.fix("a power is `pow(a, n)`");
-    } else if (offending.token == Token::And && before == Token::Assign) {
-        report.fix("there are no pointers: a parameter `int& n` is the caller's own variable");
-    } else if (offending.token == Token::Colon && next.token == Token::Assign) {
-        report.fix(file_.range(offending.begin, next.end), "=", "assign");
-    } else if (offending.token == Token::Colon && place.head_index + 1 == place.index) {
-        report.fix("there are no labels and no jumps: `while` and `for` repeat");
-    } else if (offending.token == Token::Comma && is_word(place.head)) {
-        report.fix(file_.range(offending), "", "the words of a block have no commas between them");
-    } else if (is_cast(place)) {
-        report.fix("a value becomes a number of another kind by a call: `int(x)`, `round(x)`");
-    } else {
-        return false;
-    }
-    return true;
-}
-
-/// `and`, `OR`, `not`: words of other languages.
-void Complaints::fix_operator(const Place& place, DiagnosticBuilder& report) const {
-    constexpr std::pair<std::string_view, std::string_view> kWords[] = {
-        {"and", "&&"},
-        {"or", "||"},
-        {"mod", "%"},
-        {"div", "/"},
-    };
-    if (lower_ascii(file_.spelling(place.previous)) == "not") {
-        report.fix("the operator is `!`, in front of parentheses: `!(n > 3)`");
-        return;
-    }
-    for (const Lexeme* lexeme : {&place.offending, &place.previous}) {
-        const std::string word = lower_ascii(file_.spelling(*lexeme));
-        for (const auto& [name, sign] : kWords) {
-            if (word != name || lexeme->token != Token::Identifier) continue;
-            report.fix(file_.range(*lexeme), std::string(sign), "the operator has a sign");
-            return;
-        }
     }
 }
 
@@ -326,32 +171,6 @@ bool Complaints::explain_capitals(const Place& place) {
     return true;
 }
 
-/// How a statement of a control's language is written here, where small letters alone do not make
-/// it one: `IF R1<3 GOTO N10;`. Empty: they do.
-std::string Complaints::form_of_statement(std::string_view keyword, std::size_t head) const {
-    constexpr std::pair<std::string_view, std::string_view> kForms[] = {
-        {"if", "`if (a < 3) { … } else { … }`"},
-        {"while", "`while (a < 3) { … }`"},
-        {"for", "`for (int i = 0; i < n; i++) { … }`"},
-    };
-    const auto* const form =
-        std::ranges::find(kForms, keyword, [](const auto& f) { return f.first; });
-    if (form == std::end(kForms)) return "";
-    bool jumps = false;
-    bool has_brace = false;
-    std::size_t end = head + 1;
-    for (; !ends_line(end - 1) && stream_.lexeme(end).token != Token::Semicolon; ++end) {
-        const std::string word = lower_ascii(file_.spelling(stream_.lexeme(end)));
-        jumps |= word.starts_with("goto");
-        has_brace |= stream_.lexeme(end).token == Token::OpenBrace;
-    }
-    const bool is_lowered_only = stream_.lexeme(head + 1).token == Token::OpenParen && !jumps &&
-                                 (has_brace || matching(head + 1) + 1 < end);
-    if (is_lowered_only) return "";
-    return "it is written " + std::string(form->second) +
-           (jumps ? "; there are no jumps, what is left out or repeated stands in its braces" : "");
-}
-
 /// A statement that begins with a word of another language: `foreach (x in list)`, `goto 5`.
 bool Complaints::explain_habit(const Place& place) {
     const Lexeme& head = stream_.lexeme(place.head_index);
@@ -368,6 +187,14 @@ bool Complaints::explain_habit(const Place& place) {
         case Token::OpenBracket:
         case Token::Semicolon: return false;
         default: break;
+    }
+    if (is_then(place.head_index)) {
+        file_.sink.report(diag::Unexpected, file_.range(head))
+            .arg(quoted(head))
+            .arg(quoted(stream_.lexeme(place.head_index - 1)))
+            .fix(file_.range(head.begin, place.offending.begin), "",
+                 "there is no `then`");
+        return true;
     }
     file_.sink.report(diag::Unexpected, file_.range(place.offending))
         .arg(quoted(place.offending))
@@ -417,6 +244,21 @@ bool Complaints::explain_for(const Place& place) {
     return true;
 }
 
+/// `while (n < 3) do { … }`: a loop of other languages, and to the parser one with its condition at
+/// the end.
+bool Complaints::explain_do(std::size_t index) {
+    if (index == 0 || stream_.lexeme(index).token != Token::Do) return false;
+    const Lexeme& before = stream_.lexeme(index - 1);
+    const Lexeme& word = stream_.lexeme(index);
+    if (before.token != Token::CloseParen || file_.crosses_line(before.end, word.begin))
+        return false;
+    file_.sink.report(diag::Unexpected, file_.range(word))
+        .arg(quoted(word))
+        .arg(quoted(before))
+        .fix(file_.range(word.begin, stream_.lexeme(index + 1).begin), "", "there is no `do` here");
+    return true;
+}
+
 /// Where nothing but one sign can stand.
 bool Complaints::explain_sign(const Place& place) {
     if (place.expects(Token::Text) && place.rule == KadrParser::RuleText) {
@@ -431,6 +273,7 @@ bool Complaints::explain_sign(const Place& place) {
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
     for (const auto& [token, sign] : kSigns) {
         if (!place.expects_only(token)) continue;
+        if (token == Token::While && explain_do(place.head_index)) return true;
         auto message = file_.sink.report(diag::SignMissing, gap);
         message.arg(sign).arg(quoted(place.previous));
         if (token == Token::OpenParen) fix_parentheses(place, message);
@@ -450,75 +293,6 @@ bool Complaints::explain_sign(const Place& place) {
         return true;
     }
     return false;
-}
-
-/// The last comma in front of the bracket that closes the list in which one stands, without
-/// brackets between them.
-std::size_t Complaints::last_comma(std::size_t index) const {
-    std::size_t last = index;
-    for (; !opens(stream_.lexeme(index).token) && !closes(stream_.lexeme(index).token); ++index) {
-        if (index + 1 >= stream_.size()) break;
-        if (stream_.lexeme(index).token == Token::Comma) last = index;
-    }
-    return last;
-}
-
-/// `for (int i = 0, i < 5, i++)`, but `for (int i = 0, j = 1; …)`.
-void Complaints::fix_comma_of_loop(const Place& place, DiagnosticBuilder& report) const {
-    const std::string_view next = file_.spelling(stream_.lexeme(place.index + 1));
-    for (std::size_t i = place.index; i > 0 && stream_.lexeme(i).token != Token::OpenParen; --i) {
-        const bool is_asked = stream_.lexeme(i).token == Token::Assign &&
-                              file_.spelling(stream_.lexeme(i - 1)) == next;
-        if (!is_asked) continue;
-        const std::size_t last = last_comma(place.index);
-        std::string parts(file_.text.substr(place.offending.begin,
-                                            stream_.lexeme(last).end - place.offending.begin));
-        std::ranges::replace(parts, ',', ';');
-        return void(report.fix(file_.range(place.offending.begin, stream_.lexeme(last).end), parts,
-                               "semicolons stand between the parts of a loop"));
-    }
-    report.fix("a loop has one variable: declare the others before it");
-}
-
-/// What a keyword is followed by, in parentheses: up to the body or the end of the statement.
-void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) const {
-    std::size_t end = place.index;
-    for (std::size_t depth = 0; end < stream_.size(); ++end) {
-        const Token token = stream_.lexeme(end).token;
-        const bool is_end = token == Token::OpenBrace || token == Token::OpenValue ||
-                            token == Token::EndOfFile ||
-                            (token == Token::Semicolon && place.previous.token != Token::For);
-        const bool is_word_of_others =
-            token == Token::Identifier && habit_of(file_.spelling(stream_.lexeme(end))) != nullptr;
-        const bool is_body = begins_statement(token) || is_word(token) || is_word_of_others;
-        if (depth == 0 && (is_end || (end > place.index && is_body))) break;
-        if (opens(token)) ++depth;
-        if (closes(token) && depth > 0) --depth;
-    }
-    if (end == place.index) {
-        const bool is_empty = place.previous.token == Token::Identifier;  // `program p {`
-        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
-        if (is_empty) report.fix(gap, "()", "without parameters they are empty");
-        else report.fix(file_.range(place.offending.begin, place.offending.begin), "(", "open it");
-        return;
-    }
-    const SourceRange range = file_.range(place.offending.begin, stream_.lexeme(end - 1).end);
-    // `for i in 1..5`
-    const bool is_loop = place.previous.token == Token::For && end > place.index + 2 &&
-                         place.offending.token == Token::Identifier &&
-                         lower_ascii(file_.spelling(stream_.lexeme(place.index + 1))) == "in";
-    if (is_loop) {
-        const Lexeme& first = stream_.lexeme(place.index + 2);
-        const std::string list(file_.text.substr(first.begin, range.end - first.begin));
-        const std::string type = list.find("..") != list.npos ? "int " : "auto ";
-        report.fix(range,
-                   '(' + type + std::string(file_.spelling(place.offending)) + " : " + list + ')',
-                   "a loop over a list");
-        return;
-    }
-    report.fix(range,
-               "(" + std::string(file_.text.substr(range.begin, range.end - range.begin)) + ")",
-               "put it in parentheses");
 }
 
 /// A function inside of a function: `length f(length x) {`.
@@ -612,82 +386,6 @@ bool Complaints::explain_value(const Place& place) {
     if (offending.token == Token::OpenBracket) fix_brackets(place, message);
     else fix_sign(place, message);
     return true;
-}
-
-/// The text between a bracket and the one that closes it, with round brackets for the square ones
-/// that group as controls have them: `[d + 1]`, but `list[0]`.
-std::string Complaints::round_brackets(std::size_t open) const {
-    const std::size_t close = matching(open);
-    std::vector<bool> is_group;
-    std::string text;
-    std::uint32_t copied = stream_.lexeme(open).end;
-    const auto exchange = [&](const Lexeme& bracket, char round) {
-        text += file_.text.substr(copied, bracket.begin - copied);
-        text += round;
-        copied = bracket.end;
-    };
-    for (std::size_t i = open + 1; i < close; ++i) {
-        const Lexeme& lexeme = stream_.lexeme(i);
-        if (opens(lexeme.token)) {
-            const Token before = stream_.lexeme(i - 1).token;
-            is_group.push_back(lexeme.token == Token::OpenBracket && before != Token::Identifier &&
-                               !closes(before));
-            if (is_group.back()) exchange(lexeme, '(');
-        } else if (closes(lexeme.token) && !is_group.empty()) {
-            if (is_group.back()) exchange(lexeme, ')');
-            is_group.pop_back();
-        }
-    }
-    return text + std::string(file_.text.substr(copied, stream_.lexeme(close).begin - copied));
-}
-
-/// Whether the value of a word ends in front of this token.
-bool ends_value(Token token) {
-    return token == Token::Semicolon || token == Token::EndOfFile || is_word(token) ||
-           token == Token::CloseBrace;
-}
-
-/// `X d`, `X-d`, `X(d)`, `X[d*2]`: the address with its value behind `=`.
-void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) const {
-    const Token token = place.offending.token;
-    const bool is_bracket = token == Token::OpenBracket || token == Token::OpenParen;
-    const bool begins_value =
-        is_bracket || token == Token::Identifier || token == Token::Minus || token == Token::Plus;
-    if (place.is_new_line || !begins_value) return;
-    if (!is_bracket) {
-        report.fix(file_.range(place.previous.end, place.offending.begin), "=", kValueBehindSign);
-        return;
-    }
-    const std::size_t close = matching(place.index);
-    const bool is_whole = ends_value(stream_.lexeme(close + 1).token);
-    const std::string inside = round_brackets(place.index);
-    report.fix(file_.range(place.previous.end, stream_.lexeme(close).end),
-               is_whole ? '=' + inside : "=(" + inside + ')', kValueBehindSign);
-}
-
-/// Whether a comma stands between two brackets, outside of those inside.
-bool Complaints::is_list(std::size_t open, std::size_t close) const {
-    std::size_t depth = 0;
-    for (std::size_t i = open + 1; i < close; ++i) {
-        const Token token = stream_.lexeme(i).token;
-        if (opens(token)) ++depth;
-        else if (closes(token) && depth > 0) --depth;
-        else if (token == Token::Comma && depth == 0) return true;
-    }
-    return false;
-}
-
-/// `X=[d*2]`, `a*[b+c]`: square brackets that group; `[1mm, 2mm]`: those of a list.
-void Complaints::fix_brackets(const Place& place, DiagnosticBuilder& report) const {
-    const std::size_t close = matching(place.index);
-    if (stream_.lexeme(close).token != Token::CloseBracket) return;
-    const bool is_whole =
-        place.previous.token == Token::Assign && ends_value(stream_.lexeme(close + 1).token);
-    const SourceRange range = file_.range(place.offending.begin, stream_.lexeme(close).end);
-    const std::string inside = round_brackets(place.index);
-    if (is_whole && is_list(place.index, close))
-        report.fix(range, '{' + inside + '}', "the values of a list stand in braces");
-    else report.fix(range, is_whole ? inside : '(' + inside + ')', "parentheses are round");
 }
 
 /// `G1 Xd Yd Zd;`: words whose values are names without `=`. One or two of them are a point and
@@ -874,9 +572,14 @@ void Complaints::explain_start(antlr4::Parser& parser) {
         lexeme.is_repair || (index > 0 && stream_.lexeme(index - 1).is_repair);
     if (follows_repair) return;
     if (is_file && file_.spelling(lexeme) == "include") {
-        file_.sink.report(diag::IncludeWord, range).fix(range, "import", "use `import`");
+        auto message = file_.sink.report(diag::IncludeWord, range);
+        fix_include(index, message);
     } else if (is_file) {
-        file_.sink.report(diag::StatementOutside, range).arg(quoted(lexeme));
+        auto message = file_.sink.report(diag::StatementOutside, range);
+        message.arg(quoted(lexeme));
+        // A control's text begins with a word of it.
+        if (index == 0 && (is_word(lexeme.token) || lexeme.token == Token::Percent))
+            message.fix("the text of a control has another ending: `part.nc` is read with `-d`");
     } else if (lexeme.token == Token::Else) {
         file_.sink.report(diag::ElseWithoutIf, range);
     } else if (lexeme.token == Token::Case || lexeme.token == Token::Default) {
@@ -897,199 +600,6 @@ void Complaints::explain_start(antlr4::Parser& parser) {
         file_.sink.report(diag::StatementStart, range).arg(quoted(lexeme));
     }
     if (limit_.is_full()) throw antlr4::ParseCancellationException();
-}
-
-// ---------------------------------------------------------------- where it goes on
-
-void Complaints::reportError(antlr4::Parser* parser, const antlr4::RecognitionException& e) {
-    std::size_t index = stream_.index();
-    if (e.getOffendingToken() != nullptr) {
-        index = std::max(index, e.getOffendingToken()->getTokenIndex());
-    }
-    complain(*parser, index);
-}
-
-/// A single token is missing. `;` is put in, an address in the place of a name is taken for it;
-/// everything else ends the statement.
-antlr4::Token* Complaints::recoverInline(antlr4::Parser* parser) {
-    const std::size_t index = stream_.index();
-    const Place place = place_of(*parser, index);
-    const bool is_name = place.expects_only(Token::Identifier) && is_word(place.offending.token);
-    const bool is_semicolon = place.expects_only(Token::Semicolon) && is_semicolon_forgotten(place);
-    if (!is_name && !is_semicolon) throw antlr4::InputMismatchException(parser);
-    complain(*parser, index);
-    Lexeme lexeme = place.offending;
-    if (is_name) {
-        lexeme.token = Token::Identifier;
-        lexeme.text = file_.texts.intern(file_.spelling(lexeme));
-        stream_.consume();
-    } else {
-        lexeme.token = Token::Semicolon;
-        lexeme.begin = lexeme.end = place.previous.end;
-    }
-    // The parser hangs tokens without an index into the tree itself.
-    conjured_.emplace_back(lexeme, INVALID_INDEX);
-    return &conjured_.back();
-}
-
-void Complaints::recover(antlr4::Parser* parser, std::exception_ptr e) {
-    antlr4::ParserRuleContext& context = *parser->getContext();
-    switch (context.getRuleIndex()) {
-        case KadrParser::RuleParameters: return skip_parameters(context);
-        case KadrParser::RuleStatement:
-        case KadrParser::RuleDeclaration: return skip_statement(*parser, context);
-        case KadrParser::RuleSwitchCase: return skip_statement(*parser, context);
-        case KadrParser::RuleFile: return;
-        default: std::rethrow_exception(e);
-    }
-}
-
-/// The brackets that are open between the start of a rule and the place of the parser.
-std::vector<Token> Complaints::open_brackets(const antlr4::ParserRuleContext& context) const {
-    std::vector<Token> open;
-    for (std::size_t i = context.start->getTokenIndex(); i < stream_.place(); ++i) {
-        const Token token = stream_.lexeme(i).token;
-        if (opens(token)) open.push_back(token);
-        if (closes(token) && !open.empty()) open.pop_back();
-    }
-    return open;
-}
-
-/// Goes on behind the `)` of the parameters, so that the body is read.
-void Complaints::skip_parameters(const antlr4::ParserRuleContext& context) {
-    std::size_t depth = open_brackets(context).size();
-    while (depth > 0 && stream_.LA(1) != antlr4::Token::EOF) {
-        const Token token = token_of(stream_.LA(1));
-        if (opens(token)) ++depth;
-        if (closes(token)) --depth;
-        stream_.consume();
-    }
-}
-
-/// A state of the parser from which its rules call `block`. Full-context prediction follows the
-/// chain of calling states; a block that recovery reads must seem to be called from such a one.
-static std::size_t state_that_calls_block(const antlr4::Parser& parser) {
-    for (const antlr4::atn::ATNState* state : parser.getATN().states) {
-        if (state == nullptr || state->transitions.empty()) continue;
-        const antlr4::atn::Transition* transition = state->transitions[0];
-        if (transition->getSerializationType() == antlr4::atn::Transition::RULE &&
-            transition->target->ruleIndex == KadrParser::RuleBlock) {
-            return state->stateNumber;
-        }
-    }
-    KADR_ASSERT(false, "the grammar has no rule that calls block");
-}
-
-/// Reads the block that comes next, whose mistakes are told, wherever the parser stands.
-static void read_block(antlr4::Parser& parser) {
-    const std::size_t state = parser.getState();
-    parser.setState(state_that_calls_block(parser));
-    static_cast<KadrParser&>(parser).block();
-    parser.setState(state);
-}
-
-/// Goes on behind the `;` of the statement, or behind its body, which is read on the way. Stops
-/// before a `}` of the block around and before a line that is not indented deeper.
-void Complaints::skip_statement(antlr4::Parser& parser, const antlr4::ParserRuleContext& context) {
-    const Lexeme& start = static_cast<LexemeToken*>(context.start)->lexeme();
-    const std::uint32_t indent = file_.lines.line_indent(start.begin);
-    const std::size_t begin = context.start->getTokenIndex();
-    std::vector<Token> open = open_brackets(context);
-    // `for i = 0; i < 5; i++` without parentheses: its `;` end nothing.
-    int separators =
-        start.token == Token::For && stream_.lexeme(begin + 1).token != Token::OpenParen ? 2 : 0;
-    while (stream_.LA(1) != antlr4::Token::EOF) {
-        const Lexeme& lexeme = stream_.lexeme(stream_.index());
-        const Token token = lexeme.token;
-        if (open.empty()) {
-            if (token == Token::OpenBrace) {
-                read_block(parser);
-                if (start.token != Token::If || token_of(stream_.LA(1)) != Token::Else) return;
-                continue;
-            }
-            if (token == Token::Else && start.token == Token::If) {
-                stream_.consume();
-                if (token_of(stream_.LA(1)) == Token::If) stream_.consume();
-                continue;
-            }
-            if (token == Token::CloseBrace) break;
-            const bool has_moved = stream_.index() > begin;
-            const Lexeme& previous = stream_.lexeme(stream_.index() - (has_moved ? 1 : 0));
-            if (has_moved && token != Token::Semicolon &&
-                file_.crosses_line(previous.end, lexeme.begin) &&
-                file_.lines.indent(lexeme.begin) <= indent) {
-                return;
-            }
-        }
-        if (opens(token)) open.push_back(token);
-        if (closes(token) && !open.empty()) open.pop_back();
-        stream_.consume();
-        if (token == Token::Semicolon && open.empty() && separators-- == 0) return;
-    }
-    // A statement that is nothing but a mistake must not be tried again.
-    if (stream_.index() == begin && token_of(stream_.LA(1)) != Token::CloseBrace) stream_.consume();
-}
-
-/// Before each statement of a block and each declaration of a file: steps over what cannot begin
-/// one.
-void Complaints::sync(antlr4::Parser* parser) {
-    antlr4::ParserRuleContext& context = *parser->getContext();
-    const std::size_t rule = context.getRuleIndex();
-    if (rule != KadrParser::RuleBlock && rule != KadrParser::RuleFile &&
-        rule != KadrParser::RuleSwitchCase) {
-        return;
-    }
-    const bool is_file = rule == KadrParser::RuleFile;
-    const auto& atn = parser->getATN();
-    const antlr4::misc::IntervalSet& starts = atn.nextTokens(atn.states[parser->getState()]);
-    if (!starts.contains(static_cast<std::size_t>(is_file ? Token::Cycle : Token::If))) return;
-    const auto fits = [&] {
-        const Token token = token_of(stream_.LA(1));
-        return starts.contains(stream_.LA(1)) || token == Token::EndOfFile ||
-               (rule == KadrParser::RuleSwitchCase &&
-                (token == Token::Case || token == Token::Default || token == Token::CloseBrace));
-    };
-    while (!fits()) {
-        explain_start(*parser);
-        skip_start(*parser, is_file);
-    }
-}
-
-void Complaints::skip_start(antlr4::Parser& parser, bool is_file) {
-    const Token first = token_of(stream_.LA(1));
-    stream_.consume();
-    if ((first == Token::Else || first == Token::Include) && !is_file) return;
-    int depth = opens(first) ? 1 : 0;
-    Token last = first;
-    while (stream_.LA(1) != antlr4::Token::EOF) {
-        const std::size_t index = stream_.index();
-        const Token token = token_of(stream_.LA(1));
-        const bool has_members = first == Token::Struct || first == Token::Enum;
-        if (depth == 0 && token == Token::OpenBrace && !has_members) {
-            read_block(parser);
-            last = Token::CloseBrace;
-            if (!is_file) return;
-            continue;
-        }
-        if (depth == 0 && token == Token::CloseBrace && !is_file) return;
-        if (depth == 0 && is_file) {
-            const bool is_fresh =
-                last == Token::Semicolon || last == Token::CloseBrace ||
-                file_.crosses_line(stream_.lexeme(index - 1).end, stream_.lexeme(index).begin);
-            const bool is_declaration = begins_declaration(token) || token == Token::TypeName ||
-                                        token == Token::Const || token == Token::Contour;
-            if (is_fresh && is_declaration) return;
-        }
-        if (opens(token)) ++depth;
-        if (closes(token)) --depth;
-        stream_.consume();
-        last = token;
-        if (has_members && depth == 0 && token == Token::CloseBrace && !is_file) return;
-        const bool is_end =
-            token == Token::Semicolon ||
-            (token == Token::Colon && (first == Token::Case || first == Token::Default));
-        if (depth == 0 && is_end && !is_file) return;
-    }
 }
 
 }  // namespace kadr::syntax

@@ -114,6 +114,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     void fix_parentheses(const Place& place, DiagnosticBuilder& report) const;
     void fix_word_value(const Place& place, DiagnosticBuilder& report) const;
     bool is_list(std::size_t open, std::size_t close) const;
+    bool is_then(std::size_t index) const;
     std::size_t last_comma(std::size_t index) const;
     void fix_comma_of_loop(const Place& place, DiagnosticBuilder& report) const;
     void fix_brackets(const Place& place, DiagnosticBuilder& report) const;
@@ -124,7 +125,9 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     bool explain_name(const Place& place);
     bool explain_value(const Place& place);
     bool explain_for(const Place& place);
+    bool explain_do(std::size_t index);
     bool explain_sign(const Place& place);
+    void fix_include(std::size_t index, DiagnosticBuilder& report) const;
     bool explain_closing(const Place& place);
     bool explain_assignment(const Place& place);
     bool is_foreign_word(const Place& place) const;

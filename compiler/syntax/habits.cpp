@@ -75,6 +75,7 @@ constexpr Habit kHabits[] = {
     {"function", "", kFunction, true},
     {"gosub", "", kFunction, true},
     {"goto", "", kJump, true},
+    {"include", "", "`import cycles.drilling;` brings names in", true},
     {"inline", "", kFunction, true},
     {"int16_t", "int", kInt},
     {"int32_t", "int", kInt},

@@ -101,6 +101,7 @@ class Lexing {
     void take_token(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
     void comment(std::uint32_t begin, std::uint32_t end);
     void include(std::uint32_t begin, std::uint32_t end, Reading& reading);
+    bool explain_inch(std::uint32_t at);
     void text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
     void raw_text(std::uint32_t begin, Reading& reading);
     void unknown(std::uint32_t begin, std::uint32_t end, Reading& reading);
@@ -203,8 +204,30 @@ void Lexing::include(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     reading.go_on_at(past);
 }
 
+/// `5"`: the sign of inches right behind a number. What begins there is no text.
+bool Lexing::explain_inch(std::uint32_t at) {
+    if (out_.empty()) return false;
+    Lexeme& number = out_.back();
+    // `X5` is put together later.
+    const bool is_word = number.token == Token::Identifier && file_.text[at - 1] >= '0' &&
+                         file_.text[at - 1] <= '9' && file_.text[number.begin] >= 'A' &&
+                         file_.text[number.begin] <= 'Z';
+    const bool is_number = number.token == Token::Number && number.unit == Unit::None;
+    if ((!is_number && !is_word) || number.end != at || file_.text[at] != '"') return false;
+    std::uint32_t begin = number.begin;  // of `X5.5` it is that of `.5`
+    if (out_.size() > 1 && out_[out_.size() - 2].end == begin && file_.text[begin] == '.')
+        begin = out_[out_.size() - 2].begin;
+    file_.sink.report(diag::Unexpected, file_.range(at, at + 1))
+        .arg("`\"`")
+        .arg('`' + std::string(file_.text.substr(begin, at - begin)) + '`')
+        .fix(file_.range(at, at + 1), "in", "inches are `in`");
+    if (is_number) number.unit = Unit::Inch;
+    return true;
+}
+
 void Lexing::text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading) {
     const auto lex_piece = [this](std::uint32_t from, std::uint32_t to) { run(from, to); };
+    if (explain_inch(begin)) return reading.go_on_at(begin + 1);
     if (token == Token::TextWrongQuotes) {
         // The quotes are one character each, of one to three bytes.
         std::uint32_t first = begin + 1;

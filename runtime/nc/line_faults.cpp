@@ -1,5 +1,7 @@
 // What is wrong with a line of ISO-7bit text, in the control's words where it has some.
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -165,6 +167,26 @@ bool is_about_words(const DiagnosticRow& row) {
     return std::ranges::find(kRows, &row) != kRows.end();
 }
 
+/// The number whose exponent begins at `at`, as `1e3`, without one; empty: there is none.
+std::string without_exponent(std::string_view line, std::size_t at) {
+    if (at >= line.size() || (line[at] != 'e' && line[at] != 'E')) return "";
+    std::size_t begin = at;
+    while (begin > 0 && (is_digit(line[begin - 1]) || line[begin - 1] == '.')) --begin;
+    if (begin == at) return "";
+    if (begin > 0 && line[begin - 1] == '-') --begin;
+    double value = 0;
+    const char* const end = line.data() + line.size();
+    const auto read = std::from_chars(line.data() + begin, end, value);
+    if (read.ec != std::errc() || read.ptr <= line.data() + at) return "";
+    std::array<char, 400> text;
+    const auto written =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    if (written.ec != std::errc() || written.ptr - text.data() > 12) return "";
+    std::string number(text.data(), written.ptr);
+    if (number.find('.') == number.npos) number += '.';
+    return number;
+}
+
 }  // namespace
 
 void LineReader::report(std::string_view line, const LineFault& fault, FaultOf of) {
@@ -184,7 +206,10 @@ void LineReader::report(std::string_view line, const LineFault& fault, FaultOf o
             : std::string_view();
     const std::size_t at = fault.span.begin;
     const bool is_small = !tables_.rules.ignores_case && at < line.size() && is_lower(line[at]);
-    if (!instead.empty()) builder.fix(std::string(instead));
+    const std::string number =
+        is_about_words(*fault.row) ? without_exponent(line, at) : std::string();
+    if (!number.empty()) builder.fix("numbers have no exponent: `" + number + '`');
+    else if (!instead.empty()) builder.fix(std::string(instead));
     else if (fault.row == &diag::MachineAxisWanted)
         builder.fix("name the axis of the machine: `" + fault.arguments[1].substr(0, 1) + "1=0`");
     else if (is_small && fault.row == &diag::IsoSyntax) builder.fix("write capital letters");

@@ -47,12 +47,14 @@ std::vector<FixCase> all_fixes() {
 }
 
 std::string program_with(const std::string& line) {
-    return "program p() {\n"
+    const bool is_outside = line.starts_with("^ ");
+    return (is_outside ? line.substr(2) + "\n" : std::string()) +
+           "program p() {\n"
            "    length d = 10mm; real a = 1; int n = 3; length[] list = {1mm};\n"
            "    length с = 5mm; length плунжер = 6mm;\n"
            "    F100;\n"
            "    " +
-           line +
+           (is_outside ? "" : line) +
            "\n"
            "    G1 X=d*a Y=n Z=list[0]+с+плунжер;\n"
            "}\n";

@@ -1,0 +1,282 @@
+// complain_fixes.cpp — the text that mends a mistake: what a reader may put in the place of what is
+// wrong.
+#include <algorithm>
+
+#include "base/text.h"
+#include "syntax/complaint_place.h"
+#include "syntax/habits.h"
+#include "syntax/parse.h"
+#include "syntax/token_kinds.h"
+#include "syntax/words.h"
+
+namespace kadr::syntax {
+
+/// The last comma in front of the bracket that closes the list in which one stands, without
+/// brackets between them.
+std::size_t Complaints::last_comma(std::size_t index) const {
+    std::size_t last = index;
+    for (; !opens(stream_.lexeme(index).token) && !closes(stream_.lexeme(index).token); ++index) {
+        if (index + 1 >= stream_.size()) break;
+        if (stream_.lexeme(index).token == Token::Comma) last = index;
+    }
+    return last;
+}
+
+/// The bracket that closes the one at `open`; the last lexeme if none does.
+std::size_t Complaints::matching(std::size_t open) const {
+    std::size_t depth = 0;
+    for (std::size_t i = open; i < stream_.size(); ++i) {
+        if (opens(stream_.lexeme(i).token)) ++depth;
+        if (closes(stream_.lexeme(i).token) && --depth == 0) return i;
+    }
+    return stream_.size() - 1;
+}
+
+/// Signs as other languages have them; false: it is none of those.
+bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
+    const Token before = place.previous.token;
+    const Lexeme& offending = place.offending;
+    const Lexeme& next = stream_.lexeme(std::min(place.index + 1, stream_.size() - 1));
+    const bool is_joined = place.previous.end == offending.begin;
+    const SourceRange both = file_.range(place.previous.begin, offending.end);
+    const auto is = [&](Token first, Token second) {
+        return is_joined && before == first && offending.token == second;
+    };
+    if (is(Token::Minus, Token::Greater)) {
+        report.fix(both, ".", "a member stands behind a point");
+    } else if (is(Token::Less, Token::Greater)) {
+        report.fix(both, "!=", "unequal");
+    } else if (is(Token::Star, Token::Star)) {
+        report.fix("a power is `pow(a, n)`");
+    } else if (offending.token == Token::And && before == Token::Assign) {
+        report.fix("there are no pointers: a parameter `int& n` is the caller's own variable");
+    } else if (offending.token == Token::Colon && next.token == Token::Assign) {
+        report.fix(file_.range(offending.begin, next.end), "=", "assign");
+    } else if (offending.token == Token::Colon && place.head_index + 1 == place.index) {
+        report.fix("there are no labels and no jumps: `while` and `for` repeat");
+    } else if (offending.token == Token::Comma && is_word(place.head)) {
+        report.fix(file_.range(offending), "", "the words of a block have no commas between them");
+    } else if (is_cast(place)) {
+        report.fix("a value becomes a number of another kind by a call: `int(x)`, `round(x)`");
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/// `and`, `OR`, `not`: words of other languages.
+void Complaints::fix_operator(const Place& place, DiagnosticBuilder& report) const {
+    constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+        {"and", "&&"},
+        {"or", "||"},
+        {"mod", "%"},
+        {"div", "/"},
+    };
+    if (lower_ascii(file_.spelling(place.previous)) == "not") {
+        report.fix("the operator is `!`, in front of parentheses: `!(n > 3)`");
+        return;
+    }
+    for (const Lexeme* lexeme : {&place.offending, &place.previous}) {
+        const std::string word = lower_ascii(file_.spelling(*lexeme));
+        for (const auto& [name, sign] : kWords) {
+            if (word != name || lexeme->token != Token::Identifier) continue;
+            report.fix(file_.range(*lexeme), std::string(sign), "the operator has a sign");
+            return;
+        }
+    }
+}
+
+/// `for (int i = 0, i < 5, i++)`, but `for (int i = 0, j = 1; …)`.
+void Complaints::fix_comma_of_loop(const Place& place, DiagnosticBuilder& report) const {
+    const std::string_view next = file_.spelling(stream_.lexeme(place.index + 1));
+    for (std::size_t i = place.index; i > 0 && stream_.lexeme(i).token != Token::OpenParen; --i) {
+        const bool is_asked = stream_.lexeme(i).token == Token::Assign &&
+                              file_.spelling(stream_.lexeme(i - 1)) == next;
+        if (!is_asked) continue;
+        const std::size_t last = last_comma(place.index);
+        std::string parts(file_.text.substr(place.offending.begin,
+                                            stream_.lexeme(last).end - place.offending.begin));
+        std::ranges::replace(parts, ',', ';');
+        return void(report.fix(file_.range(place.offending.begin, stream_.lexeme(last).end), parts,
+                               "semicolons stand between the parts of a loop"));
+    }
+    report.fix("a loop has one variable: declare the others before it");
+}
+
+/// `then` behind a condition: another language's.
+bool Complaints::is_then(std::size_t index) const {
+    const Lexeme& lexeme = stream_.lexeme(index);
+    return lexeme.token == Token::Identifier && lower_ascii(file_.spelling(lexeme)) == "then";
+}
+
+/// What a keyword is followed by, in parentheses: up to the body or the end of the statement.
+void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) const {
+    std::size_t end = place.index;
+    for (std::size_t depth = 0; end < stream_.size(); ++end) {
+        const Token token = stream_.lexeme(end).token;
+        const bool is_end = token == Token::OpenBrace || token == Token::OpenValue ||
+                            token == Token::EndOfFile ||
+                            (token == Token::Semicolon && place.previous.token != Token::For);
+        const bool is_word_of_others =
+            token == Token::Identifier && habit_of(file_.spelling(stream_.lexeme(end))) != nullptr;
+        const bool is_body = begins_statement(token) || is_word(token) || is_word_of_others;
+        if (depth == 0 && (is_end || (end > place.index && is_body))) break;
+        if (opens(token)) ++depth;
+        if (closes(token) && depth > 0) --depth;
+    }
+    if (end == place.index) {
+        const bool is_empty = place.previous.token == Token::Identifier;  // `program p {`
+        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+        if (is_empty) report.fix(gap, "()", "without parameters they are empty");
+        else report.fix(file_.range(place.offending.begin, place.offending.begin), "(", "open it");
+        return;
+    }
+    SourceRange range = file_.range(place.offending.begin, stream_.lexeme(end - 1).end);
+    // `for i in 1..5`
+    const bool is_loop = place.previous.token == Token::For && end > place.index + 2 &&
+                         place.offending.token == Token::Identifier &&
+                         lower_ascii(file_.spelling(stream_.lexeme(place.index + 1))) == "in";
+    if (is_loop) {
+        const Lexeme& first = stream_.lexeme(place.index + 2);
+        const std::string list(file_.text.substr(first.begin, range.end - first.begin));
+        const std::string type = list.find("..") != list.npos ? "int " : "auto ";
+        report.fix(range,
+                   '(' + type + std::string(file_.spelling(place.offending)) + " : " + list + ')',
+                   "a loop over a list");
+        return;
+    }
+    const std::string inside(file_.text.substr(range.begin, range.end - range.begin));
+    if (is_then(end)) range.end = stream_.lexeme(end).end;
+    report.fix(range, "(" + inside + ")", "put it in parentheses");
+}
+
+/// The text between a bracket and the one that closes it, with round brackets for the square ones
+/// that group as controls have them: `[d + 1]`, but `list[0]`.
+std::string Complaints::round_brackets(std::size_t open) const {
+    const std::size_t close = matching(open);
+    std::vector<bool> is_group;
+    std::string text;
+    std::uint32_t copied = stream_.lexeme(open).end;
+    const auto exchange = [&](const Lexeme& bracket, char round) {
+        text += file_.text.substr(copied, bracket.begin - copied);
+        text += round;
+        copied = bracket.end;
+    };
+    for (std::size_t i = open + 1; i < close; ++i) {
+        const Lexeme& lexeme = stream_.lexeme(i);
+        if (opens(lexeme.token)) {
+            const Token before = stream_.lexeme(i - 1).token;
+            is_group.push_back(lexeme.token == Token::OpenBracket && before != Token::Identifier &&
+                               !closes(before));
+            if (is_group.back()) exchange(lexeme, '(');
+        } else if (closes(lexeme.token) && !is_group.empty()) {
+            if (is_group.back()) exchange(lexeme, ')');
+            is_group.pop_back();
+        }
+    }
+    return text + std::string(file_.text.substr(copied, stream_.lexeme(close).begin - copied));
+}
+
+/// `X d`, `X-d`, `X(d)`, `X[d*2]`: the address with its value behind `=`.
+void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) const {
+    const Token token = place.offending.token;
+    const bool is_bracket = token == Token::OpenBracket || token == Token::OpenParen;
+    const bool begins_value =
+        is_bracket || token == Token::Identifier || token == Token::Minus || token == Token::Plus;
+    if (place.is_new_line || !begins_value) return;
+    if (!is_bracket) {
+        report.fix(file_.range(place.previous.end, place.offending.begin), "=", kValueBehindSign);
+        return;
+    }
+    const std::size_t close = matching(place.index);
+    const bool is_whole = ends_value(stream_.lexeme(close + 1).token);
+    const std::string inside = round_brackets(place.index);
+    report.fix(file_.range(place.previous.end, stream_.lexeme(close).end),
+               is_whole ? '=' + inside : "=(" + inside + ')', kValueBehindSign);
+}
+
+/// Whether a comma stands between two brackets, outside of those inside.
+bool Complaints::is_list(std::size_t open, std::size_t close) const {
+    std::size_t depth = 0;
+    for (std::size_t i = open + 1; i < close; ++i) {
+        const Token token = stream_.lexeme(i).token;
+        if (opens(token)) ++depth;
+        else if (closes(token) && depth > 0) --depth;
+        else if (token == Token::Comma && depth == 0) return true;
+    }
+    return false;
+}
+
+/// `X=[d*2]`, `a*[b+c]`: square brackets that group; `[1mm, 2mm]`: those of a list.
+void Complaints::fix_brackets(const Place& place, DiagnosticBuilder& report) const {
+    const std::size_t close = matching(place.index);
+    if (stream_.lexeme(close).token != Token::CloseBracket) return;
+    const bool is_whole =
+        place.previous.token == Token::Assign && ends_value(stream_.lexeme(close + 1).token);
+    const SourceRange range = file_.range(place.offending.begin, stream_.lexeme(close).end);
+    const std::string inside = round_brackets(place.index);
+    if (is_whole && is_list(place.index, close))
+        report.fix(range, '{' + inside + '}', "the values of a list stand in braces");
+    else report.fix(range, is_whole ? inside : '(' + inside + ')', "parentheses are round");
+}
+
+/// `(int)x`.
+bool Complaints::is_cast(const Place& place) const {
+    if (place.previous.token != Token::CloseParen || place.index < 3) return false;
+    const std::string_view type = file_.spelling(stream_.lexeme(place.index - 2));
+    constexpr std::string_view kTypes[] = {"int", "real", "float", "double", "long", "bool"};
+    return stream_.lexeme(place.index - 3).token == Token::OpenParen &&
+           std::ranges::find(kTypes, type) != std::end(kTypes);
+}
+
+/// How a statement of a control's language is written here, where small letters alone do not make
+/// it one: `IF R1<3 GOTO N10;`. Empty: they do.
+std::string Complaints::form_of_statement(std::string_view keyword, std::size_t head) const {
+    constexpr std::pair<std::string_view, std::string_view> kForms[] = {
+        {"if", "`if (a < 3) { … } else { … }`"},
+        {"while", "`while (a < 3) { … }`"},
+        {"for", "`for (int i = 0; i < n; i++) { … }`"},
+    };
+    const auto* const form =
+        std::ranges::find(kForms, keyword, [](const auto& f) { return f.first; });
+    if (form == std::end(kForms)) return "";
+    bool jumps = false;
+    bool has_brace = false;
+    std::size_t end = head + 1;
+    for (; !ends_line(end - 1) && stream_.lexeme(end).token != Token::Semicolon; ++end) {
+        const std::string word = lower_ascii(file_.spelling(stream_.lexeme(end)));
+        jumps |= word.starts_with("goto");
+        has_brace |= stream_.lexeme(end).token == Token::OpenBrace;
+    }
+    const bool is_lowered_only = stream_.lexeme(head + 1).token == Token::OpenParen && !jumps &&
+                                 (has_brace || matching(head + 1) + 1 < end);
+    if (is_lowered_only) return "";
+    return "it is written " + std::string(form->second) +
+           (jumps ? "; there are no jumps, what is left out or repeated stands in its braces" : "");
+}
+
+/// Whether the lexeme is the last of its line.
+bool Complaints::ends_line(std::size_t index) const {
+    return index + 1 >= stream_.size() || stream_.lexeme(index + 1).token == Token::EndOfFile ||
+           file_.crosses_line(stream_.lexeme(index).end, stream_.lexeme(index + 1).begin);
+}
+
+/// `include <holes.kadr>`, `include "holes.kadr"`, `include cycles.drilling`.
+void Complaints::fix_include(std::size_t index, DiagnosticBuilder& report) const {
+    std::size_t last = index;
+    const auto is_end = [&](const Lexeme& lexeme) {
+        return lexeme.token == Token::Semicolon && lexeme.end > lexeme.begin;
+    };
+    while (!ends_line(last) && !is_end(stream_.lexeme(last + 1))) ++last;
+    const SourceRange whole = file_.range(stream_.lexeme(index).begin, stream_.lexeme(last).end);
+    const std::uint32_t begin = stream_.lexeme(index).end;
+    std::string_view name = file_.text.substr(begin, whole.end - begin);
+    name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
+    std::string path(name);
+    if (name.size() > 2 && name.front() == '<' && name.back() == '>')
+        path = '"' + std::string(name.substr(1, name.size() - 2)) + '"';
+    const bool is_ended = is_end(stream_.lexeme(last + 1));
+    report.fix(whole, "import " + path + (is_ended ? "" : ";"), "use `import`");
+}
+
+}  // namespace kadr::syntax
