@@ -58,6 +58,7 @@ Entry Bench::entry(const CallUnderTest& call) const {
     Entry entry;
     entry.name = function.name;
     entry.is_inch = function.units == sema::Units::Inch;
+    entry.range = function.range;
     entry.start = [&call](expand::Expander& expander) { return expander.start_call(call); };
     return entry;
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
 #include "driver/source_map.h"
 #include "nc/tables.h"
@@ -88,6 +89,7 @@ bool GeneratedText::start() {
     if (const sema::FunctionCode* chosen = chosen_program(*program_.code, options.program)) {
         entry.name = chosen->name;
         entry.is_inch = chosen->units == sema::Units::Inch;
+        entry.range = chosen->range;
     }
     entry.start = [&](expand::Expander& expander) {
         return expander.start(options.program, options.defines);
@@ -108,7 +110,22 @@ static std::int64_t program_number(std::string_view name) {
     return is_number && number > 0 ? number : kFirst;
 }
 
+/// Whether the control can be told the units of the program, or stands in them anyway.
+bool GeneratedText::has_units(const Entry& entry) {
+    const nc::Function wanted = entry.is_inch ? nc::Function::Inch : nc::Function::Metric;
+    const nc::Function standing = target_.power_on(nc::Group::Units);
+    const bool stands = wanted == standing ||
+                        (standing == nc::Function::None && wanted == nc::Function::Metric);
+    if (stands || target_.can_write(wanted)) return true;
+    session_.messages()
+        .report(diag::CannotExpress, entry.range)
+        .arg(target_.name())
+        .arg(entry.is_inch ? "a program in inches" : "a program in millimetres");
+    return false;
+}
+
 bool GeneratedText::start(const Entry& entry) {
+    if (!has_units(entry)) return false;
     start_ = entry.start;
     if (!entry.start(expander_)) return false;
     writer_.set_statements(program_.code->statements, &session_.sources());

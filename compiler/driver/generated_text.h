@@ -26,6 +26,7 @@ namespace kadr::driver {
 struct Entry {
     std::string name;  // of the ISO-7bit program
     bool is_inch = false;
+    SourceRange range;  // of the name
     /// False: reported. Called again if an error of the writer asks for the calls that led to it.
     std::function<bool(expand::Expander&)> start;
 };
@@ -74,6 +75,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     std::uint64_t statement_lines() const { return statement_lines_; }
 
   private:
+    bool has_units(const Entry& entry);
     GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
                   bool keeps_calls, DiagnosticSink& sink);
     /// Where errors of the writer go: to each the calls that led to the block are added, and what

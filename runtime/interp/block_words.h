@@ -50,6 +50,13 @@ inline bool is_involute(nc::Function motion) {
     return motion == nc::Function::InvoluteCw || motion == nc::Function::InvoluteCcw;
 }
 
+/// Whether the block measures on its way at rapid, `MEAS=1 G0 X10`.
+inline bool probes_at_rapid(const nc::Block& block) {
+    if (block.function_count == 0) return false;
+    const nc::Invocation* const call = block.find(nc::Function::Probe);
+    return call != nullptr && (call->given & 4u) != 0 && block.argument(*call, 2) != 0;
+}
+
 /// Functions that tilt the plane in which the program works.
 inline bool is_tilt(nc::Function function) {
     switch (function) {

@@ -154,6 +154,18 @@ void Executor::watch_turret_offset(const Block& block, std::int64_t number) {
     report(diag::OtherToolsOffset, block).arg(number).arg(tool_.current);
 }
 
+/// `G04 F2`: where F and S say no time, the code that dwells (ISO 6983-1) is an exact stop, and the
+/// feed is changed.
+void Executor::watch_dwell(const Block& block) {
+    const SlotMask others = block.given & (bit(Slot::Feed) | bit(Slot::Speed));
+    if (others == 0 || (block.given & nc::kTargetSlots) != 0) return;
+    const std::string code = word_of(block, Function::ExactStopOnce);
+    if (code != "G04" && code != "G4") return;
+    report(diag::DwellWithoutTime, block, Function::ExactStopOnce)
+        .arg(code)
+        .arg((others & bit(Slot::Feed)) != 0 ? "F" : "S");
+}
+
 /// X becomes a diameter, as on a lathe.
 void Executor::watch_diameter(const Block& block, Function function) {
     if (options_.has_named_machine || is_lathe_ || dangers_.told_mill) return;

@@ -659,6 +659,7 @@ class Executor {
     bool is_allowed(const DiagnosticRow& row, const nc::Block& block) const;
     bool tells_feed(const DiagnosticRow& row, const nc::Block& block);
     void watch_diameter(const nc::Block& block, nc::Function function);
+    void watch_dwell(const nc::Block& block);
     double below_retract() const;
     void watch_change(const nc::Block& block);
     void watch_spindle_stop(const nc::Block& block);

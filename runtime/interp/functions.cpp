@@ -420,7 +420,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::SplineStart:
         case Function::SplineEnd: choose_spline_end(block, invocation); break;
 
-        case Function::ExactStopOnce: actions.exact_stop = true; break;
+        case Function::ExactStopOnce:
+            actions.exact_stop = true;
+            watch_dwell(block);
+            break;
         case Function::BlendFeedDistance:
         case Function::BlendRapidDistance:
         case Function::PathTolerance:

@@ -164,7 +164,8 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.at_rapid) return line(block, target, Op::Rapid, true);
     if (actions.taps) return line(block, target, Op::Line, exact_stop);
     if (actions.probes && arc_words != 0) warn_arc_word(block, arc_words);
-    if (actions.probes) return line(block, target, Op::Probe, true);
+    if (actions.probes)
+        return line(block, target, probes_at_rapid(block) ? Op::Rapid : Op::Probe, true);
     if (modal_.motion == Function::Thread || is_varying_thread(modal_.motion))
         return thread(block, target, actions);
     if (is_arc_thread(modal_.motion)) return thread_along_arc(block, target, actions);
@@ -266,7 +267,7 @@ void Executor::arrive(const Target& target) {
 
 void Executor::line(const Block& block, const Target& programmed, Op op, bool exact_stop) {
     Target target = programmed;
-    Probing probing;
+    std::optional<Probing> probing;
     if (op == Op::Line && !check_feed(block, "line")) return;
     if (op == Op::Probe && !check_probe(block)) return;
     if (op == Op::Rapid) check_rapid(block, target);
@@ -276,9 +277,9 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     if (course_ &&
         !lay_course(block, straight_way(linear(position_.base), linear(target.base)), target))
         return;
-    if (op == Op::Probe) {
+    if (op == Op::Probe || probes_at_rapid(block)) {
         probing = probe_along(block, target, {position_.here, target.here});
-        if (probing.ends_way()) target = *probing.touched;
+        if (probing->ends_way()) target = *probing->touched;
     }
     if (!check_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
@@ -293,7 +294,7 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
         put_positioning(command);
     if (op != Op::Rapid && may_count_degrees(block)) count_degrees(block, command);
     arrive(target);
-    if (op == Op::Probe) note_probed(probing);
+    if (probing) note_probed(*probing);
 }
 
 }  // namespace kadr::interp

@@ -691,7 +691,7 @@ Program::State::Done Program::State::set_axes(CompiledLine& line) {
             return fail(line, diag::AxisNameUnknown, computed.axis.span,
                         {evaluator.written(value)});
         if (!axis) {
-            const auto number = std::llround(value.number);
+            const auto number = value.spindle().value_or(std::llround(value.number));
             word.names_first = number == 1;
             word.address = tables.find_address(number == 1 ? said : said + std::to_string(number));
             if (word.address == nc::kNoAddress)

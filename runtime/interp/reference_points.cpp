@@ -89,7 +89,8 @@ void Executor::move_in_machine_coordinates(const Block& block) {
         return;
     }
     const bool is_rapid =
-        !probes && (rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid);
+        probes_at_rapid(block) ||
+        (!probes && (rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid));
     if (!is_rapid && !(probes ? check_probe(block) : check_feed(block, "line"))) return;
 
     const SlotMask targets = block.given & nc::kTargetSlots;
@@ -122,7 +123,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     }
     if (!check_limits(block, target.base, target.moved)) return;
 
-    Command& command = put(probes ? Op::Probe : is_rapid ? Op::Rapid : Op::Line, block);
+    Command& command = put(is_rapid ? Op::Rapid : probes ? Op::Probe : Op::Line, block);
     command.to = to;
     command.moved = target.moved;
     command.machine_coordinates = true;

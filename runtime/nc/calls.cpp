@@ -45,8 +45,21 @@ bool read_program_pattern(std::string_view form, ProgramPattern& out) {
     return true;
 }
 
+namespace {
+
+/// Whether what stands behind a program's name belongs to it still. Behind a number another word of
+/// the block may begin at once, `O0001G20`.
+bool goes_on(const ProgramPattern& pattern, std::string_view rest) {
+    if (rest.empty() || !is_name_char(rest.front())) return false;
+    const bool begins_word = pattern.is_number && pattern.behind.empty() && is_letter(rest.front());
+    return !begins_word;
+}
+
+}  // namespace
+
 std::optional<std::string> match_program(const ProgramPattern& pattern, std::string_view text,
-                                         bool ignores_case, bool is_whole) {
+                                         bool ignores_case, bool is_whole,
+                                         std::string_view* behind) {
     if (!starts_with(text, pattern.before)) return std::nullopt;
     text.remove_prefix(pattern.before.size());
     if (pattern.is_number && !is_whole) {
@@ -58,18 +71,18 @@ std::optional<std::string> match_program(const ProgramPattern& pattern, std::str
     while (length > 0 && !starts_with(text.substr(length), pattern.behind)) --length;
     if (length == 0) return std::nullopt;
     const std::string_view rest = text.substr(length + pattern.behind.size());
-    const bool has_more = is_whole ? !rest.empty() : !rest.empty() && is_name_char(rest.front());
-    if (has_more) return std::nullopt;
+    if (is_whole ? !rest.empty() : goes_on(pattern, rest)) return std::nullopt;
+    if (behind != nullptr) *behind = rest;
     const std::string_view name = text.substr(0, length);
     if (pattern.is_number) return without_zeros(name);
     return ignores_case ? upper_ascii(name) : std::string(name);
 }
 
-const ProgramPattern* header_of(const CallLanguage& calls, std::string_view line,
-                                bool ignores_case) {
+const ProgramPattern* header_of(const CallLanguage& calls, std::string_view line, bool ignores_case,
+                                std::string_view* behind) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
     const auto found = std::ranges::find_if(calls.headers, [&](const ProgramPattern& pattern) {
-        return match_program(pattern, line, ignores_case, false).has_value();
+        return match_program(pattern, line, ignores_case, false, behind).has_value();
     });
     return found == calls.headers.end() ? nullptr : &*found;
 }

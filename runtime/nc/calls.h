@@ -23,8 +23,10 @@ struct ProgramPattern {
 bool read_program_pattern(std::string_view form, ProgramPattern& out);
 /// The name in the text, numbers without leading zeros. `is_whole`: nothing stands behind. Letters
 /// of the pattern fit in either case; those of the name go into upper case if `ignores_case`.
+/// behind  what stands behind the name; may be null
 std::optional<std::string> match_program(const ProgramPattern& pattern, std::string_view text,
-                                         bool ignores_case, bool is_whole);
+                                         bool ignores_case, bool is_whole,
+                                         std::string_view* behind = nullptr);
 
 /// A code or a name that calls a program, or ends one.
 struct CallForm {
@@ -72,9 +74,10 @@ struct CallLanguage {
     std::vector<std::string> scope_words;
 };
 
-/// The head that this line is; nullptr: none.
-const ProgramPattern* header_of(const CallLanguage& calls, std::string_view line,
-                                bool ignores_case);
+/// The head that this line is; nullptr: none. `behind`, where it is given, gets what stands behind
+/// the program's name.
+const ProgramPattern* header_of(const CallLanguage& calls, std::string_view line, bool ignores_case,
+                                std::string_view* behind = nullptr);
 /// The program that begins with this line.
 std::optional<std::string> program_of_header(const CallLanguage& calls, std::string_view line,
                                              bool ignores_case);

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "nc/call_compiler.h"
 #include "nc/control_line.h"
+#include "nc/letters.h"
 #include "nc/loop_front.h"
 #include "nc/refused_words.h"
 #include "nc/scope_words.h"
@@ -142,7 +143,12 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const bool is_function = std::ranges::any_of(
             language_.functions,
             [&](const FunctionForm& form) { return words_.says(word, form.name); });
-        return is_function && !is_spindle_name(words_.normal(line_.substr(at)));
+        if (!is_function) return false;
+        // `SPI(2)`, but not `SPI(NUM)`, is a name as it stands.
+        const std::string index = words_.normal(line_.substr(at));
+        const std::size_t argument = index.find('(') + 1;
+        const bool is_number = argument < index.size() && is_digit(index[argument]);
+        return !is_spindle_name(index) || (argument > 0 && !is_number);
     }
     bool is_spindle_word(std::string_view name) const {
         return std::ranges::any_of(tables_.rules.spindle_words, [&](const std::string& word) {

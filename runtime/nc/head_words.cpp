@@ -19,14 +19,12 @@ std::size_t behind_blanks(std::string_view line, std::size_t at) {
     return at;
 }
 
-/// Behind `O0001`, a name that is a number.
-std::size_t behind_number(const DialectTables& tables, std::string_view line, std::size_t begin) {
+/// Behind the name of a program by which others call it: `O0001`, `O<NAME>`.
+std::size_t behind_program(const DialectTables& tables, std::string_view line) {
+    std::string_view behind;
     const ProgramPattern* head =
-        header_of(tables.language.calls, line.substr(begin), tables.rules.ignores_case);
-    if (head == nullptr || !head->is_number) return kNone;
-    std::size_t end = behind_blanks(line, begin + head->before.size());
-    while (end < line.size() && is_digit(line[end])) ++end;
-    return end;
+        header_of(tables.language.calls, line, tables.rules.ignores_case, &behind);
+    return head == nullptr ? kNone : line.size() - behind.size();
 }
 
 /// Behind `%PART`, of a head that the dialect writes with the units.
@@ -46,7 +44,7 @@ std::size_t behind_name(const DialectTables& tables, std::string_view line, std:
 
 std::size_t words_behind_head(const DialectTables& tables, std::string_view line) {
     const std::size_t begin = behind_blanks(line, 0);
-    std::size_t at = behind_number(tables, line, begin);
+    std::size_t at = behind_program(tables, line);
     if (at == kNone) at = behind_name(tables, line, begin);
     if (at == kNone) return kNone;
     const CommentStyle& comment = tables.comment;

@@ -86,6 +86,22 @@ class LanguageLoader {
         attributes_.bad_value(value, why);
     }
 
+    /// Whether an operation that has a text takes that of another one, which it was said: `*` would
+    /// be a second sign of the division, and 6*3 were 2. A text may get another meaning, as MOD that
+    /// of another remainder.
+    template <typename Form, typename IsSame>
+    bool takes_text(const std::vector<Form>& forms, Operation operation, const IsSame& is_same,
+                    const XmlAttribute& text) {
+        const auto taken = std::ranges::find_if(forms, is_same);
+        const bool is_taken = taken != forms.end() && taken->operation != operation;
+        const auto own = std::ranges::find(forms, operation, &Form::operation);
+        if (!is_taken || own == forms.end()) return false;
+        attributes_.bad_value(text, "it is `" + std::string(info(taken->operation).name) +
+                                        "` already, and `" + std::string(info(operation).name) +
+                                        "` has a text");
+        return true;
+    }
+
     void load_operator(const XmlElement& element) {
         const XmlAttribute& name = needed(element, "name");
         const auto row =
@@ -101,9 +117,12 @@ class LanguageLoader {
         const OperationInfo& operation = info(form.operation);
         if (count < operation.least_arguments || count > operation.most_arguments)
             return attributes_.bad_value(name, "it takes another number of operands");
-        std::erase_if(language_.operators, [&](const OperatorForm& old) {
+        const auto is_same = [&](const OperatorForm& old) {
             return old.text == form.text && old.is_prefix == form.is_prefix;
-        });
+        };
+        if (takes_text(language_.operators, form.operation, is_same, needed(element, "text")))
+            return;
+        std::erase_if(language_.operators, is_same);
         language_.operators.push_back(std::move(form));
     }
 
@@ -141,8 +160,9 @@ class LanguageLoader {
             return attributes_.bad_value(
                 text, "a name and its arguments in brackets are expected, as `SIN[{a}]`");
         }
-        std::erase_if(language_.functions,
-                      [&](const FunctionForm& old) { return old.form == form.form; });
+        const auto is_same = [&](const FunctionForm& old) { return old.form == form.form; };
+        if (takes_text(language_.functions, form.operation, is_same, text)) return;
+        std::erase_if(language_.functions, is_same);
         language_.functions.push_back(std::move(form));
     }
 
