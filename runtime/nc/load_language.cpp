@@ -1,6 +1,7 @@
 // The control's own parametric language: <language> and what stands in it.
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "nc/load_parts.h"
 #include "nc/statement_holes.h"
@@ -95,7 +96,9 @@ class LanguageLoader {
         const auto taken = std::ranges::find_if(forms, is_same);
         const bool is_taken = taken != forms.end() && taken->operation != operation;
         const auto own = std::ranges::find(forms, operation, &Form::operation);
-        if (!is_taken || own == forms.end()) return false;
+        // What stands twice in one file is told by lint.cpp.
+        const bool is_new = said_texts_.insert(text.value).second;
+        if (!is_taken || own == forms.end() || !is_new) return false;
         attributes_.bad_value(text, "it is `" + std::string(info(taken->operation).name) +
                                         "` already, and `" + std::string(info(operation).name) +
                                         "` has a text");
@@ -461,6 +464,7 @@ class LanguageLoader {
     DialectTables& tables_;
     Language& language_;
     Attributes& attributes_;
+    std::set<std::string> said_texts_;  // of the operators and functions of this file
 };
 
 }  // namespace
