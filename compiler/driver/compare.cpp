@@ -99,6 +99,8 @@ const char* words_of(Parting parting) {
         case Parting::Followers: return "an axis beside X, Y, Z is elsewhere";
         case Parting::Standing: return "they stand for different times";
         case Parting::Pitch: return "the pitches of their threads differ";
+        case Parting::Gear: return "the spindle leads one, and the other goes at its feed";
+        case Parting::Start: return "their threads begin at other angles of the spindle";
         case Parting::Spindle: return "the spindle turns otherwise";
         case Parting::Pulses: return "the laser burns other points";
         case Parting::Marks: return "the module beside the axes does something else";
@@ -108,9 +110,9 @@ const char* words_of(Parting parting) {
 }
 
 const char* name_of(Parting parting) {
-    constexpr std::array<const char*, 10> kNames = {"way",      "kind",  "length",  "followers",
-                                                    "standing", "pitch", "spindle", "pulses",
-                                                    "marks",    "end"};
+    constexpr std::array<const char*, 12> kNames = {
+        "way",  "kind",  "length",  "followers", "standing", "pitch",
+        "gear", "start", "spindle", "pulses",    "marks",    "end"};
     return kNames[static_cast<std::size_t>(parting)];
 }
 

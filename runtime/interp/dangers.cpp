@@ -11,6 +11,7 @@
 #include "base/danger_limits.h"
 #include "base/diagnostics/danger.h"
 #include "base/diagnostics/doubtful.h"
+#include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/block_words.h"
@@ -157,10 +158,16 @@ void Executor::watch_turret_offset(const Block& block, std::int64_t number) {
 /// `G04 F2`: where F and S say no time, the code that dwells (ISO 6983-1) is an exact stop, and the
 /// feed is changed.
 void Executor::watch_dwell(const Block& block) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
     const SlotMask others = block.given & (bit(Slot::Feed) | bit(Slot::Speed));
-    if (others == 0 || (block.given & nc::kTargetSlots) != 0) return;
+    if (others == 0 && targets == 0) return;
     const std::string code = word_of(block, Function::ExactStopOnce);
     if (code != "G04" && code != "G4") return;
+    if (targets != 0) {  // a time that the control does not know, or a place: no axis moves for it
+        const Slot slot = first_slot(targets);
+        report(diag::IsoWordUnused, block, slot).arg(slot_word(slot));
+        return;
+    }
     report(diag::DwellWithoutTime, block, Function::ExactStopOnce)
         .arg(code)
         .arg((others & bit(Slot::Feed)) != 0 ? "F" : "S");

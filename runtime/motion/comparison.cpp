@@ -21,6 +21,7 @@ constexpr double kStanding = 1e-6;          // of a tip's way, of that of the pl
 constexpr double kSameTime = 1e-6;          // s
 constexpr double kSameAngle = 1e-4;         // rad, 0.006 deg; mm of a parallel axis
 constexpr double kSameRate = 1e-3;          // of a pitch, of a speed: what rounded words leave
+constexpr double kSameTurn = 1e-5;         // of the spindle: 0.004 deg
 constexpr double kRoundedTurns = 0.5 / 60;  // rev/s: S in whole revolutions
 constexpr double kRoundedCuts = 0.5 * 1000.0 / 60;  // mm/s: S in whole metres
 constexpr double kRoundedShare = 0.1;               // … which a text says no worse than that
@@ -325,9 +326,11 @@ class Walk {
             result_.second_spindle = t;
             return part(Parting::Spindle);
         }
-        const bool are_threads = a.is_thread && b.is_thread;
-        if (a.is_thread != b.is_thread || (are_threads && !is_same_rate(pitch_of(a), pitch_of(b))))
-            part(Parting::Pitch);
+        if (a.is_thread != b.is_thread) return part(Parting::Gear);
+        if (!a.is_thread) return;
+        if (!is_same_rate(pitch_of(a), pitch_of(b))) return part(Parting::Pitch);
+        const double apart = a.thread_start - b.thread_start;
+        if (std::abs(apart - std::round(apart)) > kSameTurn) part(Parting::Start);
     }
 
     void compare_feeds() {

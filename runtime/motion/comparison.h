@@ -29,7 +29,9 @@ enum class Parting : std::uint8_t {
     Length,     // one comes to its stop earlier
     Followers,  // an axis beside X, Y, Z is somewhere else
     Standing,   // they stand for different times, or for different reasons
-    Pitch,      // their threads are not the same
+    Pitch,      // the pitches of their threads are not the same
+    Gear,       // the spindle leads one and not the other
+    Start,      // their threads begin at other angles of the spindle
     Spindle,    // the spindle stands for one that cuts, or turns at another speed or the other way
                 // round
     Pulses,     // they burn other points on the same way

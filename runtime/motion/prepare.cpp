@@ -449,6 +449,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.segment.ends_command = false;
     piece.segment.is_thread =
         command.op == Op::Thread || (command.keeps_feed && command.ignores_hold);
+    if (command.op == Op::Thread && !thread_goes_on)
+        piece.segment.thread_start = static_cast<float>(command.angle_deg / 360);
     piece.segment.spindle = spindle;
     piece.segment.tool_number = tool_number;
     if (segment.kind == SegmentKind::Feed && command.feed_mode == path::FeedMode::PerRevolution) {

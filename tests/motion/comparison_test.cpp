@@ -130,6 +130,12 @@ TEST(Comparison, TellsWhyTheyPart) {
     other = thread;
     other[1].feed = 1.5;
     EXPECT_EQ(compared(thread, other).parting, Parting::Pitch);
+    EXPECT_EQ(compared(base, thread).parting, Parting::Gear);
+    other = thread;
+    other[1].angle_deg = 180;  // a thread of two starts is another workpiece
+    EXPECT_EQ(compared(thread, other).parting, Parting::Start);
+    other[1].angle_deg = 360;
+    EXPECT_FALSE(compared(thread, other).parting);
 }
 
 // S in whole revolutions: 239.5 is written 240. What is more than that parts, and both are told.
