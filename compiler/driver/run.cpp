@@ -366,7 +366,8 @@ void Run::sample(Stream<motion::Segment>& segments, double tick) {
 /// it.
 void Run::finish_check(const motion::PlannerOptions& options) {
     const Messages& messages = session_.messages();
-    if (messages.errors() == 0 && messages.alarms() == 0) check_->finish();
+    const bool is_whole = !session_.output_limit().is_over();
+    if (is_whole && messages.errors() == 0 && messages.alarms() == 0) check_->finish();
     const std::optional<motion::PathDeviation>& deviation = check_->deviation();
     if (!deviation) return;
     const auto amount = [&](double value) {

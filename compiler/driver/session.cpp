@@ -128,6 +128,11 @@ const nc::Dialect* Session::dialect(const std::string& name_or_file, const Sourc
         const bool is_named = is_option || !place.file.is_valid();
         if (!admit(first, is_named ? name_or_file : std::string(), place)) return std::nullopt;
         held.release_to(messages_);
+        // The files of its cycles belong to it, whether this run calls one or not.
+        if (fresh) {
+            for (const nc::CycleInfo& cycle : fresh->cycles())
+                if (!cycle.file.empty()) files_.note(cycle.file);
+        }
         return fresh;
     });
 }

@@ -265,11 +265,12 @@ void Executor::begin_comp(const Block& block, Function side) {
     }
     const bool has_number =
         tool_.radius_offset != 0 || block.find(Function::RadiusOffset) != nullptr;
-    const auto& words_of_it =
-        dialect_.tables().forms_of[static_cast<std::size_t>(Function::RadiusOffset)];
-    if (rules_.comp_radius_by_offset && !has_number && !words_of_it.empty()) {
+    // A lathe's T calls it with the tool.
+    const bool has_word =
+        !dialect_.tables().forms_of[static_cast<std::size_t>(Function::RadiusOffset)].empty();
+    if (rules_.comp_radius_by_offset && !has_number && (has_word || is_lathe_)) {
         DiagnosticBuilder message = report(diag::CompWithoutOffset, block, comp_.side);
-        message.arg(word_of(block, comp_.side));
+        message.arg(word_of(block, comp_.side)).arg(has_word ? "D" : "T");
         if (const Invocation* const length = block.find(Function::LengthOffset)) {
             const std::string number = std::to_string(std::llround(block.argument(*length, 0)));
             message.fix("`D" + number + "` calls the radius; `H` does where No.5001#2 is set");

@@ -603,13 +603,9 @@ bool Executor::complete_tap(const Block& block, ModalCycle& call) {
     const bool is_pitch = modal_.feed_mode == path::FeedMode::PerRevolution;
     const double turn = is_pitch ? modal_.feed : modal_.feed / spindle_.speed;
     set_argument(call, pitch, turn);
-    // Told where the cycle is called, not at each of its holes.
-    if (!is_pitch && turn < danger::kLeastPitch && block.find(Function::Cycle) != nullptr) {
-        report(diag::TapPitchTiny, block, Function::Cycle)
-            .arg(round_to(turn, 6))
-            .arg("F" + format_shortest(round_to(modal_.feed, 6)))
-            .arg(round_to(spindle_.speed, 3));
-    }
+    // Told where the cycle is called or gets another feed, not at each of its holes.
+    const bool is_new = block.find(Function::Cycle) != nullptr || block.has(Slot::Feed);
+    if (!is_pitch && is_new) watch_tap(block, Function::Cycle);
     return true;
 }
 

@@ -173,6 +173,21 @@ void Executor::watch_dwell(const Block& block) {
         .arg((others & bit(Slot::Feed)) != 0 ? "F" : "S");
 }
 
+/// Tapping whose pitch is the feed per minute divided by the speed, `G84 … F1.25` under G94.
+///
+/// function  where it is said, if the block has no F
+void Executor::watch_tap(const Block& block, Function function) {
+    const double pitch = modal_.feed / spindle_.speed;
+    if (!(pitch < danger::kLeastPitch)) return;
+    const double unit = units_ == Function::Inch ? kMmPerInch : 1;
+    (block.has(Slot::Feed) ? report(diag::TapPitchTiny, block, Slot::Feed)
+                           : report(diag::TapPitchTiny, block, function))
+        .arg(round_to(pitch, 6))
+        .arg("F" + format_shortest(round_to(modal_.feed / unit, 6)))
+        .arg(round_to(spindle_.speed, 3))
+        .arg(unit == 1 ? "mm/min" : "in/min");
+}
+
 /// X becomes a diameter, as on a lathe.
 void Executor::watch_diameter(const Block& block, Function function) {
     if (options_.has_named_machine || is_lathe_ || dangers_.told_mill) return;

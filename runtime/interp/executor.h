@@ -660,6 +660,7 @@ class Executor {
     bool tells_feed(const DiagnosticRow& row, const nc::Block& block);
     void watch_diameter(const nc::Block& block, nc::Function function);
     void watch_dwell(const nc::Block& block);
+    void watch_tap(const nc::Block& block, nc::Function function);
     double below_retract() const;
     void watch_change(const nc::Block& block);
     void watch_spindle_stop(const nc::Block& block);

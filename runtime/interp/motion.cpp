@@ -288,8 +288,11 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     command.moved = target.moved;
     command.exact_stop = exact_stop;
     command.feed = op == Op::Rapid ? 0 : modal_.feed;
-    if (op == Op::Line && block.find(Function::TapFloating) != nullptr)
+    if (op == Op::Line && block.find(Function::TapFloating) != nullptr) {
         command.keeps_feed = command.ignores_hold = true;
+        const bool by_minute = modal_.feed_mode == path::FeedMode::PerMinute && spindle_.speed > 0;
+        if (by_minute && !cycle_.blocks) watch_tap(block, Function::TapFloating);
+    }
     if (panel_.positioning.is_said && block.find(Function::RapidOnce) != nullptr)
         put_positioning(command);
     if (op != Op::Rapid && may_count_degrees(block)) count_degrees(block, command);

@@ -29,7 +29,10 @@ class Explainer {
         const std::string unsupported = tables_.unsupported_words(text);
         if (lines_.empty() && !unsupported.empty())
             lines_.push_back(unsupported + " is a word of the control; Kadr does not read it");
-        if (const auto passed = tables_.passed.find(text); passed != tables_.passed.end())
+        const auto passed = std::ranges::find_if(tables_.passed, [&](const auto& entry) {
+            return entry.first == word || entry.first == text;
+        });
+        if (passed != tables_.passed.end())
             lines_.push_back(passed->first + ": " + passed->second.meaning +
                              "; it is read, and has no effect here");
         return std::move(lines_);

@@ -55,7 +55,8 @@ FastLetter LineReader::fast_word(AddressId id) {
     fast.format = &address.format;
     fast.dimension = address.dimension;
     fast.is_literal = is_literal(address.format);
-    fast.is_position = counts_increments(address);
+    fast.is_position = address.slot >= 0 && is_place(static_cast<Slot>(address.slot)) &&
+                       counts_increments(address);
     if (address.is_block_number) {
         fast.kind = FastLetter::Kind::Number;
     } else if (address.kind == Address::Kind::Code) {

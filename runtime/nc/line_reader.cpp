@@ -641,9 +641,9 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
         return false;
     }
     if (invocation == nullptr) {
-        if (points_.is_open()) watch_point(claim, line);
-        const double scale = text_scale(claim.dimension, units_, true);
         const auto slot = static_cast<Slot>(claim.place);
+        if (points_.is_open() && is_place(slot)) watch_point(claim, line);
+        const double scale = text_scale(claim.dimension, units_, true);
         const bool is_time = feed_is_time_ && slot == Slot::Feed && units_.inverse_time;
         constexpr double kMinute = 60;  // s; feeds under inverse time are 1/min
         block.set(slot, is_time && meaning != 0 ? kMinute / meaning
@@ -651,9 +651,18 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
                                                 : meaning / scale);
         return true;
     }
+    if (points_.is_open() && is_place(claim)) watch_point(claim, line);
     const double scaled = meaning / text_scale(claim.dimension, units_, false);
     block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / factor);
     return true;
+}
+
+/// Whether the word of a function is a place or a size at the part, as Z and R of a cycle, `,R`, or
+/// X of G52. Strokes and allowances have their whole numbers by custom: `Q5000`, `U400`.
+bool LineReader::is_place(const Claim& claim) const {
+    if (claim.dimension != Dimension::Length) return false;
+    const std::string& name = tables_.addresses[lexed_->words[claim.word].address].name;
+    return name.size() <= 2 && std::string_view("XYZRC").find(name.back()) != std::string::npos;
 }
 
 /// Whether the word is F of a thread, where F is the pitch.

@@ -165,9 +165,14 @@ class LineReader {
   private:
     bool pass_beside(const MatchFault& fault, std::string_view line);
     void watch_point(const Claim& claim, std::string_view line);
+    bool is_place(const Claim& claim) const;
+    /// Whether a number without a point is a thousandth of what it looks like.
     static bool counts_increments(const Address& address) {
-        return address.slot >= 0 && (kTargetSlots & bit(static_cast<Slot>(address.slot))) != 0 &&
-               address.format.increment > 0 && address.format.increment < 1;
+        return address.format.increment > 0 && address.format.increment < 1;
+    }
+    /// Whether the word says a place: an end, a centre or a radius.
+    static bool is_place(Slot slot) {
+        return ((kTargetSlots | kCenterSlots | bit(Slot::Radius)) & bit(slot)) != 0;
     }
     bool read_slow(std::string_view line, Block& block);
     bool read_fast(std::string_view line, Block& block);
