@@ -1,6 +1,7 @@
 #include "interp/said_words.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/numbers.h"
 
@@ -17,7 +18,12 @@ std::string hint_at_comma(const nc::DialectTables& tables, Axis axis, double val
     const std::string name = ',' + std::string(kAxisNames[index(axis)]);
     if (tables.find_address(name) == nc::kNoAddress) return {};
     const std::string what = axis == Axis::C ? "a chamfer" : "the angle of a line";
-    return what + " is `" + name + with_point(value) + "`, with a comma";
+    // A chamfer has no sign, and a number of thousandths was written without its point: `A5`.
+    double shown = axis == Axis::C ? std::abs(value) : value;
+    const double thousandths = round_to(shown * 1000, 6);
+    const bool has_lost_point = std::abs(shown) < 0.1 && thousandths == std::round(thousandths);
+    if (has_lost_point) shown = thousandths;
+    return what + " is `" + name + with_point(shown) + "`, with a comma";
 }
 
 std::string hint_at_bare_cycle(const nc::DialectTables& tables, const nc::BlockPlaces* places,

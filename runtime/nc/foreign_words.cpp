@@ -36,7 +36,8 @@ std::string spelled(std::string_view word) {
 /// By the whole word, or by a front that the list ends with `*`: `CYCLE*`. Behind one letter only a
 /// number may stand: `L*` is `L100`, and no `LT` or `LENGTH`.
 ///
-/// where  `@cycle`: what it is where a cycle acts
+/// where  `@cycle`: what it is where a cycle acts, `@arc` behind the code of an arc, `@head` as the
+///        first word of a line
 const std::string* entry(const DialectTables& tables, std::string_view word,
                          std::string_view where = {}) {
     const auto find = [&](std::string key) -> const std::string* {
@@ -131,6 +132,26 @@ bool is_variable(std::string_view line, std::size_t begin) {
     return is_assigned || line.substr(0, begin).find_first_of("[(") != line.npos;
 }
 
+/// Whether nothing but blanks stands in front.
+bool is_first(std::string_view line, std::size_t at) {
+    return std::ranges::all_of(line.substr(0, at), is_blank);
+}
+
+/// Whether the code of an arc stands in front, G2 or G03.
+bool is_behind_arc(std::string_view line, std::size_t at) {
+    for (std::size_t i = 0; i < at;) {
+        if (!is_letter(line[i])) {
+            ++i;
+            continue;
+        }
+        const std::size_t end = end_of_word(line, i);
+        const std::string word = spelled(line.substr(i, end - i));
+        if (word == "G2" || word == "G3") return true;
+        i = end;
+    }
+    return false;
+}
+
 /// The word that holds the place, or the sign that stands there.
 const std::string* entry_at(const DialectTables& tables, std::string_view line, std::size_t at) {
     if (at >= line.size()) return nullptr;
@@ -140,7 +161,13 @@ const std::string* entry_at(const DialectTables& tables, std::string_view line, 
     const std::string* const found = entry(tables, word);
     // A letter of the list stands for itself with any number: `O100`.
     const bool is_numbered = word.size() > 1 && is_digit(word[1]) && !is_variable(line, at);
-    return found == nullptr && is_numbered ? entry(tables, word.substr(0, 1)) : found;
+    if (found != nullptr) return found;
+    if (!is_numbered) return nullptr;
+    const std::string letter = word.substr(0, 1);
+    const std::string* by_letter = entry(tables, letter);
+    if (by_letter == nullptr && is_behind_arc(line, at)) by_letter = entry(tables, letter, "@arc");
+    if (by_letter == nullptr && is_first(line, at)) by_letter = entry(tables, letter, "@head");
+    return by_letter;
 }
 
 /// The word that ends in front of the place, without the blanks between them; empty: none does.

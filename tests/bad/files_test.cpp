@@ -202,6 +202,12 @@ TEST_F(Files, ThatAreReadAreNotReplaced) {
     refuses("mill.xml", {"run", part, "-m", file("mill.xml"), "--plot", file("mill.xml")});
     refuses("events.txt",
             {"run", part, "--events", file("events.txt"), "--commands", file("events.txt")});
+    // The cycles of a dialect belong to it, whether the program calls one or not.
+    for (const char* name : {"haas.xml", "haas.kadr"})
+        fs::copy_file(std::string(KADR_ROOT "/examples/dialects/") + name, file(name));
+    save("parts/plain.nc", "O1\nG0 X1.\nM30\n");
+    refuses("haas.kadr", {"run", file("parts/plain.nc"), "-d", file("haas.xml"), "--commands",
+                          file("haas.kadr")});
     save("parts/SUB.SPF", "G0 X5\nRET\n");
     save("parts/main.mpf", "SUB\nM30\n");
     refuses("parts/SUB.SPF", {"run", file("parts/main.mpf"), "-d", "sinumerik", "--commands",
@@ -242,6 +248,13 @@ TEST_F(Files, GrowUpToTheLimit) {
     EXPECT_NE(result.err.find("K9034"), std::string::npos) << result.err;
     EXPECT_FALSE(fs::exists(file("out.csv")));
     EXPECT_FALSE(fs::exists(file("out.jsonl")));
+    // What was not walked any more has not left its path.
+    save("parts/slow.mpf", "T1 M6\nG94 S100 M3\nG1 X100 F1\nM30\n");
+    const std::string said = kadr({"run", file("parts/slow.mpf"), "-d", "sinumerik", "--setpoints",
+                                   file("out.csv"), "--max-output", "1MB"})
+                                 .err;
+    EXPECT_NE(said.find("K9034"), std::string::npos) << said;
+    EXPECT_EQ(said.find("K6320"), std::string::npos) << said;
     save("parts/part.kadr", "program p() { for (int i = 0; i < 100000; i++) { G0 X=i; } }\n");
     EXPECT_EQ(kadr({"expand", file("parts/part.kadr"), "--max-output", "1kB"}).status, 1);
 }
