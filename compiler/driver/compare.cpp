@@ -82,6 +82,7 @@ class Side {
         if (!options.machine.empty()) return options;
         Session asked(options, session.share(), session.sources(), session.messages());
         options.machine = asked.stock_machine() + "-set-up";
+        options.has_stand_in_tools = true;
         return options;
     }
 
@@ -110,9 +111,9 @@ const char* words_of(Parting parting) {
 }
 
 const char* name_of(Parting parting) {
-    constexpr std::array<const char*, 12> kNames = {
-        "way",  "kind",  "length",  "followers", "standing", "pitch",
-        "gear", "start", "spindle", "pulses",    "marks",    "end"};
+    constexpr std::array<const char*, 12> kNames = {"way",      "kind",   "length", "followers",
+                                                    "standing", "pitch",  "gear",   "start",
+                                                    "spindle",  "pulses", "marks",  "end"};
     return kNames[static_cast<std::size_t>(parting)];
 }
 

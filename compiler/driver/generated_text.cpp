@@ -72,6 +72,7 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
             .native_cycles = options.native_cycles,
             .trace = has_trace,
             .machine = [this] { return session_.machine(); },
+            .checks_cutters = !options.has_stand_in_tools,
             .stop = options.stop,
             .files = &session_.files(),
             .shown = options.shown};
@@ -114,8 +115,8 @@ static std::int64_t program_number(std::string_view name) {
 bool GeneratedText::has_units(const Entry& entry) {
     const nc::Function wanted = entry.is_inch ? nc::Function::Inch : nc::Function::Metric;
     const nc::Function standing = target_.power_on(nc::Group::Units);
-    const bool stands = wanted == standing ||
-                        (standing == nc::Function::None && wanted == nc::Function::Metric);
+    const bool stands =
+        wanted == standing || (standing == nc::Function::None && wanted == nc::Function::Metric);
     if (stands || target_.can_write(wanted)) return true;
     session_.messages()
         .report(diag::CannotExpress, entry.range)

@@ -34,6 +34,7 @@ inline constexpr std::uint64_t kMaxBlocks = 20'000'000;
 struct Options {
     std::string dialect;                // name or file; empty: as the source suggests
     std::string machine;                // name or file; empty: the stock mill
+    bool has_stand_in_tools = false;    // its tools are nobody's: calls may say other cutters
     std::string program;                // which program of the file; empty: the only one
     std::vector<sema::Define> defines;  // values of the program's parameters
     std::vector<std::string> folders;   // searched for imports before the standard library

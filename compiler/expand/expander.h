@@ -63,6 +63,7 @@ struct ExpandOptions {
     /// The machine for which tilted planes are worked out where the target has no words for them;
     /// asked when one is met, null if it cannot be loaded.
     std::function<const machine::Machine*()> machine = nullptr;
+    bool checks_cutters = true;  // that a call says the cutter that this machine has
     /// Whether the source allows this warning at this place; empty: nothing is allowed.
     std::function<bool(const DiagnosticRow&, const SourceRange&)> is_allowed = nullptr;
     std::vector<nc::Refusal>* refusals = nullptr;  // gets forms of cycles that do not fit a call

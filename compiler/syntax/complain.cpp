@@ -1,11 +1,10 @@
 // complain.cpp — what a mistake is in a technologist's words.
-#include "syntax/complaint_place.h"
-
 #include <algorithm>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
+#include "syntax/complaint_place.h"
 #include "syntax/habits.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
@@ -192,8 +191,7 @@ bool Complaints::explain_habit(const Place& place) {
         file_.sink.report(diag::Unexpected, file_.range(head))
             .arg(quoted(head))
             .arg(quoted(stream_.lexeme(place.head_index - 1)))
-            .fix(file_.range(head.begin, place.offending.begin), "",
-                 "there is no `then`");
+            .fix(file_.range(head.begin, place.offending.begin), "", "there is no `then`");
         return true;
     }
     file_.sink.report(diag::Unexpected, file_.range(place.offending))

@@ -1,6 +1,7 @@
 // complain.h — what a syntax error is in a technologist's words, and where the parser goes on.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <set>
@@ -69,8 +70,10 @@ class LexemeStream final : public antlr4::TokenStream {
     std::string getText(antlr4::RuleContext*) override { return ""; }
     std::string getText(antlr4::Token*, antlr4::Token*) override { return ""; }
 
-    /// The lexeme at an index, before the first one the first one.
-    const Lexeme& lexeme(std::size_t index) const { return tokens_[index].lexeme(); }
+    /// The lexeme at an index; behind the end of the file that end.
+    const Lexeme& lexeme(std::size_t index) const {
+        return tokens_[std::min(index, tokens_.size() - 1)].lexeme();
+    }
 
   private:
     const LimitedSink* limit_;

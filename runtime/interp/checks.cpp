@@ -123,7 +123,17 @@ void Executor::check_tool(const Block& block) {
         tool_.current != 0)
         return;
     told_.no_tool = true;  // said once
-    report(diag::ToolNeverCalled, block);
+    DiagnosticBuilder message = report(diag::ToolNeverCalled, block);
+    // `T0101` is a lathe's tool with its offset.
+    const std::int64_t tool = tool_.selected / 100;
+    const std::int64_t offset = tool_.selected % 100;
+    const auto lathe = dialect_.tables().foreign.find("T@lathe");
+    if (tool > 0 && offset == tool && lathe != dialect_.tables().foreign.end()) {
+        message.fix(lathe->second);
+    } else if (tool_.selected != 0) {
+        message.fix("`T" + std::to_string(tool_.selected) +
+                    "` only selects a tool: `M6` changes it");
+    }
 }
 
 void Executor::check_units(const Block& block, nc::Function units) {

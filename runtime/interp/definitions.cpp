@@ -2,6 +2,8 @@
 // own, SINUMERIK's SGUD, MGUD, UGUD and SMAC, MMAC, UMAC, which are read before the main program
 // runs.
 
+#include <algorithm>
+
 #include "base/diagnostics/control.h"
 #include "interp/program_state.h"
 
@@ -28,7 +30,16 @@ bool defines(const nc::ControlStatement& statement) {
 /// They are on top of the main program as if it had called them, the first one last.
 void Program::State::begin_definitions() {
     const std::vector<std::string>& names = language.calls.definitions;
+    // One that is looked at by itself, `kadr check UGUD.DEF`, is the program that runs.
+    const std::string own =
+        nc::program_of_path(language.calls, units.main().text->name, tables.rules.ignores_case);
+    const bool is_own = std::ranges::find(names, own) != names.end();
+    if (is_own) {
+        frames[0]->is_definition = true;
+        frames[0]->level = &variables.definitions();
+    }
     for (auto name = names.rbegin(); name != names.rend(); ++name) {
+        if (is_own && *name == own) continue;
         ProgramUnit* const unit = units.find_definitions(*name);
         if (unit == nullptr) continue;
         auto open = std::make_unique<Frame>();

@@ -33,6 +33,8 @@ PlanePoint towards_bisector(const PlanePoint& p, const PlanePoint& a, const Plan
 }
 
 constexpr double kTurn = 2 * std::numbers::pi;
+// A control that shifts the centre refuses an arc that would be turned by more (path/arc.h), rad.
+constexpr double kMostShift = 1.7 * std::numbers::pi / 180;
 
 }  // namespace
 
@@ -97,8 +99,15 @@ TracedArc traced_arc(const ArcPoints& arc, const PlanePoint& center, bool is_clo
         // Left of the chord, or right of it, as the centre of the words is.
         const double side =
             half[0] * (center[1] - middle[1]) - half[1] * (center[0] - middle[0]) < 0 ? -1 : 1;
+        const PlanePoint said = center;
         traced.center = {middle[0] - side * height * half[1], middle[1] + side * height * half[0]};
         traced.start_radius = traced.end_radius = radius;
+        const PlanePoint& start = arc.text_start;
+        const double turned = std::fabs(
+            std::remainder(std::atan2(said[1] - start[1], said[0] - start[0]) -
+                               std::atan2(traced.center[1] - start[1], traced.center[0] - start[0]),
+                           kTurn));
+        traced.is_refused = turned > kMostShift;
     }
     traced.sweep = sweep_angle(arc.text_start, arc.text_end, traced.center, is_clockwise);
     return traced;
@@ -107,6 +116,7 @@ TracedArc traced_arc(const ArcPoints& arc, const PlanePoint& center, bool is_clo
 double path_error(const ArcPoints& arc, const PlanePoint& center, double sweep, bool is_clockwise,
                   const TracedArc& traced, double increment) {
     constexpr double kNoAnswer = std::numeric_limits<double>::infinity();
+    if (traced.is_refused) return kNoAnswer;
     if (std::fabs(traced.sweep - sweep) > kTurn / 2) return kNoAnswer;
     // Ends side by side as seen from the centre: whether the arc is nothing or a full circle hangs
     // on the last digit of a word.

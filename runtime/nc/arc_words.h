@@ -48,7 +48,8 @@ struct TracedArc {
     PlanePoint center;
     double start_radius = 0;
     double end_radius = 0;
-    double sweep = 0;  // rad, above 0
+    double sweep = 0;         // rad, above 0
+    bool is_refused = false;  // the centre would be shifted too far
 };
 
 /// What a control makes of rounded ends and a centre.

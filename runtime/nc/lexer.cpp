@@ -105,6 +105,14 @@ class Lexer {
             return fail_assigned(begin, "the control's own parametric language");
         fail(diag::AxisMissing, begin, at_, {name});
     }
+    /// `C1=5`: an axis of that name is not there; `F1=5`: words of others are.
+    void fail_numbered(AddressId address, std::size_t begin) {
+        const int slot = tables_.addresses[address].slot;
+        const bool is_axis =
+            slot >= 0 && (kTargetSlots & bit(static_cast<Slot>(slot))) != 0 && compiler_ != nullptr;
+        if (is_axis && rules_.has_assignment) return fail_at_missing_axis(begin);
+        fail_assigned(begin, "an address with a number of its own");
+    }
     /// What stands behind a word that Kadr does not know may have a form that it does not know.
     bool fail_at_unsupported() {
         for (const Span& span : out_.spans) {
@@ -336,7 +344,7 @@ class Lexer {
             }
         }
         if (!take_number(address, begin)) return;
-        if (peek() == '=') fail_assigned(begin, "an address with a number of its own");
+        if (peek() == '=') fail_numbered(address, begin);
     }
 
     /// `S1=500`, `M1=3`, `SPOS[1]=90`, `S[SPI(1)]=500`: a word of the first spindle, which is the

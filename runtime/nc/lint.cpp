@@ -60,6 +60,7 @@ class SenseCheck {
 
     void run() {
         check_name();
+        check_leads();
         check_twice(root_);
         for (const XmlElement& element : root_.children) {
             if (element.name == "language") check_twice(element);
@@ -78,6 +79,22 @@ class SenseCheck {
         const std::string file = std::filesystem::path(tables_.file).stem().string();
         if (file == name.value) return;
         sink_.report(diag::DialectNameOfFile, name.value_range).arg(name.value).arg(file);
+    }
+
+    /// The code that begins the line before a cycle is one of the dialect: where `M29` has been
+    /// taken away and is a conveyor, tapping would start it.
+    void check_leads() {
+        for (const Form& form : tables_.forms) {
+            if (form.lead.empty() || form.lead[0].kind != FormWord::Kind::Fixed) continue;
+            const FormWord& code = form.lead[0];
+            const Code* const read = tables_.find_code(code.address, code.number);
+            const bool is_own =
+                read != nullptr && std::ranges::none_of(read->forms, [&](FormId id) {
+                    return tables_.forms[id].function == Function::MachineFunction;
+                });
+            if (is_own) continue;
+            sink_.report(diag::DialectContradiction, form.range).arg(code.text);
+        }
     }
 
     void check_twice(const XmlElement& parent) {

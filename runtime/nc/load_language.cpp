@@ -79,6 +79,8 @@ class LanguageLoader {
     void load_rule(const XmlElement& element) {
         const XmlAttribute& name = needed(element, "name");
         const XmlAttribute& value = needed(element, "value");
+        if (value.value.starts_with('-'))
+            return attributes_.bad_value(value, "0 or more is expected");
         if (set_language_rule(language_.rules, name.value, value.value)) return;
         const auto row =
             row_named(all_language_rules(), name, "the language has no such rule", attributes_);
@@ -88,8 +90,8 @@ class LanguageLoader {
     }
 
     /// Whether an operation that has a text takes that of another one, which it was said: `*` would
-    /// be a second sign of the division, and 6*3 were 2. A text may get another meaning, as MOD that
-    /// of another remainder.
+    /// be a second sign of the division, and 6*3 were 2. A text may get another meaning, as MOD
+    /// that of another remainder.
     template <typename Form, typename IsSame>
     bool takes_text(const std::vector<Form>& forms, Operation operation, const IsSame& is_same,
                     const XmlAttribute& text) {

@@ -131,6 +131,14 @@ static void say_whose(DiagnosticBuilder& builder, double number, const DialectTa
         builder.note("`" + text + "` is `" + own + "` on this control");
         file += ", takes it away with `<remove commands=\"" + own + "\"/>`";
     }
+    for (const Form& form : tables.forms) {
+        const bool has_it = !form.lead.empty() && form.lead[0].kind == FormWord::Kind::Fixed &&
+                            form.lead[0].address == word.address && form.lead[0].number == number;
+        if (!has_it || form.function != Function::Cycle) continue;
+        file += ", says the forms of `" + tables.cycles[form.cycle].name +
+                "` without `lead=\"" + text + "…\"`";
+        break;
+    }
     builder.fix("where `" + text +
                 "` is the machine builder's, a dialect of this machine says so: a file that " +
                 file + " and has the number in its `<command name=\"machine_function\">`");

@@ -30,7 +30,8 @@ std::string fix_of(const nc::Dialect& dialect, const std::string& line) {
     DiagnosticList messages;
     WholeText source("F100\n" + line + "\nM30\n");
     Program program(dialect, source, "test", {}, messages);
-    const machine::Machine machine = mill();
+    machine::Machine machine = mill();
+    machine.tool_change_time = 4;
     Interpreter interpreter(dialect, machine, program, &program, nullptr, {}, messages);
     program.follow(interpreter);
     std::vector<path::Command> batch(8);

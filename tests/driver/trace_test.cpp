@@ -548,7 +548,7 @@ TEST_F(TraceTest, AConversationAtABreakPoint) {
                   "position  X5.000 Y0.000 Z10.000\nmachine   X5.000 Y0.000 Z10.000\n"
                   "> :step\n" +
                   name +
-                  ":7:5: warning[K5265]: the first cut comes before any tool is called\n"
+                  ":7:5: warning[K5265]: the first cut comes before any tool is in the spindle\n"
                   "   7 | N30 G1 X=IC(2) F200\n     |     ^~\n" +
                   name +
                   ":8: stopped\n   8 | R1=R1+1 R2=R2\n     | ^\n"

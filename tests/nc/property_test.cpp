@@ -472,8 +472,21 @@ void add_centred_rotations(std::vector<Block>& blocks) {
     }
 }
 
+/// Words that the text has for something else: those of the first spindle are read as the ones
+/// without a number (`M1=3` is M3), and I J K are the tool's direction where that is led.
+bool has_other_words(const Block& block) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Invocation& call = block.functions[i];
+        const auto& parameters = info(call.function).parameters;
+        const bool is_of_spindle = !parameters.empty() && parameters[0].name == "spindle";
+        if (is_of_spindle && (call.given & 1u) != 0 && block.argument(call, 0) == 1) return true;
+    }
+    return block.find(Function::TcpVector) != nullptr && (block.given & kCenterSlots) != 0;
+}
+
 void check_nothing_lost(const Dialect& dialect) {
     const Block block = any_crowded_block(dialect);
+    RC_PRE(!has_other_words(block));
     DiagnosticList sink;
     Writer writer(dialect, {.verbose_modal = maybe(), .number_blocks = false}, sink);
     std::string text;

@@ -186,7 +186,7 @@ TEST(Mistakes, Commas) {
          "1:26 K1113 `,` is missing between `0` and `\"text\"`"},
         {"cycle a() { given = 5; x = given 5; }", "1:34 K1114 unexpected `5` behind `given`"},
         {"cycle a() { x := 5; }", "1:15 K1114 unexpected `:` behind `x`"},
-        {"cycle a() { if (a) then M8; }", "1:25 K1114 unexpected `M8` behind `then`"},
+        {"cycle a() { if (a) then M8; }", "1:20 K1114 unexpected `then` behind `)`"},
         {"cycle a() { X10 + 5; }", "1:17 K1114 unexpected `+` behind `X10`"},
         {"cycle a() { G1 X10, Y5; }", "1:19 K1114 unexpected `,` behind `X10`"},
         {"cycle a() { point p = (1, 2); }", "1:25 K1114 unexpected `,` behind `1`"},
