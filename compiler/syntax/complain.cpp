@@ -456,11 +456,14 @@ bool Complaints::explain_closing(const Place& place) {
     if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::Comma) {
         const std::uint32_t begin = stream_.lexeme(place.head_index).begin;
         std::uint32_t end = begin;  // of the type
-        for (std::size_t i = place.head_index; stream_.lexeme(i).token != Token::Identifier; ++i)
-            end = stream_.lexeme(i).end;
-        file_.sink.report(diag::SeveralNames, range)
-            .fix(range, "; " + std::string(file_.text.substr(begin, end - begin)),
-                 "end the declaration and begin another one");
+        std::size_t name = place.head_index;
+        for (; name < place.index && stream_.lexeme(name).token != Token::Identifier; ++name)
+            end = stream_.lexeme(name).end;
+        auto message = file_.sink.report(diag::SeveralNames, range);
+        if (name < place.index) {
+            message.fix(range, "; " + std::string(file_.text.substr(begin, end - begin)),
+                        "end the declaration and begin another one");
+        }
         return true;
     }
     return explain_assignment(place) || explain_comma(place);

@@ -135,8 +135,8 @@ static void say_whose(DiagnosticBuilder& builder, double number, const DialectTa
         const bool has_it = !form.lead.empty() && form.lead[0].kind == FormWord::Kind::Fixed &&
                             form.lead[0].address == word.address && form.lead[0].number == number;
         if (!has_it || form.function != Function::Cycle) continue;
-        file += ", says the forms of `" + tables.cycles[form.cycle].name +
-                "` without `lead=\"" + text + "…\"`";
+        file += ", says the forms of `" + tables.cycles[form.cycle].name + "` without `lead=\"" +
+                text + "…\"`";
         break;
     }
     builder.fix("where `" + text +

