@@ -164,7 +164,11 @@ bool BlockWriter::vanishes(const Block& block) const {
     if (radius < 2 * increment) return true;
     constexpr double kNear = 4;  // increments; no rounding turns longer chords round
     const double text_chord = std::hypot(text_end[0] - text_start[0], text_end[1] - text_start[1]);
-    if (arc->sweep >= std::numbers::pi || text_chord > kNear * increment) return false;
+    if (arc->sweep >= std::numbers::pi) return false;
+    // A line that is nowhere a quarter of an increment beside the arc, where a control would refuse
+    // that because its centre lies aside of the rounded ends.
+    const bool is_flat = chord * chord / (8 * radius) < increment / 4;
+    if (text_chord > kNear * increment) return is_flat && std::isinf(text_error(block, *arc));
     return text_chord < increment / 4 || std::isinf(text_error(block, *arc));
 }
 

@@ -216,8 +216,12 @@ std::string difference(const std::vector<Motion>& motions, const Meant& meant, S
     bool by_radius = false;
     for (const Motion& motion : motions) {
         if (motion.code < 2) {  // too small for an arc
-            if (meant.radius * meant.sweep > 4 * increment && meant.radius > 2 * increment)
-                return "a line";
+            // … or the half of one that is nowhere beside its line.
+            const double part = std::hypot(motion.to[meant.axes[0]] - motion.from[meant.axes[0]],
+                                           motion.to[meant.axes[1]] - motion.from[meant.axes[1]]);
+            const bool is_flat = part * part / (8 * meant.radius) < increment / 3;
+            const bool is_small = meant.radius * meant.sweep <= 4 * increment;
+            if (!is_small && meant.radius > 2 * increment && !is_flat) return "a line";
             return {};
         }
         if ((motion.code == 2) != meant.is_clockwise) return "the wrong way";
