@@ -10,6 +10,7 @@
 namespace kadr::interp {
 
 using nc::Block;
+using nc::Function;
 using nc::Statement;
 
 namespace {
@@ -62,22 +63,31 @@ void Program::State::leave_definition(const Frame& left) {
     variables.share_definitions(variables.main_level());
 }
 
+/// By its head, else by its file.
+std::string Program::State::name_of_definitions() const {
+    if (!frame->unit->name.empty()) return frame->unit->name;
+    return nc::program_of_path(language.calls, frame->unit->text->name, tables.rules.ignores_case);
+}
+
 /// A line that defines something, or the end of the program.
 Program::State::Done Program::State::step_in_definition(Block& out) {
     const LinePosition here = frame->here;
     const Done done = step(out);
-    if (done != Done::Block || frame->is_returning)
-        return done == Done::Block ? Done::Nothing : done;
+    if (done != Done::Block) return done;
+    // Alone it ends as a program does; one that is only read on behind a mistake returns nowhere.
+    const bool is_end = out.find(Function::End) != nullptr;
+    if (is_end && frames.size() == 1) return done;
+    if (is_end || frame->is_returning) return Done::Nothing;
     lines.begin(here.line);
     CompiledLine line;
     line.place = {here, here};
     has_ended = true;
-    return fail(line, diag::DefinitionsOnly, {}, {frame->unit->name});
+    return fail(line, diag::DefinitionsOnly, {}, {name_of_definitions()});
 }
 
 bool Program::State::may_execute(CompiledLine& line, const nc::ControlStatement& statement) {
     if (!frame->is_definition || defines(statement)) return true;
-    fail(line, diag::DefinitionsOnly, statement.span, {frame->unit->name});
+    fail(line, diag::DefinitionsOnly, statement.span, {name_of_definitions()});
     return false;
 }
 

@@ -385,6 +385,8 @@ void Program::State::end_after(Block& block) {
     lines.finish_points();
     due.reset();
     if (frames.size() == 1) return;
+    // The main program knows what is defined, whatever is wrong beside it.
+    if (frame->is_definition) variables.share_definitions(variables.main_level());
     // Behind the main program's part that was executed there may be more of it.
     frames.resize(1);
     resume_frame(*frames[0]);

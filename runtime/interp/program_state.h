@@ -289,6 +289,7 @@ struct Program::State {
     void begin_main();
     void begin_definitions();
     void leave_definition(const Frame& left);
+    std::string name_of_definitions() const;
     Done step_in_definition(nc::Block& out);
     // program_inputs.cpp
     void begin_inputs();

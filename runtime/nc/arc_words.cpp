@@ -99,15 +99,14 @@ TracedArc traced_arc(const ArcPoints& arc, const PlanePoint& center, bool is_clo
         // Left of the chord, or right of it, as the centre of the words is.
         const double side =
             half[0] * (center[1] - middle[1]) - half[1] * (center[0] - middle[0]) < 0 ? -1 : 1;
-        const PlanePoint said = center;
         traced.center = {middle[0] - side * height * half[1], middle[1] + side * height * half[0]};
         traced.start_radius = traced.end_radius = radius;
         const PlanePoint& start = arc.text_start;
-        const double turned = std::fabs(
-            std::remainder(std::atan2(said[1] - start[1], said[0] - start[0]) -
-                               std::atan2(traced.center[1] - start[1], traced.center[0] - start[0]),
-                           kTurn));
-        traced.is_refused = turned > kMostShift;
+        const PlanePoint said = {center[0] - start[0], center[1] - start[1]};
+        const PlanePoint moved = {traced.center[0] - start[0], traced.center[1] - start[1]};
+        const double sine = said[0] * moved[1] - said[1] * moved[0];
+        const double cosine = said[0] * moved[0] + said[1] * moved[1];
+        traced.is_refused = std::fabs(sine) > std::tan(kMostShift) * cosine;
     }
     traced.sweep = sweep_angle(arc.text_start, arc.text_end, traced.center, is_clockwise);
     return traced;

@@ -259,6 +259,40 @@ TEST_F(Files, GrowUpToTheLimit) {
     EXPECT_EQ(kadr({"expand", file("parts/part.kadr"), "--max-output", "1kB"}).status, 1);
 }
 
+// Definitions that are checked by themselves, and a mistake in them: at its place alone.
+TEST_F(Files, OfDefinitionsAreCheckedByThemselves) {
+    const auto check = [&](const std::string& text, const std::string& name) {
+        save("parts/UGUD.DEF", text);
+        return kadr({"check", file("parts/" + name), "-d", "sinumerik"}).err;
+    };
+    save("parts/main.mpf", "QQ=3\nM30\n");
+    for (const char* head : {"", "%_N_UGUD_DEF\n"}) {
+        EXPECT_EQ(check(std::string(head) + "DEF NCK REAL QQ\nM17\n", "UGUD.DEF"), "");
+        const std::string moves =
+            check(std::string(head) + "DEF NCK REAL QQ\nR1=5\nM17\n", "UGUD.DEF");
+        EXPECT_NE(moves.find("`UGUD` holds definitions"), std::string::npos) << moves;
+    }
+    for (const char* name : {"UGUD.DEF", "main.mpf"}) {
+        const std::string said = check("DEF NCK REAL QQ\nDEF NCK FOO WW\nM17\n", name);
+        EXPECT_NE(said.find("UGUD.DEF:2:9: alarm[12080]"), std::string::npos) << said;
+        EXPECT_EQ(said.find("15180"), std::string::npos) << said;
+        EXPECT_EQ(said.find("`QQ`"), std::string::npos) << said;
+    }
+}
+
+// A control that nobody can tell inches gets no program in inches.
+TEST_F(Files, OfDialectsWithoutInchesRefuseThem) {
+    save("own.xml",
+         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<dialect name=\"own\" extends=\"iso\""
+         " title=\"own\" suffix=\"nc\"><remove commands=\"inch\"/></dialect>\n");
+    save("parts/part.kadr", "units inch; program p() { G0 X1; }\n");
+    const ProcessResult result =
+        kadr({"expand", file("parts/part.kadr"), "-d", file("own.xml"), "-o", file("out.nc")});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("K4201"), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(file("out.nc")));
+}
+
 // A drawing of a dwell of a hundred years is as quick as one of a second.
 TEST_F(Files, OfLongWaitsAreDrawnAtOnce) {
     save("parts/wait.mpf", "G0 X10\nG4 F3000000000\nG0 X20\nM30\n");
