@@ -21,6 +21,9 @@ constexpr double kPi = std::numbers::pi;
 /// nearer to the axis R1 than the second number is a matter of the pole.
 constexpr double kMeeting = 1e-7;
 constexpr double kAwayFromPole = 1e-6;
+/// At the pole the angle of R2 keeps its digits, and R2 would jump where it lost them: a smaller
+/// one is the rounding of a direction.
+constexpr double kNoOpening = 1e-11;
 
 /// Below this the matrix from R1, R2 to the direction of the tool has no inverse.
 constexpr double kSingular = 1e-9;
@@ -259,7 +262,7 @@ Result<Solutions, ReachFault> solve_pair(const Chain& chain, const Vec3& directi
     const bool is_equator = sine > kAwayFromPole && opening.turn.sine < kMeeting;
     if (is_equator || is_pole) {
         const bool is_far = opening.turn.cosine < 0;
-        if (is_equator || opening.turn.sine < kMeeting)
+        if (is_equator || opening.turn.sine < kNoOpening)
             opening = {is_far ? kPi : 0, {0, is_far ? -1.0 : 1.0}};
     }
     Solutions solutions;

@@ -402,6 +402,24 @@ TEST(Transformed, AxesKeepTheirAccelerationWhereTheyStopNearThePole) {
     }
 }
 
+/// Case 7 (motion.md): R2 leaves the pole with the first tick, however fine it is, and not when the
+/// tool is 1e-9 rad beside it.
+TEST(Transformed, AxesLeaveThePoleWithoutAJumpAtFineTicks) {
+    for (const double tick : {1e-3, 0.5e-3, 0.25e-3}) {
+        machine::Machine machine = table_table(0.05);
+        machine.tick = tick;
+        Program program(machine);
+        program.go_fast({0, 0, 0}, direction(0, 0));
+        program.go({10, 10, -50}, direction(45, 6), 5000);
+        program.go({20, 0, -40}, direction(0, 0), 5000);
+        const Motion motion = run(machine, program.commands);
+        TickWatch watch(machine, motion.segments);
+        for (const Setpoint& setpoint : sample(machine, program.commands)) watch.add(setpoint);
+        EXPECT_LT(watch.shares().acceleration, 1.001) << tick;
+        EXPECT_LT(watch.shares().jerk, 1.1) << tick;
+    }
+}
+
 /// What a setpoint shows against a course along a line: the tip on it, the tool as the mathematics
 /// say, by formulas of their own.
 struct Led {
