@@ -426,13 +426,21 @@ std::size_t Execution::pull(std::span<path::Command> out) {
 
 void Execution::read_rest() {
     reader_->check_only();
+    read_on(has_stopped_ || interpreter_->alarmed());
+    // To what was jumped over nothing has led, whatever has stopped the run.
+    while (reader_->check_skipped()) read_on(false);
+}
+
+/// Reads what is left for its mistakes.
+void Execution::read_on(bool is_reached) {
     std::vector<nc::Block> batch(kBatch);
-    bool is_more = true;
-    while (is_more) {
-        if (!has_stopped_ && !interpreter_->alarmed()) held_->soften();
-        is_more = tagged_->pull(batch) > 0;
-    }
-    if (!has_stopped_ && !interpreter_->alarmed()) held_->soften();
+    const auto soften = [&] {
+        if (!is_reached) held_->soften();
+    };
+    do {
+        soften();
+    } while (tagged_->pull(batch) > 0);
+    soften();
     held_->release();
 }
 

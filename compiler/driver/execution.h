@@ -138,6 +138,7 @@ class Execution final : public Stream<path::Command> {
     void connect_with_library();
     void connect(DiagnosticSink& sink);
     bool came_too_late();
+    void read_on(bool is_reached);
     LinePlace shown_place(std::uint32_t line, std::optional<Axis> axis) const;
 
     Session& session_;

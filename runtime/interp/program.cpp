@@ -203,6 +203,10 @@ Program::State::Done Program::State::step(Block& out) {
     if (frame->at_places && !is_only_checking) return go_on_at_places(out);
     if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
     if (frame->is_returning) return finish_return(out);
+    if (skipped_end && frame->here.offset >= *skipped_end) {
+        has_ended = true;
+        return Done::Nothing;
+    }
     if (lines.has_ended()) return end_of_text();
     if (frame->here.offset >= frontier().offset) return first_time(out);
     CompiledLine* const line =
@@ -251,6 +255,7 @@ Program::State::Done Program::State::first_time(Block& out) {
         if (lines.failed()) return Done::Nothing;  // said at the jump
         return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(frame->here.line)});
     }
+    if (frame->here.offset != frontier().offset) note_skipped();
     std::string_view text;
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
@@ -329,6 +334,26 @@ Program::State::Done Program::State::end_of_text() {
     resume_frame(*frame);
     if (!is_more) has_ended = true;
     return Done::Nothing;
+}
+
+void Program::State::note_skipped() {
+    const bool is_main = frame->unit == &units.main() && !is_only_checking;
+    if (is_main) skipped.add(frontier(), frame->here.offset);
+}
+
+bool Program::State::check_skipped() {
+    const std::optional<SkippedText::Part> part = skipped.take_first();
+    if (!part || was_stopped) return false;
+    if (!variables_at_end) variables_at_end = variables.list();
+    frames.resize(1);
+    if (!frames[0]->is_called) frames[0]->level = &variables.main_level();
+    frames[0]->text.has_ended = false;
+    resume_frame(*frames[0]);
+    frame->here = part->begin;
+    frame->next_line = nullptr;
+    skipped_end = part->end;
+    has_ended = false;
+    return true;
 }
 
 /// Gives the block the number of the call that its program runs in.
@@ -457,6 +482,7 @@ CompiledLine* Program::State::line_at(const LinePosition& position) {
     line->text = with_macros(text);
     if (watch != nullptr && line->text != text) line->as_written = text;
     line->place = {position, {source().offset(), position.line + 1}};
+    if (frame->unit == &units.main()) skipped.take_out(position, line->place.next);
     line->kind = CompiledLine::Kind::New;
     line->next = nullptr;
     if (is_there) return line;
@@ -824,6 +850,7 @@ Program::Program(const nc::Dialect& dialect, nc::TextSource& text, std::string n
 Program::~Program() = default;
 
 void Program::check_only() { state_->is_only_checking = true; }
+bool Program::check_skipped() { return state_->check_skipped(); }
 void Program::follow(ControlState& state) {
     state_->interpreter = &state;
     state_->variables.follow(state);

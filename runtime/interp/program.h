@@ -90,6 +90,9 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
 
     /// From here on lines are only read, for their mistakes: nothing is worked out, no jump goes.
     void check_only();
+    /// Behind the end, and behind check_only(): goes to the first part of the main program that a
+    /// jump has passed over. False if there is none left.
+    bool check_skipped();
     /// Messages come later than usual: so many lines (ProgramOptions::kept_lines) are kept for
     /// them.
     void keep_lines(std::size_t lines);

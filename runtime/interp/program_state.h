@@ -20,6 +20,7 @@
 #include "interp/program.h"
 #include "interp/program_units.h"
 #include "interp/recent_calls.h"
+#include "interp/skipped_text.h"
 #include "interp/text_macros.h"
 #include "nc/kept_lines.h"
 #include "nc/line_reader.h"
@@ -265,6 +266,8 @@ struct Program::State {
     bool has_begun = false;
     bool has_ended = false;
     bool is_printer_open = false;
+    SkippedText skipped;                       // of the main program
+    std::optional<std::uint64_t> skipped_end;  // of the part of it that is read for its mistakes
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_ends;         // likewise
     std::set<std::pair<const ProgramUnit*, LineTarget>> said_twice;
@@ -332,6 +335,8 @@ struct Program::State {
     NamedContour contour_of(const nc::Block& block) const;
     void follow_named_shape(const nc::Block& block, std::string_view text, const Place& place);
     Done end_of_text();
+    void note_skipped();
+    bool check_skipped();
     void advance();
     Done read_words(CompiledLine& line, nc::Block& out);
     Done set_axes(CompiledLine& line);

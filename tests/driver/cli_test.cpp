@@ -259,7 +259,11 @@ TEST_F(CommandLine, WhatStandsBehindTheEndIsWrongOnlyIfItIsReached) {
     for (const Row& row :
          {Row{"behind.mpf", "R1=2\nIF R1==1 GOTOF LAB2\nM30\nLAB2: FOOBAR(1)\nG1 X==\nM30\n",
               "sinumerik", 4},
-          Row{"behind.nc", "O1\n#1=2\nIF[#1EQ1]GOTO9\nM30\nN9 G01 X\nM30\n", "fanuc", 5}}) {
+          Row{"behind.nc", "O1\n#1=2\nIF[#1EQ1]GOTO9\nM30\nN9 G01 X\nM30\n", "fanuc", 5},
+          Row{"over.mpf", "R1=2\nGOTOF LAB2\nFOOBAR(1)\nLAB2: G0 X1\nM30\n", "sinumerik", 3},
+          Row{"branch.mpf", "IF R1==1\nG1 X==\nELSE\nG0 X1\nENDIF\nM30\n", "sinumerik", 2},
+          Row{"over.nc", "O1\nG0 X1\nGOTO9\nG01 X\nN9 M30\n%\n", "fanuc", 4},
+          Row{"never.nc", "O1\nWHILE[#100GT5]DO1\nG01 X\nEND1\nM30\n", "fanuc", 3}}) {
         SCOPED_TRACE(row.name);
         save(row.name, row.text);
         const std::string place = file(row.name) + ':' + std::to_string(row.line) + ':';
@@ -272,6 +276,12 @@ TEST_F(CommandLine, WhatStandsBehindTheEndIsWrongOnlyIfItIsReached) {
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_EQ(run.err.find(place), std::string::npos) << run.err;
     }
+    // What runs later is no text that is passed over.
+    save("later.mpf",
+         "R1=0\nAGAIN:\nIF R1==0 GOTOF OVER\nSTOPRE\nG1 X=R2+1 F5\nOVER:\nR1=R1+1\n"
+         "IF R1<3 GOTOB AGAIN\nM30\n");
+    const ProcessResult later = kadr({"check", file("later.mpf"), "-d", "sinumerik"});
+    EXPECT_EQ(later.err.find("K5921"), std::string::npos) << later.err;
     // In front of the end it is a mistake, and so is what stands behind that.
     save("before.mpf", "G1 X==\nFOOBAR(1)\nM30\nFOOBAR(2)\n");
     const ProcessResult checked = kadr({"check", file("before.mpf"), "-d", "sinumerik"});
