@@ -79,6 +79,30 @@ void Executor::take_letter(const Block& block, ModalCycle& call) const {
     }
 }
 
+namespace {
+
+/// Whether a call says one of the words without which a modal cycle drills no hole.
+///
+/// source  F 5.1: a block drills with any of X, Y, Z, R or of another axis
+bool names_place(const Block& block, const ModalCycle& call, const nc::CycleInfo::Roles& roles) {
+    const auto says = [&](int parameter) {
+        return parameter >= 0 && ((call.given & ~call.by_form) >> parameter & 1u) != 0;
+    };
+    return (block.given & (nc::kTargetSlots | bit(Slot::Radius))) != 0 || says(roles.depth) ||
+           says(roles.retract);
+}
+
+/// What a block that drills no hole says of strokes and dwells is not stored (F 5.1).
+void forget_words(ModalCycle& call, const nc::CycleInfo::Roles& roles) {
+    for (const int parameter : {roles.stroke, roles.shift, roles.dwell}) {
+        if (parameter < 0 || (call.by_form >> parameter & 1u) != 0) continue;
+        call.given &= ~(std::uint32_t{1} << parameter);
+        call.arguments[static_cast<std::size_t>(parameter)] = 0;
+    }
+}
+
+}  // namespace
+
 /// Whether further axis words repeat the cycle, so that its words stay in force.
 bool Executor::is_modal(nc::CycleId cycle) const {
     return rules_.modal_cycles && dialect_.cycles()[cycle].is_modal;
@@ -125,6 +149,11 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         if (!cycles_said_.modal.is_active) {
             cycles_said_.data = {};
             cycles_said_.data.initial = position_.here[index(tool_axis)];
+        }
+        if (info.roles.depth >= 0 && !names_place(block, call, info.roles)) {
+            forget_words(call, info.roles);
+            cycles_said_.modal = call;
+            return;
         }
         keep_call(call);
         if (info.roles.depth >= 0) keep_levels(block);
