@@ -651,7 +651,9 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
                                                 : meaning / scale);
         return true;
     }
-    if (points_.is_open() && is_place(claim)) watch_point(claim, line);
+    // What a block sets for cycles behind it are strokes and allowances: `G71 U2000 R500`.
+    const bool is_preset = invocation->function == Function::CyclePreset;
+    if (points_.is_open() && !is_preset && is_place(claim)) watch_point(claim, line);
     const double scaled = meaning / text_scale(claim.dimension, units_, false);
     block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / factor);
     return true;
