@@ -78,6 +78,7 @@ Variables::Answer ControlVariables::read_bits(std::uint32_t form, const Variable
     std::uint32_t bits = 0;
     // Of inputs that nobody has told the number is told that the program reads, and not each.
     bool is_missing = false;
+    bool is_given = false;
     const auto tell = std::exchange(
         tell_missing_, [&](const std::string&, const std::string&) { is_missing = true; });
     Answer answered = Answer::Value;
@@ -85,10 +86,11 @@ Variables::Answer ControlVariables::read_bits(std::uint32_t form, const Variable
         Value bit;
         answered = family(form, first + i, bit);
         if (bit.number != 0) bits |= std::uint32_t{1} << i;
+        is_given |= machine_values_.contains(name_of(language_.variables[form], first + i));
     }
     tell_missing_ = tell;
     if (answered != Answer::Value) return answered;
-    if (is_missing && tell_missing_)
+    if (is_missing && !is_given && tell_missing_)
         tell_missing_(name_of(language_.variables[form], number), range.meaning);
     out = Value::of(static_cast<std::int32_t>(bits), range.type);
     return Answer::Value;

@@ -5,6 +5,7 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/driver.h"
 #include "interp/program_state.h"
+#include "nc/control_words.h"
 
 namespace kadr::interp {
 
@@ -26,12 +27,22 @@ std::string call_line(const nc::CallLanguage& calls, std::string_view arguments)
         return std::string(kNamed) +
                std::string(bracket < arguments.size() ? arguments.substr(bracket) : "");
     }
+    if (bracket < arguments.size()) return {};  // a comment, where no call has a list
     const auto macro = std::ranges::find_if(calls.calls, [](const CallForm& form) {
         return form.kind == CallForm::Kind::Macro && form.modal == CallForm::Modal::None &&
                form.program != '\0' && !form.is_name && !form.any_number && form.fixed.empty();
     });
     if (macro == calls.calls.end()) return {};
     return macro->code + ' ' + macro->program + "1 " + std::string(arguments);
+}
+
+/// The name in front of the list of arguments; empty: there is none.
+std::string_view called_name(std::string_view arguments) {
+    const std::size_t first = arguments.find_first_not_of(" \t");
+    const std::size_t bracket = arguments.find('(');
+    if (first >= bracket || bracket == std::string_view::npos) return {};
+    const std::string_view name = arguments.substr(first, bracket - first);
+    return name.substr(0, name.find_last_not_of(" \t") + 1);
 }
 
 }  // namespace
@@ -54,7 +65,7 @@ Program::State::Done Program::State::begin_with_arguments() {
         const bool is_told = !heard.all().empty();
         sink.report(diag::CallWrong, is_told ? heard.all()[0].line.value_or(place) : place)
             .arg(is_told ? heard.all()[0].message()
-                         : std::string("the control calls no program with arguments"));
+                         : std::string("`" + *options.call + "` is no list of arguments here"));
         lines.note_fault();
         has_ended = true;
     }
@@ -83,6 +94,11 @@ Program::State::Done Program::State::prepare_arguments(CompiledLine& line) {
         return Done::Nothing;
     }
     units.look_for_main_head();
+    const nc::ControlStatement* const head = units.main().procedure();
+    const std::string name(called_name(*options.call));
+    const bool is_same =
+        name.empty() || head == nullptr || nc::ControlWords(tables, name).is_same(name, head->name);
+    if (!is_same) return fail(line, diag::ProgramMissing, {0, 1}, {'`' + name + '`'});
     const Done done = prepare_list(line, words, call);
     if (done == Done::Wait || lines.failed()) return done;
     return bind_parameters(line, call, *frame);

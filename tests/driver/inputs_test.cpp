@@ -690,6 +690,8 @@ TEST_F(Inputs, WrongCallsAreTold) {
              Wrong{"sinumerik", "PROC P(INT NUM)\nRET\n", "(1,2)"},
              Wrong{"sinumerik", "PROC P(INT NUM)\nRET\n", "(\"a\")"},
              Wrong{"sinumerik", "G0 X1\nM30\n", "(1)"},
+             Wrong{"sinumerik", "PROC P(INT NUM)\nRET\n", "OTHER(1)"},
+             Wrong{"fanuc", "%\nO1\nM99\n%\n", "(1,2)"},
          }) {
         SCOPED_TRACE(row.call);
         const Ran ran = run(row.dialect, row.text, {"--call", row.call});
