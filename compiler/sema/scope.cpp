@@ -302,7 +302,10 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         builder.note(range, "it is used in its own value, before it has one");
         return;
     }
-    if (const std::string word = upper_ascii(name); is_numbered_word(word)) {
+    // R1 is a variable of a control, and no word of a block.
+    const std::string word = upper_ascii(name);
+    const bool is_parameter = is_numbered_word(word) && word[0] == 'R';
+    if (is_numbered_word(word) && !is_parameter) {
         builder.fix(range, word, "words of blocks are written in upper case");
         return;
     }
@@ -321,7 +324,7 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         return;
     }
     // Every letter is near to every other.
-    if (count_code_points(name) == 1) {
+    if (count_code_points(name) == 1 || is_parameter) {
         builder.fix("declare it first, with its type");
         return;
     }
