@@ -322,11 +322,18 @@ Program::State::Done Program::State::end_of_text() {
         has_ended = true;
         return Done::Nothing;
     }
-    std::string_view line;
-    bool is_too_long = false;
-    const bool is_more = source().next(line, is_too_long);
+    // Where a sign ends the text its head follows; `%_N_SUB_SPF` is both.
+    const bool is_head =
+        nc::program_of_header(language.calls, scratch.text, tables.rules.ignores_case).has_value();
+    bool is_more = true;
+    if (!is_head) {
+        std::string_view line;
+        bool is_too_long = false;
+        is_more = source().next(line, is_too_long);
+        frame->here = {source().offset(), frame->here.line + 1};
+    }
     frame->text.has_content = frame->text.has_ended = false;
-    frame->here = frontier() = {source().offset(), frame->here.line + 1};
+    frontier() = frame->here;
     if (!variables_at_end) variables_at_end = variables.list();
     frame->own_level = variables.new_level();
     frame->level = frame->own_level.get();

@@ -315,6 +315,8 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
         Done done = Done::Nothing;
         if (declaration.sizes[i].is_given()) done = evaluate(line, declaration.sizes[i], length);
         if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        // Where lines are only read nobody has given the parameters a value.
+        if (is_only_checking && !(length.number >= 1)) length = Value::real(1);
         count *= length.number;
         if (!(length.number >= 1) || count > 1e6) {
             return fail(line, diag::SizeWrong, declaration.sizes[i].span,

@@ -276,6 +276,12 @@ TEST_F(CommandLine, WhatStandsBehindTheEndIsWrongOnlyIfItIsReached) {
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_EQ(run.err.find(place), std::string::npos) << run.err;
     }
+    // A subprogram behind knows its parameters, whatever they will be.
+    save("behind_sub.mpf",
+         "G0 X8\nM30\n%_N_SUB_SPF\nPROC SUB(AXIS AA1, INT BB1)\nDEF REAL CC1[BB1]\n"
+         "R1=$P_EP[AA1]+CC1[0]\nRET\n");
+    const ProcessResult sub = kadr({"check", file("behind_sub.mpf"), "-d", "sinumerik"});
+    EXPECT_EQ(sub.err.find("K5921"), std::string::npos) << sub.err;
     // What runs later is no text that is passed over.
     save("later.mpf",
          "R1=0\nAGAIN:\nIF R1==0 GOTOF OVER\nSTOPRE\nG1 X=R2+1 F5\nOVER:\nR1=R1+1\n"
