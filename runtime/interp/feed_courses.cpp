@@ -51,6 +51,7 @@ std::size_t FeedCourses::pull(std::span<Command> out) {
     if (taken_ == held_.size()) {
         held_.clear();
         taken_ = ready_ = 0;
+        if (is_drained_) return 0;
         written = commands_.pull(out);
         std::size_t plain = written;
         if (has_course_()) {
@@ -170,8 +171,7 @@ void FeedCourses::settle_block(const Run& run) {
     const Reached behind{command.feed, command.feed_mode,
                          is_tangent ? (feed[1] + 2 * feed[2] + 3 * feed[3]) / run.length : 0,
                          is_tangent};
-    lay(run, feed);
-    reached_ = behind;
+    if (lay(run, feed)) reached_ = behind;
 }
 
 /// The blocks of a spline, as many as are settled at once: its slopes by those that come behind.
@@ -215,14 +215,16 @@ void FeedCourses::settle_spline(const Run& first) {
         const double rise = nodes[k + 1].position[0] - nodes[k].position[0];
         const double m0 = h * slopes[k][0];
         const double m1 = h * slopes[k + 1][0];
-        lay(runs[k], {nodes[k].position[0], m0, 3 * rise - 2 * m0 - m1, m0 + m1 - 2 * rise});
+        if (!lay(runs[k], {nodes[k].position[0], m0, 3 * rise - 2 * m0 - m1, m0 + m1 - 2 * rise}))
+            return;
         // What comes behind begins as if the spline had been one.
         reached_ = {nodes[k + 1].position[0], mode, slopes[k + 1][0], is_open};
     }
 }
 
-/// The motions of a block have this feed over the way of all of them, and may go out.
-void FeedCourses::lay(const Run& run, const FeedPolynomial& feed) {
+/// The motions of a block have this feed over the way of all of them, and may go out. False: the
+/// feed falls to 0, which was told, and nothing is held from there on.
+bool FeedCourses::lay(const Run& run, const FeedPolynomial& feed) {
     const double lowest = path::feed_range(feed, 0, 1).least;
     double way = 0;
     for (std::size_t i = ready_; i < run.end; ++i) {
@@ -233,7 +235,7 @@ void FeedCourses::lay(const Run& run, const FeedPolynomial& feed) {
             held_.resize(i);
             is_drained_ = true;
             ready_ = i;
-            return;
+            return false;
         }
         const double length = length_of(command, at_);
         const double from = run.length > 0 ? way / run.length : 0;
@@ -247,6 +249,7 @@ void FeedCourses::lay(const Run& run, const FeedPolynomial& feed) {
         at_ = command.to;
     }
     ready_ = run.end;
+    return true;
 }
 
 }  // namespace kadr::interp

@@ -51,7 +51,7 @@ class FeedCourses {
     void note(const path::Command& command);
     void settle_block(const Run& run);
     void settle_spline(const Run& first);
-    void lay(const Run& run, const path::FeedPolynomial& feed);
+    [[nodiscard]] bool lay(const Run& run, const path::FeedPolynomial& feed);
     path::FeedPolynomial polynomial_of(const Run& run, double from) const;
     double length_of(const path::Command& command, const AxisValues& from) const;
     bool continues(const path::Command& command, const path::Command& next) const;
