@@ -90,6 +90,13 @@ void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& a
     attributes.read_number(element, "most", numbers.most);
 }
 
+/// A sign that would end a comment and of which the dialect says nothing.
+void replace_by_itself(char sign, CommentStyle& style) {
+    const bool is_said = std::ranges::any_of(
+        style.replacements, [sign](const auto& pair) { return pair.first == sign; });
+    if (!is_said) style.replacements.emplace_back(sign, sign == ']' ? ")" : "]");
+}
+
 void load_comment(const XmlElement& element, CommentStyle& style, Attributes& attributes) {
     style.open = needed(element, "open").value;
     style.close.clear();
@@ -106,6 +113,7 @@ void load_comment(const XmlElement& element, CommentStyle& style, Attributes& at
             attributes.bad_value(character, "one ASCII character is expected");
         }
     }
+    if (style.close.size() == 1) replace_by_itself(style.close[0], style);
 }
 
 namespace {

@@ -14,6 +14,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "nc/check.h"
+#include "nc/comment_text.h"
 #include "nc/lint.h"
 #include "nc/statement_holes.h"
 #include "nc/tables.h"
@@ -206,6 +207,18 @@ TEST(Load, UnitsThatNoStartLineSaysAreWritten) {
         DiagnosticList frame;
         check_frame(*loaded.dialect, frame);
         EXPECT_EQ(codes(frame), "");
+    }
+}
+
+/// A sign that would end a comment is replaced, whether the dialect says by what or not.
+TEST(Load, TheEndOfACommentIsNotInIt) {
+    for (const auto& [said, written] :
+         {std::pair{"", "a]b"}, std::pair{"<replace character=\"&gt;\" by=\"-\"/>", "a-b"}}) {
+        Loaded loaded;
+        load(loaded,
+             with(std::string("<comment open=\"&lt;\" close=\"&gt;\">") + said + "</comment>"));
+        ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
+        EXPECT_EQ(comment_text("a>b", loaded.dialect->tables().comment), written);
     }
 }
 
