@@ -153,7 +153,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         if (info.roles.depth >= 0 && !names_place(block, call, info.roles)) {
             forget_words(call, info.roles);
             cycles_said_.modal = call;
-            return;
+            return warn_levels(block);
         }
         keep_call(call);
         if (info.roles.depth >= 0) keep_levels(block);

@@ -91,7 +91,7 @@ void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& a
 }
 
 /// A sign that would end a comment and of which the dialect says nothing.
-void replace_by_itself(char sign, CommentStyle& style) {
+void replace_unless_said(char sign, CommentStyle& style) {
     const bool is_said = std::ranges::any_of(
         style.replacements, [sign](const auto& pair) { return pair.first == sign; });
     if (!is_said) style.replacements.emplace_back(sign, sign == ']' ? ")" : "]");
@@ -113,7 +113,7 @@ void load_comment(const XmlElement& element, CommentStyle& style, Attributes& at
             attributes.bad_value(character, "one ASCII character is expected");
         }
     }
-    if (style.close.size() == 1) replace_by_itself(style.close[0], style);
+    if (style.close.size() == 1) replace_unless_said(style.close[0], style);
 }
 
 namespace {

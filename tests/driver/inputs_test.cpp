@@ -642,6 +642,17 @@ TEST_F(Inputs, TheLibrarysProbingFindsABore) {
     }
 }
 
+/// Inputs that are read as one number are missing if none of them was given.
+TEST_F(Inputs, AreReadAsOneNumber) {
+    const std::string program = "%\nO1\n#100=#1032\nM30\n%\n";
+    const Ran given = run("fanuc", program, {"--set", "#1000=1", "--set", "#1003=1"});
+    EXPECT_EQ(number(given, "#100"), 9);
+    EXPECT_EQ(given.result.err.find("K5950"), std::string::npos) << given.result.err;
+    const Ran missing = run("fanuc", program, {});
+    EXPECT_EQ(number(missing, "#100"), 0);
+    EXPECT_NE(missing.result.err.find("K5950"), std::string::npos) << missing.result.err;
+}
+
 // ------------------------------------------------------------------------------ calls
 
 /// fanuc.md 16: as G65 would call it.
