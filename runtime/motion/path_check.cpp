@@ -43,6 +43,12 @@ constexpr double kBehind = 8;
 /// A path may be so much longer than the way that the tip takes within the tolerance of it.
 constexpr double kLonger = 2;
 
+/// Near the beginning of a reach.
+Nearness nearest_on_first(const machine::Chain& chain, const ProgrammedMotion& motion,
+                          const StandingTool& tool, const Reach& reach) {
+    return nearest_on(chain, motion, tool, reach.from);
+}
+
 bool keeps(const ProgrammedMotion& motion, const Nearness& near) {
     return near.distance <= motion.tolerance && near.lean <= near.lean_allowed &&
            near.off <= near.off_allowed;
@@ -223,19 +229,29 @@ struct PathCheck::State {
         in_a_tick = std::sqrt(square) * tick * tick;
     }
 
+    struct Found {
+        std::size_t at;
+        Nearness near;
+    };
+    struct Nearest {
+        const Waiting* motion = nullptr;
+        Nearness near;
+    };
+
     bool follow(const Setpoint& setpoint);
     bool is_on_straight();
     const ProgrammedMotion& motion_at(std::size_t i);
     bool go_on();
     bool search();
-    bool stand(std::size_t at, const Nearness& near);
-    bool leaves_out(std::size_t at);
+    std::optional<Found> find(bool is_thorough, Nearest& nearest);
+    std::optional<PathDeviation> left_out_before(std::size_t at);
     void take();
     const StandingTool& tool_for(const ProgrammedMotion& motion);
     double reach() const;
     void stay(double at, const Vec3& tip_now);
     void leave(std::size_t at, double there);
-    void fail(PathFault fault, const Waiting& waiting, double distance, double allowed);
+    PathDeviation deviation_of(PathFault fault, const Waiting& waiting, double distance,
+                               double allowed) const;
     void fail_near(const Waiting& waiting, const Nearness& near);
 
     const machine::Machine& machine;
@@ -306,17 +322,17 @@ void PathCheck::State::leave(std::size_t at, double there) {
     place = there;
 }
 
-void PathCheck::State::fail(PathFault fault, const Waiting& waiting, double distance,
-                            double allowed) {
-    deviation = PathDeviation{fault, distance, allowed, time, {waiting.line, waiting.source, {}}};
+PathDeviation PathCheck::State::deviation_of(PathFault fault, const Waiting& waiting,
+                                             double distance, double allowed) const {
+    return {fault, distance, allowed, time, {waiting.line, waiting.source, {}}};
 }
 
 void PathCheck::State::fail_near(const Waiting& waiting, const Nearness& near) {
     if (near.distance > waiting.tolerance)
-        return fail(PathFault::Tip, waiting, near.distance, waiting.tolerance);
-    if (near.lean > near.lean_allowed)
-        return fail(PathFault::Tool, waiting, near.lean, near.lean_allowed);
-    fail(PathFault::Followers, waiting, near.off, near.off_allowed);
+        deviation = deviation_of(PathFault::Tip, waiting, near.distance, waiting.tolerance);
+    else if (near.lean > near.lean_allowed)
+        deviation = deviation_of(PathFault::Tool, waiting, near.lean, near.lean_allowed);
+    else deviation = deviation_of(PathFault::Followers, waiting, near.off, near.off_allowed);
 }
 
 bool PathCheck::State::follow(const Setpoint& next) {
@@ -389,49 +405,59 @@ bool PathCheck::State::go_on() {
 }
 
 /// On one of the next motions, as far as the tip may have come; then also where a motion comes near
-/// once more.
+/// once more. That is looked for as well where an end would be left out else: the tip may be on an
+/// earlier motion that has turned back.
 bool PathCheck::State::search() {
-    const Waiting* best = nullptr;
-    Nearness nearest;
-    double behind = kBehind * motions[0].tolerance + kLonger * aside;
-    for (const bool is_thorough : {false, true}) {
-        double passed = 0;
-        for (std::size_t i = 0; i < motions.size(); ++i) {
-            const ProgrammedMotion& motion = motion_at(i);
-            const StandingTool& there = tool_for(motion);
-            const double from = i == 0 ? place : 0;
-            const bool was_seen = i == 0 && !is_thorough;
-            if (!was_seen) {
-                const double ahead = kLonger * reach() + behind;
-                const Nearness near = is_thorough
-                                          ? nearest_on_rest(*chain, motion, there, {from, ahead})
-                                          : nearest_on(*chain, motion, there, from);
-                if (keeps(motion, near)) return stand(i, near);
-                if (best == nullptr || near.distance < nearest.distance) {
-                    best = &motions[i];
-                    nearest = near;
-                }
-            }
-            behind = std::max(behind, kBehind * motion.tolerance + kLonger * aside);
-            // What is left of the first one is not known in mm; it may be nothing.
-            if (i > 0 && !motion.way.turns_only) passed += motion.length;
-            if (passed > kLonger * reach() + behind) break;
-        }
+    Nearest nearest;
+    auto found = find(false, nearest);
+    auto left_out = found ? left_out_before(found->at) : std::nullopt;
+    if (!found || left_out) {
+        found = find(true, nearest);
+        left_out = found ? left_out_before(found->at) : std::nullopt;
     }
-    fail_near(*best, nearest);
-    return false;
-}
-
-/// The tip is on the motion at `at`; those before it are through.
-bool PathCheck::State::stand(std::size_t at, const Nearness& near) {
-    if (has_begun && leaves_out(at)) return false;
-    if (at == 0) stay(near.place, tool.tip);
-    else leave(at, near.place);
+    if (!found) {
+        fail_near(*nearest.motion, nearest.near);
+        return false;
+    }
+    if (left_out) {
+        deviation = left_out;
+        return false;
+    }
+    if (found->at == 0) stay(found->near.place, tool.tip);
+    else leave(found->at, found->near.place);
     return true;
 }
 
-/// Whether an end of a motion that is through is not between the setpoint and the one before.
-bool PathCheck::State::leaves_out(std::size_t at) {
+/// The first motion that the tip keeps to; `nearest` is where it is nearest else. Thorough: all of
+/// each motion is looked at.
+std::optional<PathCheck::State::Found> PathCheck::State::find(bool is_thorough, Nearest& nearest) {
+    double behind = kBehind * motions[0].tolerance + kLonger * aside;
+    double passed = 0;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const ProgrammedMotion& motion = motion_at(i);
+        const StandingTool& there = tool_for(motion);
+        const double ahead = kLonger * reach() + behind;
+        const Reach within{i == 0 ? place : 0, ahead};
+        const auto look = is_thorough ? nearest_on_rest
+                          : i == 0    ? nearest_from_behind  // go_on has looked from here on
+                                      : nearest_on_first;
+        const Nearness near = look(*chain, motion, there, within);
+        const bool is_reached = i == 0 || passed + way_to(motion, near.place) <= ahead;
+        if (is_reached && keeps(motion, near)) return Found{i, near};
+        if (nearest.motion == nullptr || near.distance <= nearest.near.distance)
+            nearest = {&motions[i], near};
+        behind = std::max(behind, kBehind * motion.tolerance + kLonger * aside);
+        // What is left of the first one is not known in mm; it may be nothing.
+        if (i > 0 && !motion.way.turns_only) passed += motion.length;
+        if (passed > kLonger * reach() + behind) break;
+    }
+    return std::nullopt;
+}
+
+/// Where the tip would be on the motion at `at`: an end before it that is not between the setpoint
+/// and the one before.
+std::optional<PathDeviation> PathCheck::State::left_out_before(std::size_t at) {
+    if (!has_begun) return std::nullopt;
     double widest = 0;  // so far the tip may have gone on within the tolerance of an end
     for (std::size_t i = 0; i < at; ++i) {
         const ProgrammedMotion& motion = motion_at(i);
@@ -439,12 +465,12 @@ bool PathCheck::State::leaves_out(std::size_t at) {
         if (motion.system != system_before || motion.system != tool_system) continue;
         if (widest > kSureEnd) break;
         const double allowed = 3 * widest + reach() / 2;
+        // The tip was there, and has come back beside its way since.
+        if (i == 0 && motion.length - way_to(motion, place) <= allowed) continue;
         const double off = path::distance_to_line(end_of(*chain, motion), before, tool.tip);
-        if (off <= allowed) continue;
-        fail(PathFault::LeftOut, motions[i], off, allowed);
-        return true;
+        if (off > allowed) return deviation_of(PathFault::LeftOut, motions[i], off, allowed);
     }
-    return false;
+    return std::nullopt;
 }
 
 PathCheck::PathCheck(const machine::Machine& machine, double tick)
@@ -475,14 +501,14 @@ bool PathCheck::finish() {
     if (state.motions.empty()) return true;
     Waiting& last = state.motions.back();
     if (!state.has_begun) {
-        state.fail(PathFault::End, last, last.length, 0);
+        state.deviation = state.deviation_of(PathFault::End, last, last.length, 0);
         return false;
     }
     if (last.system != state.system_before) return true;
     const double off =
         (end_of(*state.chain, state.motion_at(state.motions.size() - 1)) - state.before).norm();
     if (off <= last.tolerance) return true;
-    state.fail(PathFault::End, last, off, last.tolerance);
+    state.deviation = state.deviation_of(PathFault::End, last, off, last.tolerance);
     return false;
 }
 

@@ -327,6 +327,19 @@ void Preparer::State::emit_part(const Command& command, const Segment& whole, do
     }
 }
 
+namespace {
+
+/// Whether a curve has a cusp between two of its pieces, or turns within so little that it cannot
+/// be told from one: no corner that the program asks for, so the axes come to rest there.
+bool turns_inside(const path::Curve& before, const path::Curve& behind) {
+    constexpr double kGoesOn = 0.999;  // cos of an angle
+    const path::Vec3 in = path::evaluate(before, path::length(before)).tangent;
+    const path::Vec3 out = path::evaluate(behind, 0).tangent;  // of a Glide no unit vectors
+    return in.dot(out) < kGoesOn * in.norm() * out.norm();
+}
+
+}  // namespace
+
 /// The curvature of a span may change greatly; its pieces have each their own speed.
 void Preparer::State::emit_curves(const Command& command, const Segment& whole, double length,
                                   std::span<const path::Curve> curves) {
@@ -335,6 +348,7 @@ void Preparer::State::emit_curves(const Command& command, const Segment& whole, 
     double from = 0;
     for (const path::Curve& curve : curves) {
         if (has_ended) return;
+        if (from > 0 && turns_inside(piece.curve, curve)) last.must_stop = true;
         piece.curve = curve;
         for (std::size_t k = 0; k < kFollowers; ++k) {
             piece.follower_start[k] = whole.follower_start[k] + whole.follower_rate[k] * from;

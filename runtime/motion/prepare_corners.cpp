@@ -380,7 +380,8 @@ void Preparer::State::take_bend(Piece& piece) const {
         piece.entry_limit = passed;
     }
     const double share = 1 - std::min(taken(change, passed), kMostJump);
-    if (passed < speed && rests_at_bend(piece, passed, share)) {
+    // Where nothing is slowed down, a curve that goes on in its direction is never a stop.
+    if (passed < std::min(last.speed, piece.speed) && rests_at_bend(piece, passed, share)) {
         piece.entry_limit = 0;
         piece.rests_at_corner = true;
         return;

@@ -37,7 +37,7 @@ enum class Walk : std::uint8_t {
     Span,    // by the parameter, 0 … 1
     Length,  // by the length of the path
     Turn,    // likewise; only the tool, or axes beside X, Y, Z, move
-    Touch,   // likewise; the tip is beside the path
+    Touch,   // likewise; the tip is beside the path and goes along it
 };
 
 bool follows_axes(const Segment& way) {
@@ -46,10 +46,15 @@ bool follows_axes(const Segment& way) {
 }
 bool turns_tool(const Segment& way) { return way.is_transformed() && !way.virtual_axes.is_on(); }
 
+bool touches(const ProgrammedMotion& motion) {
+    return motion.way.contact.kind != path::ContactKind::Tip;
+}
+
 Walk walk_of(const ProgrammedMotion& motion) {
     const Segment& way = motion.way;
-    if (way.contact.kind != path::ContactKind::Tip) return Walk::Touch;
+    // Where the cutter turns about what it touches the tip may stand, or come back.
     if (std::holds_alternative<path::Point>(way.curve)) return Walk::Turn;
+    if (touches(motion)) return Walk::Touch;
     if (std::holds_alternative<path::Helix>(way.curve)) return Walk::Circle;
     const bool is_alone = way.followers == 0 && !turns_tool(way);
     const bool is_span = std::holds_alternative<path::CubicSpan>(way.curve) ||
@@ -68,22 +73,26 @@ double length_at(const ProgrammedMotion& motion, Walk walk, double place) {
     return (helix.rate + helix.rate_slope * place / 2) * place;
 }
 
+/// Calls `use` with a curve whose places are told by the parameter.
+template <typename Use>
+auto with_span(const path::Curve& curve, const Use& use) {
+    if (const auto* cubic = std::get_if<path::CubicSpan>(&curve)) return use(*cubic);
+    return use(std::get<path::QuinticSpan>(curve));
+}
+
 Vec3 tip_of_span(const path::Curve& curve, double u) {
-    if (const auto* cubic = std::get_if<path::CubicSpan>(&curve))
-        return path::point_at(*cubic, u).position;
-    return path::point_at(std::get<path::QuinticSpan>(curve), u).position;
+    return with_span(curve, [u](const auto& span) { return path::point_at(span, u).position; });
 }
 
 Vec3 tip_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk, double place) {
     const path::Curve& curve = motion.way.curve;
+    if (touches(motion))
+        return placed_at(chain, motion.way, place, path::position(curve, place)).tip;
     switch (walk) {
         case Walk::Circle: return path::position_at_angle(std::get<path::Helix>(curve), place);
         case Walk::Span: return tip_of_span(curve, place);
-        case Walk::Length:
-        case Walk::Turn: return path::position(curve, place);
-        case Walk::Touch: break;
+        default: return path::position(curve, place);
     }
-    return placed_at(chain, motion.way, place, path::position(curve, place)).tip;
 }
 
 double follower_at(const Segment& way, std::size_t i, double distance) {
@@ -146,7 +155,7 @@ double on_circle(const path::Helix& helix, const Vec3& tip, const Search& search
 }
 
 double on_span(const path::Curve& curve, const Vec3& tip, const Search& search) {
-    const auto find = [&](const auto& span) {
+    return with_span(curve, [&](const auto& span) {
         double u = search.guess;
         for (int step = 0; step < kSteps; ++step) {
             const path::SplinePoint at = path::point_at(span, u);
@@ -162,9 +171,7 @@ double on_span(const path::Curve& curve, const Vec3& tip, const Search& search) 
             if (is_found) break;
         }
         return u;
-    };
-    if (const auto* cubic = std::get_if<path::CubicSpan>(&curve)) return find(*cubic);
-    return find(std::get<path::QuinticSpan>(curve));
+    });
 }
 
 /// By length; `at` gives place and derivative by it.
@@ -301,8 +308,9 @@ double nearest_look(const Chain& chain, const ProgrammedMotion& motion, Walk wal
     return nearest;
 }
 
-/// The place of the least distance from a tip, to a part of the tolerance. By arc length the
-/// distance changes no faster than the place: halves that cannot hold the least one are left out.
+/// The first place whose distance from a tip is within the tolerance, or the one of the least
+/// distance, to a part of the tolerance. By arc length the distance changes no faster than the
+/// place: halves that cannot hold such a place are left out.
 double place_by_halves(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
     struct Look {
         double place;
@@ -312,22 +320,40 @@ double place_by_halves(const ProgrammedMotion& motion, const Vec3& tip, const Se
     std::vector<Look> looks(kLooks);
     for (int i = 0; i < kLooks; ++i)
         looks[static_cast<std::size_t>(i)].place = search.lower + (i + 0.5) * width;
-    Look least{search.guess, std::numeric_limits<double>::infinity()};
+    Look best{search.guess, std::numeric_limits<double>::infinity()};
     for (;; width /= 2) {
-        for (Look& look : looks) {
+        for (Look& look : looks)
             look.distance = (path::position(motion.way.curve, look.place) - tip).norm();
-            if (look.distance < least.distance) least = look;
+        const auto within = std::ranges::find_if(
+            looks, [&](const Look& look) { return look.distance <= motion.tolerance; });
+        if (within != looks.end()) {
+            best = *within;
+            looks.erase(within, looks.end());
+        } else if (best.distance > motion.tolerance) {
+            for (const Look& look : looks)
+                if (look.distance < best.distance) best = look;
         }
-        const bool is_known = least.distance <= motion.tolerance || width < motion.tolerance / 4;
-        if (is_known || looks.size() > kMostLooks) return least.place;
+        if (looks.empty() || width < motion.tolerance / 4 || looks.size() > kMostLooks)
+            return best.place;
+        const double reached = std::max(best.distance, motion.tolerance);
         std::vector<Look> halves;
         for (const Look& look : looks) {
-            if (look.distance - width / 2 > least.distance) continue;
+            if (look.distance - width / 2 > reached) continue;
             halves.push_back({look.place - width / 4, 0});
             halves.push_back({look.place + width / 4, 0});
         }
         looks = std::move(halves);
     }
+}
+
+/// The same of a span, whose place is told by the parameter.
+double place_on_span(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
+    return with_span(motion.way.curve, [&](const auto& span) {
+        const Search by_length{path::length_to(span, search.guess),
+                               path::length_to(span, search.lower),
+                               path::length_to(span, search.upper)};
+        return path::parameter_at(span, place_by_halves(motion, tip, by_length));
+    });
 }
 
 /// A place may be looked for so far before the one that was found last. Beside a cusp that may have
@@ -339,6 +365,20 @@ double lower_bound_of(const ProgrammedMotion& motion, Walk walk, double from) {
         back += 2 * std::cbrt(motion.tolerance * motion.tolerance * motion.length);
     const double share = motion.length > 0 ? back / motion.length : 0;
     return std::max(0.0, from - share * end_place(motion, walk));
+}
+
+/// The end of a reach; of an arc, and of a motion that turns alone, no place ends it.
+double place_behind(const ProgrammedMotion& motion, Walk walk, const Reach& reach) {
+    switch (walk) {
+        case Walk::Length:
+        case Walk::Touch: return reach.from + reach.ahead;
+        case Walk::Span:
+            return with_span(motion.way.curve, [&](const auto& span) {
+                const double behind = path::length_to(span, reach.from) + reach.ahead;
+                return path::parameter_at(span, behind);
+            });
+        default: return std::numeric_limits<double>::infinity();
+    }
 }
 
 }  // namespace
@@ -384,27 +424,41 @@ Nearness nearest_on(const Chain& chain, const ProgrammedMotion& motion, const St
     return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, search));
 }
 
+Nearness nearest_from_behind(const Chain& chain, const ProgrammedMotion& motion,
+                             const StandingTool& tool, const Reach& reach) {
+    const Walk walk = walk_of(motion);
+    const double upper = std::min(end_place(motion, walk), place_behind(motion, walk, reach));
+    const Search search{upper, lower_bound_of(motion, walk, reach.from), upper};
+    return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, search));
+}
+
 Nearness nearest_on_rest(const Chain& chain, const ProgrammedMotion& motion,
                          const StandingTool& tool, const Reach& reach) {
     const Walk walk = walk_of(motion);
     const double lower = lower_bound_of(motion, walk, reach.from);
-    double upper = end_place(motion, walk);
-    if (walk == Walk::Length || walk == Walk::Touch)
-        upper = std::min(upper, reach.from + reach.ahead);
+    const double upper = std::min(end_place(motion, walk), place_behind(motion, walk, reach));
     Search search{reach.from, lower, upper};
     search.guess = nearest_look(chain, motion, walk, tool, search);
     const double place = place_on(chain, motion, walk, tool, search);
     const Nearness near = judged(chain, motion, walk, tool, place);
     if (near.distance <= motion.tolerance) return near;
-    if (walk != Walk::Length) return near;
-    // Where the curve bends without limit, beside a cusp, steps by its slope do not arrive.
-    return judged(chain, motion, walk, tool, place_by_halves(motion, tool.tip, search));
+    if (walk != Walk::Length && walk != Walk::Span) return near;
+    // Where the curve turns back or bends without limit, steps by its slope do not arrive.
+    const auto by_halves = walk == Walk::Span ? place_on_span : place_by_halves;
+    return judged(chain, motion, walk, tool, by_halves(motion, tool.tip, search));
+}
+
+double way_to(const ProgrammedMotion& motion, double place) {
+    const Walk walk = walk_of(motion);
+    if (walk == Walk::Turn || walk == Walk::Touch) return 0;
+    if (walk != Walk::Span) return length_at(motion, walk, place);
+    return with_span(motion.way.curve,
+                     [place](const auto& span) { return path::length_to(span, place); });
 }
 
 Vec3 end_of(const Chain& chain, const ProgrammedMotion& motion) {
-    const Walk walk = walk_of(motion);
-    if (walk != Walk::Touch) return path::end(motion.way.curve);
-    return tip_on(chain, motion, walk, motion.length);
+    if (!touches(motion)) return path::end(motion.way.curve);
+    return tip_on(chain, motion, walk_of(motion), motion.length);
 }
 
 }  // namespace kadr::motion

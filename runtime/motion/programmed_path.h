@@ -56,11 +56,17 @@ struct Reach {
     double ahead = 0;
 };
 
-/// The same, looked for along all of the reach: also behind a cusp, where what is nearest in the
-/// neighbourhood does not lead on. Of arcs, and of splines by their parameter, along all that is
-/// left.
+/// The same, looked for from the end of the reach back: behind a cusp, too, where what is nearest
+/// in the neighbourhood of its beginning does not lead on.
+Nearness nearest_from_behind(const machine::Chain& chain, const ProgrammedMotion& motion,
+                             const StandingTool& tool, const Reach& reach);
+
+/// The same, looked for along all of the reach; of arcs along all that is left.
 Nearness nearest_on_rest(const machine::Chain& chain, const ProgrammedMotion& motion,
                          const StandingTool& tool, const Reach& reach);
+
+/// How far along a motion a place is, mm; 0 where its tip has no way of its own along the path.
+double way_to(const ProgrammedMotion& motion, double place);
 
 /// Where the tip is when the motion ends.
 path::Vec3 end_of(const machine::Chain& chain, const ProgrammedMotion& motion);

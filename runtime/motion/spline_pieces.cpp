@@ -25,9 +25,10 @@ constexpr double kBendRatio = 1.5;
 /// A piece that turns by less than this as a whole, rad, is cut for its curvature no more.
 constexpr double kLittleTurn = 0.02;
 /// A piece this short is not cut any more, mm: it passes in a tick. One that turns sharply is cut
-/// down to the second length, an increment of most controls.
+/// down to the second length: the straight piece in its place is nowhere farther from it than that,
+/// and places without a tolerance are exact to as much (path_check.h).
 constexpr double kShort = 0.02;
-constexpr double kPoint = 1e-3;
+constexpr double kPoint = 1e-6;
 /// Between samples closer than this, mm, a difference of curvatures is rounding.
 constexpr double kNoWay = 1e-9;
 
@@ -78,12 +79,14 @@ Ways ways_of(const Parametric& curve) {
     return ways;
 }
 
+/// Where a curve turns back it ends and another begins: on neither side is anything sharp then.
 template <typename Bent>
-std::pair<Bent, Bent> halves(const Bent& curve) {
-    return path::split(curve, 0.5);
+std::pair<Bent, Bent> halves(const Bent& curve, bool is_sharp) {
+    const auto turn = is_sharp ? path::slow_place(curve) : std::nullopt;
+    return path::split(curve, turn.value_or(0.5));
 }
 
-std::pair<Involute, Involute> halves(const Involute& involute) {
+std::pair<Involute, Involute> halves(const Involute& involute, bool /*is_sharp*/) {
     const double middle = involute.length / 2;
     return {path::part(involute, 0, middle), path::part(involute, middle, involute.length)};
 }
@@ -112,7 +115,7 @@ void cut(const Bent& curve, std::vector<path::Curve>& out) {
     const bool is_cut = is_sharp ? curve.length > kPoint
                                  : curve.length > kShort && !is_evenly_bent(samples, curve.length);
     if (is_cut) {
-        const auto [before, behind] = halves(curve);
+        const auto [before, behind] = halves(curve, is_sharp);
         cut(before, out);
         cut(behind, out);
         return;

@@ -80,6 +80,30 @@ void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& at
     }
 }
 
+namespace {
+
+/// Blocks can be counted with these numbers; what is inherited counts, too.
+void check_blocks(const XmlElement& element, const BlockNumbers& numbers, Attributes& attributes) {
+    if (attributes.has_failed()) return;
+    const auto first_of = [&](std::initializer_list<std::string_view> names) {
+        const XmlAttribute* found = nullptr;
+        for (const std::string_view name : names)
+            if (found == nullptr) found = element.find(name);
+        return found;
+    };
+    const std::string limits =
+        std::to_string(numbers.least) + " to " + std::to_string(numbers.most);
+    if (const XmlAttribute* step = element.find("step"); step != nullptr && numbers.step == 0)
+        return attributes.bad_value(*step, "a block has another number than the one before");
+    const bool is_inside = numbers.least <= numbers.start && numbers.start <= numbers.most;
+    const XmlAttribute* said = first_of({"start", "most", "least"});
+    if (!is_inside && said != nullptr)
+        attributes.bad_value(*said, "the first number, " + std::to_string(numbers.start) +
+                                        ", is outside of " + limits);
+}
+
+}  // namespace
+
 void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& attributes) {
     if (const auto are_on = attributes.choice(element, "numbers", {"off", "on"})) {
         numbers.is_on = *are_on == 1;
@@ -88,6 +112,7 @@ void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& a
     attributes.read_number(element, "step", numbers.step);
     attributes.read_number(element, "least", numbers.least);
     attributes.read_number(element, "most", numbers.most);
+    check_blocks(element, numbers, attributes);
 }
 
 /// A sign that would end a comment and of which the dialect says nothing.

@@ -179,6 +179,17 @@ std::pair<Parametric, Parametric> split(const Parametric& curve, double u) {
     return {of_law(curve, before, curve.start, middle), of_law(curve, behind, middle, curve.end)};
 }
 
+std::optional<double> slow_place(const Parametric& curve) {
+    constexpr int kLooks = kIntervals * static_cast<int>(Parametric::kParts);
+    for (int i = 0; i < kLooks; ++i) {
+        const double from = static_cast<double>(i) / kLooks;
+        const double to = static_cast<double>(i + 1) / kLooks;
+        const auto place = cusp_between(curve, from, to);
+        if (place && *place > 0 && *place < 1) return place;
+    }
+    return std::nullopt;
+}
+
 Box bounds(const Parametric& curve) {
     constexpr int kSamples = 128;
     constexpr double kWidth = 1.0 / kSamples;

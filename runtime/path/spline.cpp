@@ -209,6 +209,15 @@ double parameter_at(const Bezier<N>& spline, double s) {
 }
 
 template <std::size_t N>
+double length_to(const Bezier<N>& spline, double u) {
+    if (u <= 0) return 0;
+    if (u >= 1) return spline.length;
+    const auto eighth = static_cast<std::size_t>(u / kShare);
+    const double begin = eighth == 0 ? 0 : spline.reached[eighth - 1];
+    return begin + length_between(spline, kShare * static_cast<double>(eighth), u);
+}
+
+template <std::size_t N>
 Vec3 position(const Bezier<N>& spline, double s) {
     if (s <= 0) return spline.start;
     if (s >= spline.length) return spline.end;
@@ -245,20 +254,39 @@ std::pair<Bezier<N>, Bezier<N>> split(const Bezier<N>& spline, double u) {
     return {of_poles<N>(before, spline.start, middle), of_poles<N>(behind, middle, spline.end)};
 }
 
+namespace {
+
+/// Widens a box by what is between the ends of a piece, which are in it: by the control points
+/// where they hardly leave it, or by the halves.
+template <std::size_t N>
+void widen(Box& box, const Poles<N>& poles, int depth = 0) {
+    // A half leaves its ends by a quarter of what the whole does: mostly ten halvings suffice.
+    constexpr double kNear = 1e-6;  // mm
+    constexpr int kDeepest = 40;
+    Box hull = box;
+    for (const Pole& pole : poles) {
+        hull.lower = hull.lower.cwiseMin(point_of(pole));
+        hull.upper = hull.upper.cwiseMax(point_of(pole));
+    }
+    const double out =
+        std::max((box.lower - hull.lower).maxCoeff(), (hull.upper - box.upper).maxCoeff());
+    if (out <= kNear || depth >= kDeepest) {
+        box = hull;
+        return;
+    }
+    const auto [before, behind] = split<N>(poles, 0.5);
+    box.lower = box.lower.cwiseMin(point_of(behind[0]));
+    box.upper = box.upper.cwiseMax(point_of(behind[0]));
+    widen<N>(box, before, depth + 1);
+    widen<N>(box, behind, depth + 1);
+}
+
+}  // namespace
+
 template <std::size_t N>
 Box bounds(const Bezier<N>& spline) {
     Box box{spline.start.cwiseMin(spline.end), spline.start.cwiseMax(spline.end)};
-    // Sixteen pieces: their control points leave the curve by less than a hundredth of its height.
-    Poles<N> rest = spline.poles;
-    constexpr int kPieces = 16;
-    for (int i = 0; i < kPieces; ++i) {
-        const auto [piece, behind] = split<N>(rest, 1.0 / (kPieces - i));
-        for (const Pole& pole : piece) {
-            box.lower = box.lower.cwiseMin(point_of(pole));
-            box.upper = box.upper.cwiseMax(point_of(pole));
-        }
-        rest = behind;
-    }
+    widen<N>(box, spline.poles);
     return box;
 }
 
@@ -269,6 +297,7 @@ template std::pair<Bezier<4>, Bezier<4>> split(const Bezier<4>&, double);
 template Box bounds(const Bezier<4>&);
 template SplinePoint point_at(const Bezier<4>&, double);
 template double parameter_at(const Bezier<4>&, double);
+template double length_to(const Bezier<4>&, double);
 template CurvePoint curvature_at(const Bezier<4>&, double);
 template Vec3 position(const Bezier<6>&, double);
 template CurvePoint evaluate(const Bezier<6>&, double);
@@ -277,6 +306,7 @@ template std::pair<Bezier<6>, Bezier<6>> split(const Bezier<6>&, double);
 template Box bounds(const Bezier<6>&);
 template SplinePoint point_at(const Bezier<6>&, double);
 template double parameter_at(const Bezier<6>&, double);
+template double length_to(const Bezier<6>&, double);
 template CurvePoint curvature_at(const Bezier<6>&, double);
 
 }  // namespace kadr::path

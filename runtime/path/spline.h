@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "path/vec3.h"
@@ -73,7 +74,13 @@ Bezier<N> part(const Bezier<N>& spline, double from, double to);
 /// The pieces before and behind a parameter, 0 < u < 1.
 template <std::size_t N>
 std::pair<Bezier<N>, Bezier<N>> split(const Bezier<N>& spline, double u);
-/// Bounds of the control points of the halved and halved again span: never too small.
+/// A parameter inside at which the curve nearly stands, as where it turns back.
+template <std::size_t N>
+std::optional<double> slow_place(const Bezier<N>& spline) {
+    if (spline.slow[0] >= 1) return std::nullopt;
+    return spline.slow[0];
+}
+/// Never too small; and too great by the resolution of most controls at most, 1e-6 mm.
 template <std::size_t N>
 Box bounds(const Bezier<N>& spline);
 
@@ -88,6 +95,10 @@ SplinePoint point_at(const Bezier<N>& spline, double u);
 /// The parameter at an arc length.
 template <std::size_t N>
 double parameter_at(const Bezier<N>& spline, double s);
+
+/// Arc length up to a parameter, mm.
+template <std::size_t N>
+double length_to(const Bezier<N>& spline, double u);
 
 /// Tangent and curvature at a parameter; where the curve stands, those of the way on.
 template <std::size_t N>

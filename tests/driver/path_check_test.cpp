@@ -20,6 +20,11 @@ const std::string kText =
 const std::string kTurned =
     "G17 G90\nS6000 M3\nTRAORI\nORIWKS\nORIVECT\nF2000\nG0 X0 Y0 Z0 A3=0 B3=0.2 C3=1\n"
     "G1 X10 A3=0.2 B3=0.2 C3=1\nX20 A3=0.4 B3=0 C3=1\nTRAFOOF\nM30\n";
+/// The second block turns the tool alone, in the plane of the contour: its tip stands.
+const std::string kTurnedBesideAContour =
+    "$TC_DP1[1,1]=120\n$TC_DP3[1,1]=60\n$TC_DP6[1,1]=5\nG17 G90 G94 G54\nT1 D1\nM6\n"
+    "S6000 M3 F3000\nTRAORI\nG54\nORIWKS\nORIVECT\nG0 X-30 Y-30 Z5 A3=0.05 C3=1\nCUT3DC\n"
+    "G1 G41 X0 Y0 Z0\nX33\nA3=1 C3=1\nX90\nG40 Y-20\nTRAFOOF\nM30\n";
 
 struct Ran {
     driver::Status status = driver::Status::Done;
@@ -59,6 +64,7 @@ TEST_F(PathCheckTest, RightMotionIsWritten) {
     EXPECT_EQ(ran.messages.find("error"), std::string::npos) << ran.messages;
     EXPECT_TRUE(has_file());
     EXPECT_EQ(run(kTurned, "trunnion-ac", {}).status, driver::Status::Done);
+    EXPECT_EQ(run(kTurnedBesideAContour, "trunnion-ac", {}).status, driver::Status::Done);
 }
 
 TEST_F(PathCheckTest, WrongMotionIsAnErrorAndLeavesNoFile) {

@@ -218,6 +218,31 @@ TEST(PathCheck, FollowsCurvesRoundTheirCusps) {
     }
 }
 
+/// A spline between points that lie nearly on a line, which turns back as it likes.
+Command any_flat_spline(const path::Blending& wish) {
+    const double height = *rc::gen::element(0.0, 1e-4, 1e-2, 1.0);
+    const auto point = [&] { return Vec3(any_number(-50, 50), height * any_number(-1, 1), 0); };
+    Command command = spline_to(point(), point(), point(), *rc::gen::element(500.0, 2e3, 1e4));
+    command.blending = wish;
+    return command;
+}
+
+RC_GTEST_PROP(PathCheck, FollowsSplinesThatTurnBack, ()) {
+    const machine::Machine machine = machine_of({.jerk = {1e5, 1e5, 8e4}});
+    const path::Blending wish = *rc::gen::element(path::Blending{}, by_distance(0.5), within(0.05));
+    std::vector<Command> program;
+    const int count = *rc::gen::inRange(1, 5);
+    for (int i = 0; i < count; ++i) program.push_back(any_flat_spline(wish));
+    program = numbered(program);
+    std::vector<Setpoint> setpoints = sample(machine, program);
+    RC_ASSERT(!deviation_of(machine, program, setpoints).has_value());
+    if (setpoints.size() < 100) return;
+    // What is beside it is found in front of a turn and behind it.
+    Setpoint& off = setpoints[*rc::gen::inRange<std::size_t>(50, setpoints.size() - 50)];
+    off.tip[2] = off.axis[2] = wish.size + 0.01;
+    RC_ASSERT(deviation_of(machine, program, setpoints).has_value());
+}
+
 // One tick is as long as three lines: the corners between two setpoints are held against the way
 // between both, of which they may be beside by half.
 TEST(PathCheck, FindsAnEndThatIsPassedBy) {

@@ -239,6 +239,28 @@ TEST(SmoothPlan, NoJumpOfTheCurvatureIsSlowerThanAStop) {
     }
 }
 
+/// A circle and a line that leaves it at any angle: what the corner takes of the jerk both pieces
+/// lack. Passing by was 11 % slower than a stop where the line goes on at 60 degrees.
+TEST(SmoothPlan, NoCornerBesideAnArcIsSlowerThanAStop) {
+    const auto machine = machine_of({.velocity = {500, 500, 400}, .jerk = {1e5, 1e5, 8e4}});
+    for (const double radius : {2.0, 5.0, 20.0}) {
+        for (int angle = 0; angle < 360; angle += 30) {
+            for (const double length : {6.0, 60.0}) {
+                const double turn = angle * std::numbers::pi / 180;
+                const Vec3 end(2 * radius, 0, 0);
+                const Vec3 out(std::cos(turn), std::sin(turn), 0);
+                std::vector<Command> program = {
+                    arc_to(end, {radius, 0, 0}, std::numbers::pi, 20000),
+                    line_to(end + length * out, 20000)};
+                const double through = run(machine, program).totals.time;
+                for (Command& command : program) command.exact_stop = true;
+                EXPECT_LE(through, 1.001 * run(machine, program).totals.time)
+                    << "radius " << radius << ", " << angle << " degrees, " << length << " mm";
+            }
+        }
+    }
+}
+
 TEST(SmoothPlan, EveryLookAheadEndsAtRestAndNoneIsFaster) {
     std::vector<Command> program;
     for (int i = 1; i <= 3000; ++i) {

@@ -5,6 +5,7 @@
 
 #include "motion/spline_pieces.h"
 #include "tests/motion/support.h"
+#include "tests/motion/tick_limits.h"
 
 namespace kadr::motion::test {
 namespace {
@@ -101,6 +102,31 @@ TEST(SplineMotion, ACuspIsACorner) {
     }
     EXPECT_NEAR(sum, 61.25, 2e-3);  // x' and y' are linear in each half: by hand
     EXPECT_LT(result.totals.time, 3);
+}
+
+/// x(u) = −150·u + 180·u², which turns back at −31.25: no place of it is cut off, and the axis
+/// stops there as at an end, within its jerk. A hundredth of a millimetre of height changes
+/// neither.
+TEST(SplineMotion, ComesToRestWhereItTurnsBack) {
+    const auto machine = machine_of({.jerk = {1e5, 1e5, 8e4}});
+    for (const double height : {0.0, 1e-5, 1e-2}) {
+        const Command command =
+            spline_to(Vec3(30, height, 0), Vec3(-50, 0, 0), Vec3(-40, 0, 0), 2000);
+        const Motion result = run(machine, {command});
+        double least = 0;
+        for (const Segment& segment : result.segments)
+            least = std::min(least, path::end(segment.curve).x());
+        EXPECT_NEAR(least, -31.25, height == 0 ? 1e-9 : 1e-4 * height);
+        TickWatch watch(machine, result.segments);
+        const std::vector<Setpoint> setpoints = sample(machine, {command});
+        for (const Setpoint& setpoint : setpoints) watch.add(setpoint);
+        EXPECT_LE(watch.shares().jerk, 1.001) << height;
+        for (std::size_t i = 0; i + 3 < setpoints.size(); ++i) {
+            const double third = setpoints[i + 3].axis[0] - 3 * setpoints[i + 2].axis[0] +
+                                 3 * setpoints[i + 1].axis[0] - setpoints[i].axis[0];
+            EXPECT_LE(std::abs(third), 1.001 * 1e5 * std::pow(machine.tick, 3)) << height;
+        }
+    }
 }
 
 TEST(SplineMotion, InverseTimeIsTheTimeOfTheSpan) {

@@ -181,9 +181,25 @@ TEST(Spline, QuarterCircleByWeights) {
         EXPECT_NEAR(point.tangent.dot(out), 0, 1e-8);
     }
     const Box box = bounds(spline);
-    EXPECT_NEAR(box.upper.x(), 10, 0.05);
+    EXPECT_NEAR(box.upper.x(), 10, 1e-6);
+    EXPECT_GE(box.upper.x(), 10);
+    EXPECT_NEAR(box.upper.y(), 10, 1e-6);
     EXPECT_GE(box.upper.y(), 10);
     EXPECT_NEAR(box.lower.x(), 0, 1e-12);
+}
+
+// x(u) = −150·u + 180·u², least −31.25 at u = 5/12; and a loop as high as 3/4 of its control
+// points.
+TEST(Spline, BoundsEndWhereTheCurveTurnsBack) {
+    const CubicSpan back = make_spline(Vec3::Zero(), Vec3(30, 0, 0),
+                                       {2, {Vec3(-75, 0, 0), Vec3::Zero()}, {1, 1, 1, 1}});
+    EXPECT_NEAR(bounds(back).lower.x(), -31.25, 1e-6);
+    EXPECT_LE(bounds(back).lower.x(), -31.25);
+    EXPECT_EQ(bounds(back).upper.x(), 30);
+    const CubicSpan loop = make_spline(Vec3::Zero(), Vec3(10, 0, 0),
+                                       {3, {Vec3(30, 20, 0), Vec3(-20, 20, 0)}, {1, 1, 1, 1}});
+    EXPECT_NEAR(bounds(loop).upper.y(), 15, 1e-6);
+    EXPECT_GE(bounds(loop).upper.y(), 15);
 }
 
 TEST(Spline, OfDegreeOneIsALine) {
