@@ -43,12 +43,6 @@ constexpr double kBehind = 8;
 /// A path may be so much longer than the way that the tip takes within the tolerance of it.
 constexpr double kLonger = 2;
 
-/// Near the beginning of a reach.
-Nearness nearest_on_first(const machine::Chain& chain, const ProgrammedMotion& motion,
-                          const StandingTool& tool, const Reach& reach) {
-    return nearest_on(chain, motion, tool, reach.from);
-}
-
 bool keeps(const ProgrammedMotion& motion, const Nearness& near) {
     return near.distance <= motion.tolerance && near.lean <= near.lean_allowed &&
            near.off <= near.off_allowed;
@@ -172,6 +166,7 @@ class Layer {
             Segment& way = out.motion->way;
             way = standing_.still();
             out.length = standing_.lay_path(command, target, way);
+            find_turns(*out.motion);
             // From point to point the tip is told as without a transformation.
             out.system = 2 * system_ + (way.goes_straight() ? 1 : 0);
             return;
@@ -395,9 +390,11 @@ const ProgrammedMotion& PathCheck::State::motion_at(std::size_t i) {
 /// On the motion on which the tip was, or one of the next.
 bool PathCheck::State::go_on() {
     const ProgrammedMotion& here = motion_at(0);
-    const Nearness near = nearest_on(*chain, here, tool_for(here), place);
+    const StandingTool& there = tool_for(here);
+    const double ahead = kLonger * reach() + kBehind * here.tolerance + kLonger * aside;
+    const Nearness near = nearest_on(*chain, here, there, {place, ahead});
     if (keeps(here, near)) {
-        stay(near.place, tool_for(here).tip);
+        stay(near.place, there.tip);
         const bool may_wait = motions.size() < kMostWaiting;
         return may_wait || motions.size() == 1 || search();
     }
@@ -440,7 +437,7 @@ std::optional<PathCheck::State::Found> PathCheck::State::find(bool is_thorough, 
         const Reach within{i == 0 ? place : 0, ahead};
         const auto look = is_thorough ? nearest_on_rest
                           : i == 0    ? nearest_from_behind  // go_on has looked from here on
-                                      : nearest_on_first;
+                                      : nearest_on;
         const Nearness near = look(*chain, motion, there, within);
         const bool is_reached = i == 0 || passed + way_to(motion, near.place) <= ahead;
         if (is_reached && keeps(motion, near)) return Found{i, near};

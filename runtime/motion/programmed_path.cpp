@@ -381,6 +381,38 @@ double place_behind(const ProgrammedMotion& motion, Walk walk, const Reach& reac
     }
 }
 
+/// The nearest place between two turns, where a motion does not come back beside itself.
+Nearness nearest_on_branch(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+                           const StandingTool& tool, Search branch) {
+    const Nearness near =
+        judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, branch));
+    if (near.distance <= motion.tolerance) return near;
+    branch.guess = nearest_look(chain, motion, walk, tool, branch);
+    return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, branch));
+}
+
+/// … on the first of the parts between turns on which the tip can be.
+Nearness nearest_on_branches(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+                             const StandingTool& tool, const Reach& reach) {
+    const double upper = std::min(end_place(motion, walk), place_behind(motion, walk, reach));
+    double begin = lower_bound_of(motion, walk, reach.from);
+    Nearness best;
+    best.distance = std::numeric_limits<double>::infinity();
+    const auto look_up_to = [&](double end) {
+        const Search branch{std::clamp(reach.from, begin, end), begin, end};
+        const Nearness near = nearest_on_branch(chain, motion, walk, tool, branch);
+        if (near.distance < best.distance) best = near;
+        begin = end;
+        return best.distance <= motion.tolerance;
+    };
+    for (const double turn : motion.turns) {
+        if (turn <= reach.from) begin = std::max(begin, turn);
+        else if (turn < upper && look_up_to(turn)) return best;
+    }
+    look_up_to(upper);
+    return best;
+}
+
 }  // namespace
 
 StandingTool standing_tool(const machine::Machine& machine, const Chain& chain,
@@ -418,9 +450,11 @@ StandingTool standing_tool(const machine::Machine& machine, const Chain& chain,
 }
 
 Nearness nearest_on(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
-                    double from) {
+                    const Reach& reach) {
     const Walk walk = walk_of(motion);
-    const Search search{from, lower_bound_of(motion, walk, from), end_place(motion, walk)};
+    if (!motion.turns.empty()) return nearest_on_branches(chain, motion, walk, tool, reach);
+    const Search search{reach.from, lower_bound_of(motion, walk, reach.from),
+                        end_place(motion, walk)};
     return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, search));
 }
 
@@ -443,7 +477,7 @@ Nearness nearest_on_rest(const Chain& chain, const ProgrammedMotion& motion,
     const Nearness near = judged(chain, motion, walk, tool, place);
     if (near.distance <= motion.tolerance) return near;
     if (walk != Walk::Length && walk != Walk::Span) return near;
-    // Where the curve turns back or bends without limit, steps by its slope do not arrive.
+    // Where the curve bends without limit, beside a cusp, steps by its slope do not arrive.
     const auto by_halves = walk == Walk::Span ? place_on_span : place_by_halves;
     return judged(chain, motion, walk, tool, by_halves(motion, tool.tip, search));
 }
@@ -454,6 +488,27 @@ double way_to(const ProgrammedMotion& motion, double place) {
     if (walk != Walk::Span) return length_at(motion, walk, place);
     return with_span(motion.way.curve,
                      [place](const auto& span) { return path::length_to(span, place); });
+}
+
+void find_turns(ProgrammedMotion& motion) {
+    const path::Curve& curve = motion.way.curve;
+    const auto of_span = [&](const auto& span) {
+        const bool is_by_parameter = walk_of(motion) == Walk::Span;
+        for (const double u : span.slow)
+            if (u < 1) motion.turns.push_back(is_by_parameter ? u : path::length_to(span, u));
+    };
+    if (const auto* cubic = std::get_if<path::CubicSpan>(&curve)) of_span(*cubic);
+    if (const auto* quintic = std::get_if<path::QuinticSpan>(&curve)) of_span(*quintic);
+    if (const auto* parametric = std::get_if<path::Parametric>(&curve)) {
+        // What is behind a turn is a curve of its own, which may have others.
+        path::Parametric rest = *parametric;
+        double begin = 0;
+        while (const auto u = path::slow_place(rest)) {
+            begin += path::length_to(rest, *u);
+            motion.turns.push_back(begin);
+            rest = path::split(rest, *u).second;
+        }
+    }
 }
 
 Vec3 end_of(const Chain& chain, const ProgrammedMotion& motion) {

@@ -4,6 +4,8 @@
 // there. Which motion a setpoint belongs to is path_check.h's question.
 #pragma once
 
+#include <vector>
+
 #include "machine/machine.h"
 #include "motion/pipeline.h"
 #include "motion/segment.h"
@@ -12,11 +14,12 @@ namespace kadr::motion {
 
 /// A motion, whole, and what may be missing of it.
 struct ProgrammedMotion {
-    Segment way;           // without times
-    double length = 0;     // of its path, mm (deg)
-    double tolerance = 0;  // mm, of the tip
-    double lean = 0;       // rad, of the tool
-    double pole = 0;       // rad, the way may be led otherwise so near to a pole
+    Segment way;                // without times
+    double length = 0;          // of its path, mm (deg)
+    double tolerance = 0;       // mm, of the tip
+    double lean = 0;            // rad, of the tool
+    double pole = 0;            // rad, the way may be led otherwise so near to a pole
+    std::vector<double> turns;  // places at which it turns back on itself, or nearly, in order
     /// Motions with the same number tell the tip in the same coordinates of the same tool.
     std::uint32_t system = 0;
 };
@@ -44,20 +47,20 @@ struct Nearness {
     double off_allowed = 0;
 };
 
-/// Beside which place of the motion a tool is, not much before `from`, and how far from it. The
-/// place is that nearest to the tip in the neighbourhood of `from`; of a motion that only turns,
-/// the one with the nearest direction.
-Nearness nearest_on(const machine::Chain& chain, const ProgrammedMotion& motion,
-                    const StandingTool& tool, double from);
-
 /// Where a place is looked for: from this one on, along so many mm.
 struct Reach {
     double from = 0;
     double ahead = 0;
 };
 
-/// The same, looked for from the end of the reach back: behind a cusp, too, where what is nearest
-/// in the neighbourhood of its beginning does not lead on.
+/// Beside which place of the motion a tool is, not much before the reach, and how far from it. The
+/// place is that nearest to the tip in the neighbourhood of the beginning; where the motion turns
+/// back within the reach, the first one on which the tip can be. Of a motion that only turns it is
+/// the one with the nearest direction.
+Nearness nearest_on(const machine::Chain& chain, const ProgrammedMotion& motion,
+                    const StandingTool& tool, const Reach& reach);
+
+/// The same, looked for from the end of the reach back.
 Nearness nearest_from_behind(const machine::Chain& chain, const ProgrammedMotion& motion,
                              const StandingTool& tool, const Reach& reach);
 
@@ -67,6 +70,9 @@ Nearness nearest_on_rest(const machine::Chain& chain, const ProgrammedMotion& mo
 
 /// How far along a motion a place is, mm; 0 where its tip has no way of its own along the path.
 double way_to(const ProgrammedMotion& motion, double place);
+
+/// Finds where a motion turns back.
+void find_turns(ProgrammedMotion& motion);
 
 /// Where the tip is when the motion ends.
 path::Vec3 end_of(const machine::Chain& chain, const ProgrammedMotion& motion);
