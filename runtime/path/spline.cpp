@@ -56,6 +56,7 @@ template <std::size_t N>
 std::array<double, 2> slow_places(const Bezier<N>& spline) {
     constexpr int kSteps = 32;
     constexpr double kFarBelow = 0.1;
+    constexpr double kEnd = 1e-6;  // a curve that ends where it stands does not turn back
     std::array<double, 2> found = {1, 1};
     std::array<double, kSteps + 1> rate{};
     double mean = 0;
@@ -64,11 +65,17 @@ std::array<double, 2> slow_places(const Bezier<N>& spline) {
         mean += rate[static_cast<std::size_t>(i)] / (kSteps + 1);
     }
     if (!(mean > 0)) return found;  // a point, where nothing is slower than the rest
+    const auto falls_behind = [&](double u) {
+        const SplinePoint at = point_at(spline, u);
+        return at.first.dot(at.second) < 0;
+    };
     std::size_t count = 0;
-    for (std::size_t i = 1; i < kSteps && count < found.size(); ++i) {
-        if (rate[i] > rate[i - 1] || rate[i] > rate[i + 1]) continue;
-        double lower = static_cast<double>(i - 1) / kSteps;
-        double upper = static_cast<double>(i + 1) / kSteps;
+    for (std::size_t i = 0; i <= kSteps && count < found.size(); ++i) {
+        // At an end the least value is inside if the speed falls towards the inside.
+        if (i > 0 ? rate[i] > rate[i - 1] : !falls_behind(0)) continue;
+        if (i < kSteps ? rate[i] > rate[i + 1] : falls_behind(1)) continue;
+        double lower = i > 0 ? static_cast<double>(i - 1) / kSteps : 0;
+        double upper = i < kSteps ? static_cast<double>(i + 1) / kSteps : 1;
         for (int pass = 0; pass < 80; ++pass) {
             const double a = lower + (upper - lower) / 3;
             const double b = upper - (upper - lower) / 3;
@@ -76,7 +83,8 @@ std::array<double, 2> slow_places(const Bezier<N>& spline) {
                 speed(spline, a) < speed(spline, b) ? b : a;
         }
         const double place = 0.5 * (lower + upper);
-        if (speed(spline, place) < kFarBelow * mean) found[count++] = place;
+        const bool is_inside = place > kEnd && place < 1 - kEnd;
+        if (is_inside && speed(spline, place) < kFarBelow * mean) found[count++] = place;
     }
     return found;
 }

@@ -188,6 +188,24 @@ TEST(Spline, QuarterCircleByWeights) {
     EXPECT_NEAR(box.lower.x(), 0, 1e-12);
 }
 
+/// Turns back at u = 0.99, behind the last of the places at which the speed is looked at first.
+TEST(Spline, ItsLengthIsExactWhereItTurnsBackBesideItsEnd) {
+    // x(u) = 100·u − 50/0.99·u²
+    const double square = 50 / 0.99;
+    const CubicSpan spline = make_spline(Vec3::Zero(), Vec3(100 - square, 0, 0),
+                                         {2, {Vec3(50, 0, 0), Vec3::Zero()}, {1, 1, 1, 1}});
+    const double turn = 49.5;  // 100·0.99 − 50·0.99
+    EXPECT_NEAR(spline.length, 2 * turn - (100 - square), 1e-9);
+    EXPECT_NEAR(position(spline, turn).x(), turn, 1e-9);
+    EXPECT_NEAR(position(spline, turn - 1e-3).x(), turn - 1e-3, 1e-9);
+    EXPECT_NEAR(position(spline, turn + 1e-3).x(), turn - 1e-3, 1e-9);
+    ASSERT_TRUE(slow_place(spline).has_value());
+    EXPECT_NEAR(*slow_place(spline), 0.99, 1e-9);
+    const auto [before, behind] = split(spline, *slow_place(spline));
+    EXPECT_FALSE(slow_place(before).has_value());
+    EXPECT_FALSE(slow_place(behind).has_value());
+}
+
 // x(u) = −150·u + 180·u², least −31.25 at u = 5/12; and a loop as high as 3/4 of its control
 // points.
 TEST(Spline, BoundsEndWhereTheCurveTurnsBack) {
