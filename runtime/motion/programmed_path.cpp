@@ -52,9 +52,11 @@ bool touches(const ProgrammedMotion& motion) {
 
 Walk walk_of(const ProgrammedMotion& motion) {
     const Segment& way = motion.way;
-    // Where the cutter turns about what it touches the tip may stand, or come back.
-    if (std::holds_alternative<path::Point>(way.curve)) return Walk::Turn;
-    if (touches(motion)) return Walk::Touch;
+    // Where the cutter rolls around a point its tip tells how far; where the tool alone turns, the
+    // tip may stand.
+    const bool stands = std::holds_alternative<path::Point>(way.curve);
+    if (touches(motion) && (!stands || way.contact.turn != 0)) return Walk::Touch;
+    if (stands) return Walk::Turn;
     if (std::holds_alternative<path::Helix>(way.curve)) return Walk::Circle;
     const bool is_alone = way.followers == 0 && !turns_tool(way);
     const bool is_span = std::holds_alternative<path::CubicSpan>(way.curve) ||
