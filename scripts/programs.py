@@ -4,6 +4,7 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+DIALECTS = ["dialects", "tests/control/dialects", "examples/dialects"]
 TEXTS = {".nc", ".NC", ".mpf", ".MPF", ".spf", ".SPF", ".ngc", ".iso", ".i", ".cnc"}
 
 
@@ -23,8 +24,9 @@ def dialects_of(path, text):
         lathe = "-m lathe" in text or "lathe" in path.name
         return ["sinumerik", "fanuc-lathe"] if lathe else ["sinumerik", "fanuc"]
     for part in reversed(parts[:-1]):
-        if (ROOT / f"dialects/{part}.xml").exists():
-            return [part]
+        for folder in DIALECTS:
+            if (ROOT / folder / f"{part}.xml").exists():
+                return [part if folder == DIALECTS[0] else str(ROOT / folder / f"{part}.xml")]
         if part == "rs274":
             return [str(ROOT / "tests/rs274/linuxcnc.xml")]
     return ["sinumerik" if path.suffix.lower() in (".mpf", ".spf") else "fanuc"]

@@ -1,8 +1,9 @@
-// Writes random programs with fixed seeds, each in the three languages, for scripts/same:
+// Writes random programs with fixed seeds, in the three languages in turn, for scripts/same:
 //   random_programs FOLDER COUNT
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <string>
 
 #include <rapidcheck.h>
@@ -26,12 +27,10 @@ constexpr Form kForms[] = {{Language::Fanuc, "fanuc", ".nc"},
 
 bool write(const fs::path& folder, std::uint64_t seed) {
     const auto program = rc::gen::exec(any_program)(rc::Random(seed), rc::kNominalSize).value();
-    for (const Form& form : kForms) {
-        const std::string name = "r" + std::to_string(seed) + form.suffix;
-        const std::string path = (folder / form.folder / name).string();
-        if (!kadr::write_file_whole(path, text_of(program, form.language))) return false;
-    }
-    return true;
+    const Form& form = kForms[seed % std::size(kForms)];
+    const std::string name = "r" + std::to_string(seed) + form.suffix;
+    const std::string path = (folder / form.folder / name).string();
+    return kadr::write_file_whole(path, text_of(program, form.language));
 }
 
 }  // namespace
