@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "motion/axis_table.h"
 #include "motion/transformed.h"
@@ -104,17 +105,64 @@ PathLimits AxisTable::transformed_limits(const Segment& piece, double wanted) co
     return limits;
 }
 
+namespace {
+
+/// The greatest value between two places, where there is one; a golden section finds it.
+template <typename Value>
+double peak_between(const Value& value, double lower, double upper) {
+    constexpr int kSteps = 30;  // to a millionth of the width, and so to a billionth of the value
+    constexpr double kGolden = 0.61803398874989485;
+    double left = upper - kGolden * (upper - lower);
+    double right = lower + kGolden * (upper - lower);
+    double at_left = value(left);
+    double at_right = value(right);
+    double most = std::max(at_left, at_right);
+    for (int step = 0; step < kSteps; ++step) {
+        if (at_left > at_right) {
+            upper = std::exchange(right, left);
+            at_right = at_left;
+            left = upper - kGolden * (upper - lower);
+            at_left = value(left);
+        } else {
+            lower = std::exchange(left, right);
+            at_left = at_right;
+            right = lower + kGolden * (upper - lower);
+            at_right = value(right);
+        }
+        most = std::max({most, at_left, at_right});
+    }
+    return most;
+}
+
+/// The greatest position in one of the directions, times `sign`, from 0 to 1: samples find the
+/// neighbourhood.
+double reach_of(const AxisCourse& course, std::size_t axis, double sign) {
+    constexpr int kPlaces = 2 * kSamples;
+    const auto value = [&](double u) { return sign * course.position(axis, u); };
+    const auto place = [](int k) { return static_cast<double>(k) / kPlaces; };
+    int nearest = 0;
+    double most = value(0);
+    for (int k = 1; k <= kPlaces; ++k) {
+        const double at = value(place(k));
+        if (!(at > most)) continue;
+        most = at;
+        nearest = k;
+    }
+    // At an end it goes farther inside only if it comes from there.
+    if (nearest == 0 && !(sign * course.rate(axis, 0) > 0)) return most;
+    if (nearest == kPlaces && !(sign * course.rate(axis, 1) < 0)) return most;
+    return std::max(most, peak_between(value, place(std::max(nearest - 1, 0)),
+                                       place(std::min(nearest + 1, kPlaces))));
+}
+
+}  // namespace
+
 AxisTable::Travel AxisTable::transformed_travel(const Segment& piece) const {
     const AxisCourse course(*chain_, piece);
     Travel travel;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        const std::size_t axis = axes_[i].coordinate;
-        travel.lower[i] = travel.upper[i] = course.position(axis, 0);
-        for (int k = 1; k <= 2 * kSamples; ++k) {
-            const double at = course.position(axis, static_cast<double>(k) / (2 * kSamples));
-            travel.lower[i] = std::min(travel.lower[i], at);
-            travel.upper[i] = std::max(travel.upper[i], at);
-        }
+        travel.lower[i] = -reach_of(course, axes_[i].coordinate, -1);
+        travel.upper[i] = reach_of(course, axes_[i].coordinate, 1);
     }
     return travel;
 }

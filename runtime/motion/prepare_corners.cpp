@@ -380,8 +380,7 @@ void Preparer::State::take_bend(Piece& piece) const {
         piece.entry_limit = passed;
     }
     const double share = 1 - std::min(taken(change, passed), kMostJump);
-    // Where nothing is slowed down, a curve that goes on in its direction is never a stop.
-    if (passed < std::min(last.speed, piece.speed) && rests_at_bend(piece, passed, share)) {
+    if (rests_at_bend(piece, passed, share)) {
         piece.entry_limit = 0;
         piece.rests_at_corner = true;
         return;
@@ -409,7 +408,7 @@ bool Preparer::State::rests_at_bend(const Piece& piece, double passed, double sh
     const double stopped = half(last, 0, 1) + half(piece, 0, 1);
     const double through = half(last, passed, share) + half(piece, passed, share);
     if (through > stopped) return true;
-    if (through <= kSurelyQuicker * stopped) return false;
+    // Where both begin and end at rest, what the ramps lack counts the most.
     const auto from_rest = [&](const auto& beside, double speed, double part) {
         const RampLimits ramp = ramp_of(beside, part);
         const double reached = std::min(speed, speed_from_rest(beside.length, ramp));

@@ -165,19 +165,45 @@ Extremes wave_extremes(double mean, double a, double b, double sweep) {
     return extremes;
 }
 
+namespace {
+
+/// Least and greatest value of `mean + a·cos φ + b·sin φ + rise·φ` for φ from 0 to `sweep`.
+Extremes rising_extremes(double mean, double a, double b, double rise, double sweep) {
+    const double amplitude = std::hypot(a, b);
+    const auto at = [&](double angle) {
+        return mean + a * std::cos(angle) + b * std::sin(angle) + rise * angle;
+    };
+    Extremes extremes{std::min(at(0), at(sweep)), std::max(at(0), at(sweep))};
+    if (std::abs(rise) >= amplitude) return extremes;  // it rises all along
+    // A·sin(φ − δ) = rise; of those a turn apart the first and the last one are the extremes.
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const double delta = std::atan2(b, a);
+    const double lean = std::asin(rise / amplitude);
+    for (const double angle : {delta + lean, delta + std::numbers::pi - lean}) {
+        const double first = angle - kTurn * std::floor(angle / kTurn);
+        if (first > sweep) continue;
+        const double last = first + kTurn * std::floor((sweep - first) / kTurn);
+        extremes.lower = std::min({extremes.lower, at(first), at(last)});
+        extremes.upper = std::max({extremes.upper, at(first), at(last)});
+    }
+    return extremes;
+}
+
+}  // namespace
+
 Box bounds(const Helix& helix) {
-    // Exact for a circle in a plane of the coordinates. A height across it shifts the crest a
-    // little, so it is added in full, and of a spread radius both ends count: never too small.
+    // Exact where the radius stays; where it changes each point lies between those on the radii of
+    // both ends: never too small.
     const double radii[] = {helix.radius, helix.radius + helix.radius_rate * helix.sweep};
     const std::span<const double> different(radii, helix.radius_rate == 0 ? 1 : 2);
     Box box{helix.start.cwiseMin(helix.end), helix.start.cwiseMax(helix.end)};
     for (int i = 0; i < 3; ++i) {
-        const double rise = helix.height_rate * helix.sweep * helix.normal[i];
+        const double rise = helix.height_rate * helix.normal[i];
         for (const double r : different) {
             const Extremes circle =
-                wave_extremes(helix.base[i], r * helix.e1[i], r * helix.e2[i], helix.sweep);
-            box.lower[i] = std::min(box.lower[i], circle.lower + std::min(0.0, rise));
-            box.upper[i] = std::max(box.upper[i], circle.upper + std::max(0.0, rise));
+                rising_extremes(helix.base[i], r * helix.e1[i], r * helix.e2[i], rise, helix.sweep);
+            box.lower[i] = std::min(box.lower[i], circle.lower);
+            box.upper[i] = std::max(box.upper[i], circle.upper);
         }
     }
     return box;

@@ -261,6 +261,31 @@ TEST(SmoothPlan, NoCornerBesideAnArcIsSlowerThanAStop) {
     }
 }
 
+/// An arc and one that goes on in its direction with another radius: the ramps of both need the
+/// jerk that the jump of the curvature takes. By passing it this took 10 % longer.
+TEST(SmoothPlan, NoArcBehindAnArcIsSlowerThanAStop) {
+    const auto machine = machine_of({.velocity = {500, 500, 400}, .jerk = {1e5, 1e5, 8e4}});
+    for (const double first : {0.5, 1.5, 10.0}) {
+        for (const double second : {0.5, 3.0, 30.0}) {
+            for (const double sweep : {0.4, 1.5, 3.0}) {
+                const auto on = [](const Vec3& center, double radius, double angle) {
+                    return Vec3(center + radius * Vec3(std::cos(angle), std::sin(angle), 0));
+                };
+                const Vec3 one(-first, 0, 0);
+                const Vec3 join = on(one, first, sweep);
+                const Vec3 other = on(join, -second, sweep);
+                std::vector<Command> program = {
+                    arc_to(join, one, sweep, 20000),
+                    arc_to(on(other, second, 2 * sweep), other, sweep, 20000)};
+                const double through = run(machine, program).totals.time;
+                for (Command& command : program) command.exact_stop = true;
+                EXPECT_LE(through, 1.001 * run(machine, program).totals.time)
+                    << first << ' ' << second << ' ' << sweep;
+            }
+        }
+    }
+}
+
 TEST(SmoothPlan, EveryLookAheadEndsAtRestAndNoneIsFaster) {
     std::vector<Command> program;
     for (int i = 1; i <= 3000; ++i) {

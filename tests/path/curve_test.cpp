@@ -112,6 +112,28 @@ TEST(Curve, BoundsTouchTheCrests) {
     }
 }
 
+/// A circle of radius 20 in X and in a direction of Y and Z turned by 60 degrees, and a way
+/// along its axis: what a fine polygon shows.
+TEST(Curve, BoundsOfAHelixInATurnedFrameAreThoseOfItsPoints) {
+    const double c = std::cos(kPi / 3), s = std::sin(kPi / 3);
+    const Vec3 normal(0, -s, c);
+    const Vec3 start(-20, 0, 0);
+    for (const double height : {-400.0, -40.0, -1.0, 7.0}) {
+        const Helix helix =
+            make_helix(start, start + height * normal, Vec3::Zero(), normal, 5 * kPi);
+        const Box box = bounds(helix);
+        Box seen{start, start};
+        constexpr int kPoints = 200000;
+        for (int i = 0; i <= kPoints; ++i) {
+            const Vec3 point = position_at_angle(helix, helix.sweep * i / kPoints);
+            seen.lower = seen.lower.cwiseMin(point);
+            seen.upper = seen.upper.cwiseMax(point);
+        }
+        EXPECT_LT((box.lower - seen.lower).norm(), 1e-6) << height;
+        EXPECT_LT((box.upper - seen.upper).norm(), 1e-6) << height;
+    }
+}
+
 /// A coordinate from -100 to 100 with three decimals, as programs have them.
 double any_coordinate() { return *rc::gen::inRange(-100000, 100001) / 1000.0; }
 Vec3 any_point() {
