@@ -585,6 +585,7 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
             ++frame->resume;
         }
     }
+    if (is_only_checking) check_jumps(line, statements);
     if (is_call) {
         if (is_only_checking) check_call(line, statements[0]);
         frame->has_given_words = false;

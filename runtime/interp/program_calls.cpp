@@ -174,8 +174,12 @@ Program::State::Done Program::State::missing_program(CompiledLine& line,
 void Program::State::check_call(CompiledLine& line, const ControlStatement& statement) {
     if (statement.kind != Statement::Call && statement.kind != Statement::CallModal) return;
     const nc::Call& words = line.line.calls[statement.call];
-    if (words.name.empty() || units.find(words.name, text(), words.kind) != nullptr) return;
-    missing_program(line, statement, words.name);
+    // A number that is computed is not known here.
+    if (words.name.empty() && !words.program.is_plain) return;
+    const CallForm* const form =
+        words.form >= 0 ? &language.calls.calls[static_cast<std::size_t>(words.form)] : nullptr;
+    PreparedCall found;
+    find_program(line, statement, form, found);
 }
 
 Program::State::Done Program::State::prepare_passes(CompiledLine& line, const nc::CallValue& passes,
@@ -912,20 +916,41 @@ Program::State::Done Program::State::leave_program(CompiledLine& line,
     return Done::Nothing;
 }
 
-/// Whether a block with a number stands in the program from a place on.
-static bool has_number_behind(const nc::DialectTables& tables, nc::LineSource& source,
-                              const LinePosition& from) {
+namespace {
+
+/// Whether a line, read by itself, ends the program.
+bool ends_program(const nc::Dialect& dialect, std::string_view line) {
+    struct OneLine final : nc::TextSource {
+        explicit OneLine(std::string_view all) : rest(all) {}
+        std::string_view next() override { return std::exchange(rest, {}); }
+        std::string_view rest;
+    } text(line);
+    DiagnosticList ignored;
+    nc::Reader reader(dialect, text, "", ignored);
+    std::array<Block, 1> block;
+    return reader.pull(block) > 0 && (block[0].find(Function::End) != nullptr ||
+                                      block[0].find(Function::EndRewind) != nullptr);
+}
+
+/// Whether a jump may end the program in front of the place: a block with a number stands in the
+/// program from there on, and the program's end behind it. Exits to an alarm alone are none.
+bool has_exit_behind(const nc::Dialect& dialect, nc::LineSource& source, const LinePosition& from) {
+    const nc::DialectTables& tables = dialect.tables();
     if (!source.seek(from.offset)) return false;
     std::string_view line;
     bool is_too_long = false;
+    bool has_number = false;
     while (source.next(line, is_too_long)) {
         if (std::ranges::find(tables.program.end, line) != tables.program.end.end()) return false;
         if (nc::program_of_header(tables.language.calls, line, tables.rules.ignores_case))
             return false;
-        if (nc::front_of(tables, line).number >= 0) return true;
+        has_number = has_number || nc::front_of(tables, line).number >= 0;
+        if (has_number && ends_program(dialect, line)) return true;
     }
     return false;
 }
+
+}  // namespace
 
 /// The main program is begun again, or ends: one whose last block begins it again never ends by
 /// itself, so it is executed as often as was asked for, which is once.
@@ -948,13 +973,13 @@ Program::State::Done Program::State::return_in_main(CompiledLine& line,
         }
     }
     // A return to a block in front begins it again, too; one to a block behind is a jump. Where
-    // blocks with numbers stand behind, a jump may lead there and end the loop: it is one of the
-    // program's.
+    // a block with a number and the end stand behind, a jump may lead there and end the loop: it is
+    // one of the program's.
     const bool is_jump = target && found.line.offset > frame->here.offset;
     const bool is_skipped_at_will = line.line.words.skip >= 0;
     const auto is_own_loop = [&] {
         return !options.passes && !is_skipped_at_will &&
-               has_number_behind(tables, source(), line.place.next);
+               has_exit_behind(dialect, source(), line.place.next);
     };
     const std::uint64_t passes = options.passes.value_or(1);
     if (is_jump || is_own_loop() || ++passes_done < passes) {

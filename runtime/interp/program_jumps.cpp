@@ -49,28 +49,54 @@ bool Program::State::resolve(CompiledLine& line, const JumpTarget& target, LineT
     return true;
 }
 
-Program::State::Done Program::State::jump(CompiledLine& line, const ControlStatement& statement) {
-    LineTarget target;
+/// Where a jump goes to. An alarm where there is no such place, but for a jump that may have none:
+/// nothing is found then.
+Program::State::Done Program::State::find_target(CompiledLine& line,
+                                                 const ControlStatement& statement,
+                                                 LineTarget& target, std::optional<Place>& found) {
     Done done = Done::Nothing;
     if (!resolve(line, statement.target, target, done)) return done;
     const Direction direction = statement.kind == Statement::JumpForward    ? Direction::Forward
                                 : statement.kind == Statement::JumpBackward ? Direction::Backward
                                                                             : Direction::Both;
-    Place found;
-    const ProgramMap::Fault fault = map().find(target, direction, line.place, found);
-    if (fault == ProgramMap::Fault::Missing && statement.kind == Statement::JumpIfThere)
+    Place place;
+    const ProgramMap::Fault fault = map().find(target, direction, line.place, place);
+    if (fault == ProgramMap::Fault::None) found = place;
+    if (found || (fault == ProgramMap::Fault::Missing && statement.kind == Statement::JumpIfThere))
         return Done::Nothing;
-    if (fault != ProgramMap::Fault::None) {
-        const std::string what =
-            target.label.empty() ? "N" + std::to_string(target.number) : target.label;
-        const char* const where = direction == Direction::Forward    ? " behind this block"
-                                  : direction == Direction::Backward ? " in front of this block"
-                                                                     : "";
-        return fail(line, fault, diag::JumpTargetMissing, statement.target.span,
-                    '`' + what + '`' + where);
+    const std::string what =
+        target.label.empty() ? "N" + std::to_string(target.number) : target.label;
+    const char* const where = direction == Direction::Forward    ? " behind this block"
+                              : direction == Direction::Backward ? " in front of this block"
+                                                                 : "";
+    return fail(line, fault, diag::JumpTargetMissing, statement.target.span,
+                '`' + what + '`' + where);
+}
+
+Program::State::Done Program::State::jump(CompiledLine& line, const ControlStatement& statement) {
+    LineTarget target;
+    std::optional<Place> found;
+    const Done done = find_target(line, statement, target, found);
+    if (done == Done::Wait || lines.failed() || !found) return done;
+    warn_of_twin(line, statement.target.span, target, *found);
+    return go(line, *found, statement.span);
+}
+
+/// Of lines that are only read: whether the targets stand in the program. Which of them is computed
+/// is not known here.
+void Program::State::check_jumps(CompiledLine& line,
+                                 const std::vector<ControlStatement>& statements) {
+    for (const ControlStatement& statement : statements) {
+        check_jumps(line, statement.inner);
+        const bool is_jump = statement.kind == Statement::Jump ||
+                             statement.kind == Statement::JumpForward ||
+                             statement.kind == Statement::JumpBackward;
+        if (lines.failed() || !is_jump || statement.target.kind == JumpTarget::Kind::Computed)
+            continue;
+        LineTarget target;
+        std::optional<Place> found;
+        find_target(line, statement, target, found);
     }
-    warn_of_twin(line, statement.target.span, target, found);
-    return go(line, found, statement.span);
 }
 
 /// A target that stands twice is found as the control looks for it, which need not be the one that

@@ -453,6 +453,9 @@ struct Program::State {
     void leave_places(Frame& of);
     Done call_with_block(CompiledLine& line);
     void check_call(CompiledLine& line, const nc::ControlStatement& statement);
+    void check_jumps(CompiledLine& line, const std::vector<nc::ControlStatement>& statements);
+    Done find_target(CompiledLine& line, const nc::ControlStatement& statement, LineTarget& target,
+                     std::optional<Place>& found);
     Done check_external(CompiledLine& line, const nc::ControlStatement& statement);
 
     // … returns

@@ -10,6 +10,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "nc/control_words.h"
 #include "nc/foreign_words.h"
 #include "nc/letters.h"
 #include "nc/line_reader.h"
@@ -167,8 +168,9 @@ bool is_about_words(const DiagnosticRow& row) {
     return std::ranges::find(kRows, &row) != kRows.end();
 }
 
-/// The number whose exponent begins at `at`, as `1e3`, without one; empty: there is none.
-std::string without_exponent(std::string_view line, std::size_t at) {
+/// What a number is written as whose exponent begins at `at`, as `1e3`: with the exponent of the
+/// control's language, or without one. Empty: there is none.
+std::string fix_of_exponent(const DialectTables& tables, std::string_view line, std::size_t at) {
     if (at >= line.size() || (line[at] != 'e' && line[at] != 'E')) return "";
     std::size_t begin = at;
     while (begin > 0 && (is_digit(line[begin - 1]) || line[begin - 1] == '.')) --begin;
@@ -178,13 +180,18 @@ std::string without_exponent(std::string_view line, std::size_t at) {
     const char* const end = line.data() + line.size();
     const auto read = std::from_chars(line.data() + begin, end, value);
     if (read.ec != std::errc() || read.ptr <= line.data() + at) return "";
+    if (tables.language.is_present && ControlWords(tables, line).has_exponents()) {
+        const auto behind = static_cast<std::size_t>(read.ptr - line.data());
+        return "an exponent begins with `EX`: `" + std::string(line.substr(begin, at - begin)) +
+               "EX" + std::string(line.substr(at + 1, behind - at - 1)) + '`';
+    }
     std::array<char, 400> text;
     const auto written =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
     if (written.ec != std::errc() || written.ptr - text.data() > 12) return "";
     std::string number(text.data(), written.ptr);
     if (number.find('.') == number.npos) number += '.';
-    return number;
+    return "numbers have no exponent: `" + number + '`';
 }
 
 }  // namespace
@@ -207,8 +214,8 @@ void LineReader::report(std::string_view line, const LineFault& fault, FaultOf o
     const std::size_t at = fault.span.begin;
     const bool is_small = !tables_.rules.ignores_case && at < line.size() && is_lower(line[at]);
     const std::string number =
-        is_about_words(*fault.row) ? without_exponent(line, at) : std::string();
-    if (!number.empty()) builder.fix("numbers have no exponent: `" + number + '`');
+        is_about_words(*fault.row) ? fix_of_exponent(tables_, line, at) : std::string();
+    if (!number.empty()) builder.fix(number);
     else if (!instead.empty()) builder.fix(std::string(instead));
     else if (fault.row == &diag::MachineAxisWanted)
         builder.fix("name the axis of the machine: `" + fault.arguments[1].substr(0, 1) + "1=0`");

@@ -263,7 +263,11 @@ TEST_F(CommandLine, WhatStandsBehindTheEndIsWrongOnlyIfItIsReached) {
           Row{"over.mpf", "R1=2\nGOTOF LAB2\nFOOBAR(1)\nLAB2: G0 X1\nM30\n", "sinumerik", 3},
           Row{"branch.mpf", "IF R1==1\nG1 X==\nELSE\nG0 X1\nENDIF\nM30\n", "sinumerik", 2},
           Row{"over.nc", "O1\nG0 X1\nGOTO9\nG01 X\nN9 M30\n%\n", "fanuc", 4},
-          Row{"never.nc", "O1\nWHILE[#100GT5]DO1\nG01 X\nEND1\nM30\n", "fanuc", 3}}) {
+          Row{"never.nc", "O1\nWHILE[#100GT5]DO1\nG01 X\nEND1\nM30\n", "fanuc", 3},
+          Row{"jump.nc", "O1\nGOTO5\nIF[#1EQ1]GOTO88\nN5 M30\n", "fanuc", 3},
+          Row{"call.nc", "O1\nGOTO5\nM98 P77\nN5 M30\n", "fanuc", 3},
+          Row{"macro.nc", "O1\nGOTO5\nG65 P78\nN5 M30\n", "fanuc", 3},
+          Row{"jump.mpf", "IF R1==1\nGOTOF NIX\nENDIF\nM30\n", "sinumerik", 2}}) {
         SCOPED_TRACE(row.name);
         save(row.name, row.text);
         const std::string place = file(row.name) + ':' + std::to_string(row.line) + ':';
