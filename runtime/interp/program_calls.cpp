@@ -174,12 +174,16 @@ Program::State::Done Program::State::missing_program(CompiledLine& line,
 void Program::State::check_call(CompiledLine& line, const ControlStatement& statement) {
     if (statement.kind != Statement::Call && statement.kind != Statement::CallModal) return;
     const nc::Call& words = line.line.calls[statement.call];
+    std::string name = words.name;
     // A number that is computed is not known here.
-    if (words.name.empty() && !words.program.is_plain) return;
-    const CallForm* const form =
-        words.form >= 0 ? &language.calls.calls[static_cast<std::size_t>(words.form)] : nullptr;
-    PreparedCall found;
-    find_program(line, statement, form, found);
+    if (name.empty() && words.program.is_plain && !lines.failed()) {
+        PreparedCall ignored;
+        ProgramName wanted;
+        program_name(line, statement, nullptr, ignored, wanted);
+        name = wanted.name;
+    }
+    if (name.empty() || units.find(name, text(), words.kind) != nullptr) return;
+    missing_program(line, statement, name);
 }
 
 Program::State::Done Program::State::prepare_passes(CompiledLine& line, const nc::CallValue& passes,

@@ -82,6 +82,13 @@ Program::State::Done Program::State::jump(CompiledLine& line, const ControlState
     return go(line, *found, statement.span);
 }
 
+/// Whether a target is the same wherever its line is reached from.
+static bool is_fixed(const nc::ControlLine& code, const JumpTarget& target) {
+    if (target.kind != JumpTarget::Kind::Computed) return true;
+    return target.value.count == 1 &&
+           code.code[target.value.first].kind == nc::Instruction::Kind::Number;
+}
+
 /// Of lines that are only read: whether the targets stand in the program. Which of them is computed
 /// is not known here.
 void Program::State::check_jumps(CompiledLine& line,
@@ -91,8 +98,7 @@ void Program::State::check_jumps(CompiledLine& line,
         const bool is_jump = statement.kind == Statement::Jump ||
                              statement.kind == Statement::JumpForward ||
                              statement.kind == Statement::JumpBackward;
-        if (lines.failed() || !is_jump || statement.target.kind == JumpTarget::Kind::Computed)
-            continue;
+        if (lines.failed() || !is_jump || !is_fixed(line.line, statement.target)) continue;
         LineTarget target;
         std::optional<Place> found;
         find_target(line, statement, target, found);
