@@ -43,6 +43,10 @@ bool Expander::failed() const { return state_->has_failed; }
 
 bool Expander::rejected() const { return state_->is_rejected; }
 
+const ModalState* Expander::known() const {
+    return state_->waiting.empty() ? &state_->modal : nullptr;
+}
+
 const Trace& Expander::trace(std::size_t i) const {
     KADR_ASSERT(i < state_->traces.size(), "a trace was asked for without ExpandOptions::trace");
     return state_->traces[i];

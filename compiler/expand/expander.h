@@ -72,6 +72,8 @@ struct ExpandOptions {
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };
 
+struct ModalState;
+
 /// Evaluates a program, batch by batch. Errors while it runs are reported with the call stack and
 /// end the stream.
 class Expander final : public Stream<nc::Block> {
@@ -118,6 +120,9 @@ class Expander final : public Stream<nc::Block> {
     bool failed() const;
     /// The values of a property are not among those that it assumes.
     bool rejected() const;
+    /// What is known of the control behind the block that was yielded last; null while blocks wait
+    /// that were made together with it.
+    const ModalState* known() const;
     /// Of block `i` of the latest batch, if ExpandOptions::trace.
     const Trace& trace(std::size_t i) const;
 

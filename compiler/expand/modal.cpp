@@ -56,6 +56,11 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
         known = static_cast<AxisMask>(moved.is_known[i] ? known | bit : known & ~bit);
     }
     if ((lost & sema::kFrameBit) != 0) known &= static_cast<AxisMask>(~kLinearXYZ);
+    // Where a program turns and does not say whether its X is a diameter, the control knows alone
+    // what a frame makes of it.
+    const bool may_be_diameter =
+        (*this)[Group::Diameter] == Function::None && (*this)[Group::Plane] == Function::PlaneZx;
+    if (may_be_diameter && next.differs(frame, 0)) known &= static_cast<AxisMask>(~bit(Axis::X));
     is_place_due = true;
     // A control that has its rotation innermost says it again behind every other change.
     const bool turns = next.angle_deg != 0 || frame.angle_deg != 0;

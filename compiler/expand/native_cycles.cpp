@@ -6,6 +6,7 @@
 #include "base/assert.h"
 #include "base/diagnostics/expand.h"
 #include "expand/numbers.h"
+#include "expand/plane.h"
 #include "expand/state.h"
 #include "nc/tables.h"
 
@@ -27,6 +28,38 @@ static bool turns_spindle(std::span<const sema::ParameterInfo> parameters, std::
 /// Whether a cycle has its feed from this parameter: threads are cut with their pitch.
 static bool says_feed(const sema::ParameterInfo& parameter) {
     return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
+}
+
+/// How a cycle leaves the spindle if the last of its own blocks that is about it makes it stand;
+/// None: it turns on, or nothing is said of it.
+static Function standing_behind(const sema::Code& code, const sema::FunctionCode& cycle) {
+    Function last = Function::None;
+    for (std::uint32_t i = cycle.body; i < cycle.end; ++i) {
+        const Instruction& instruction = code.instructions[i];
+        if (instruction.op != Op::Emit) continue;
+        const auto plan = static_cast<std::size_t>(instruction.immediate.pair.first);
+        for (const nc::Invocation& said : code.plans[plan].functions)
+            if (nc::info(said.function).group == Group::Spindle) last = said.function;
+    }
+    const bool stands = last == Function::SpindleStop || last == Function::SpindleOrient;
+    return stands ? last : Function::None;
+}
+
+/// A cycle that names the level to which it goes back first stands there, and not where it began;
+/// and one that has a place of its own is somewhere at it.
+void Expander::State::go_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
+                              std::span<const double> values) {
+    if (parameters.empty() || parameters[0].name != "back") return;
+    const bool has_place =
+        std::ranges::find(parameters, "x", &sema::ParameterInfo::name) != parameters.end();
+    if (has_place || modal[Group::Plane] == Function::None)
+        modal.known &= static_cast<AxisMask>(~kLinearXYZ);
+    if (modal[Group::Plane] == Function::None) return;
+    const std::size_t across = indices_of(plane_of(modal[Group::Plane])).across;
+    const auto axis = static_cast<AxisMask>(1u << across);
+    const bool is_given = (given & 1u) != 0;
+    if (is_given) modal.position[across] = values[0];
+    modal.known = static_cast<AxisMask>(is_given ? modal.known | axis : modal.known & ~axis);
 }
 
 /// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own
@@ -140,12 +173,15 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
     modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
     modal.restate_motion = true;
+    if (const Function left = standing_behind(code, *frame.function); left != Function::None)
+        modal.switch_spindle(left, source);
     // The cycle names coordinates of its own; which ones only one that drills in Z tells.
     const bool drills_in_z = std::ranges::any_of(parameters, [&](const sema::ParameterInfo& p) {
         return p.name == "initial" && (given >> (&p - parameters.data()) & 1u) != 0;
     });
     if (drills_in_z) modal.forget_drift(bit(Axis::Z));
     else modal.lost_drift |= modal.has_drift;
+    go_back(parameters, given, values);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if ((given >> i & 1u) == 0) continue;
         if (parameters[i].name == "initial") {

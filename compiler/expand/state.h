@@ -307,6 +307,8 @@ struct Expander::State {
     bool spares_distances(nc::CycleId cycle, std::uint32_t given) const;
     void compensated_cycle(const sema::FunctionCode& cycle);
     void warn_of_tap();
+    void go_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
+                 std::span<const double> values);
     /// True if the control has the cycle and a block stands for it now, or an error was reported.
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
 

@@ -61,6 +61,7 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
     shifts_center_ = dialect.has_rule("arc_error", "shift_center");
     arc_tolerance_ = rule_value(dialect, "arc_tolerance");
     arc_tolerance_factor_ = rule_value(dialect, "arc_tolerance_factor");
+    increments_travel_frames_ = dialect.has_rule("incremental_frame", "traversed");
     scale_replaces_ = dialect.has_rule("scale_replaces");
     changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
     most_message_ = static_cast<std::size_t>(std::max(0.0, rule_value(dialect, "most_message")));
@@ -138,6 +139,8 @@ void BlockWriter::take_position(const Block& block) {
     WrittenPosition& position = modal_.position;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (!block.has(static_cast<Slot>(axis)) || is_known(axis)) continue;
+        if ((position.told & bit(static_cast<Slot>(axis))) == 0)
+            position.named[axis] = {position.meant[axis], position.text[axis]};
         position.meant[axis] = position.text[axis] = block.at(static_cast<Slot>(axis));
         position.known |= bit(static_cast<Slot>(axis));
         position.told |= bit(static_cast<Slot>(axis));

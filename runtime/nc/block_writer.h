@@ -18,6 +18,7 @@ class BlockWriter {
   public:
     BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink);
 
+    const WriterModal& modal() const { return modal_; }
     void set_statements(std::span<const SourceRange> statements, const Sources* sources) {
         statements_ = statements;
         sources_ = sources;
@@ -149,6 +150,7 @@ class BlockWriter {
     void write_lead(const Form& form, const Block& block, const Invocation& invocation,
                     std::string& out);
     void leave_cycle(const Block& block, std::string& out);
+    void follow_back(const Block& block, const Invocation& cycle);
     double cycle_speed(const Block& block, const Invocation& invocation) const;
     Function spindle_behind(const Form& form, const Block& block,
                             const Invocation& invocation) const;
@@ -355,6 +357,7 @@ class BlockWriter {
     double arc_tolerance_ = 0;                      // of the control, mm
     double arc_tolerance_factor_ = 0;               // … and part of the radius
     bool is_part_ = false;                          // the blocks are parts of an arc
+    bool increments_travel_frames_ = false;         // they count from the coordinate named last
     bool scale_replaces_ = false;                   // a second scale ends the first
     std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
     bool changer_moves_plane_ = false;              // a tool change ends elsewhere in X and Y

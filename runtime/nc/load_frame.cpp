@@ -132,10 +132,16 @@ void load_comment(const XmlElement& element, CommentStyle& style, Attributes& at
     attributes.read_number(element, "max_length", style.max_length);
     for (const XmlElement& replace : element.children) {
         const XmlAttribute& character = needed(replace, "character");
-        if (character.value.size() == 1) {
-            style.replacements.emplace_back(character.value[0], needed(replace, "by").value);
-        } else {
+        const XmlAttribute& by = needed(replace, "by");
+        const auto is_same = [&](const auto& pair) { return pair.first == character.value[0]; };
+        if (character.value.size() != 1) {
             attributes.bad_value(character, "one ASCII character is expected");
+        } else if (std::ranges::any_of(style.replacements, is_same)) {
+            attributes.bad_value(character, "it is replaced already");
+        } else if (!style.close.empty() && by.value.find(style.close) != std::string::npos) {
+            attributes.bad_value(by, "it ends the comment");
+        } else {
+            style.replacements.emplace_back(character.value[0], by.value);
         }
     }
     if (style.close.size() == 1) replace_unless_said(style.close[0], style);

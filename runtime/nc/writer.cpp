@@ -160,5 +160,6 @@ void Writer::end(std::string& out) {
 
 std::uint32_t Writer::lines() const { return state_->blocks.lines(); }
 bool Writer::failed() const { return state_->blocks.failed(); }
+const WriterModal& Writer::believed() const { return state_->blocks.modal(); }
 
 }  // namespace kadr::nc

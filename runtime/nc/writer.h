@@ -29,6 +29,8 @@ struct ProgramInfo {
     std::int64_t greatest_number = 0;  // that a block says itself; those that are counted lie above
 };
 
+struct WriterModal;
+
 class Writer {
   public:
     /// dialect and sink outlive the writer. Reports with the range that `range_of` gives.
@@ -48,6 +50,8 @@ class Writer {
 
     std::uint32_t lines() const;  // written so far
     bool failed() const;          // an error was reported
+    /// What the text says behind its last line, as far as the writer knows (writer_state.h).
+    const WriterModal& believed() const;
 
   private:
     struct State;

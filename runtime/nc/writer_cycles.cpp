@@ -1,4 +1,6 @@
 // The spindle and the feed around a cycle, and what is known behind it.
+#include <algorithm>
+
 #include "nc/block_writer.h"
 
 namespace kadr::nc {
@@ -39,12 +41,34 @@ Function BlockWriter::spindle_behind(const Form& form, const Block& block,
     return wanted == form.leaves ? Function::None : wanted;
 }
 
+/// A cycle that names the level to which it goes back first stands there, and not where it began;
+/// and one that has a place of its own is somewhere at it.
+void BlockWriter::follow_back(const Block& block, const Invocation& cycle) {
+    const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
+    if (parameters.empty() || parameters[0].name != "back") return;
+    WrittenPosition& position = modal_.position;
+    if (std::ranges::find(parameters, "x", &Parameter::name) != parameters.end())
+        position.known &= static_cast<SlotMask>(~(bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z)));
+    const std::size_t across = plane_axes()[2];
+    const SlotMask mask = bit(static_cast<Slot>(across));
+    position.known &= static_cast<SlotMask>(~mask);
+    if ((cycle.given & 1u) == 0) return;
+    const auto slot = static_cast<Slot>(across);
+    const double scale = to_text(slot, 1);
+    position.meant[across] = block.argument(cycle, 0);
+    position.text[across] = round_to(position.meant[across] * scale, decimals(slot)) / scale;
+    position.known |= mask;
+    position.told |= mask;
+    position.named[across] = {position.meant[across], position.text[across]};
+}
+
 /// A cycle of the control may bring a feed and a speed of its own; those of the program act behind
 /// it.
 void BlockWriter::leave_cycle(const Block& block, std::string& out) {
     const Invocation* cycle = block.find(Function::Cycle);
     const FormId id = chosen_[static_cast<std::size_t>(cycle - block.functions.data())];
     if (id == kNoForm) return;
+    follow_back(block, *cycle);
     const Form& form = tables_.forms[id];
     const bool says_feed = has_feed_word(block, *cycle);
     Block back;

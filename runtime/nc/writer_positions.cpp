@@ -98,6 +98,11 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
     const bool is_distance =
         by_itself ? (block.incremental & mask) != 0 : meant_distance == Function::Incremental;
     const bool was_known = is_known(axis);
+    // There an increment counts from the coordinate that was named last, whatever the frame.
+    if (is_distance && increments_travel_frames_ && (position.told & mask) != 0) {
+        position.meant[axis] = position.named[axis][0];
+        position.text[axis] = position.named[axis][1];
+    }
     const double old_text = position.text[axis];
     position.meant[axis] = is_distance ? position.meant[axis] + value : value;
     position.text[axis] = round_to(position.meant[axis] * scale, places) / scale;

@@ -34,6 +34,8 @@ struct WrittenPosition {
     std::array<double, kAxes> text{};
     SlotMask known = 0;  // the axes whose coordinates are known, not only their changes
     SlotMask told = 0;   // … and of these the ones that no word of the text has named yet
+    // Of these the coordinate that a word named last, in another frame: meant, and in the text.
+    std::array<std::array<double, 2>, kAxes> named{};
 
     void forget() { known = told = 0; }
 };

@@ -1,0 +1,336 @@
+// What the expander knows of the control behind a block is what the control does, and what the
+// writer believes of its text is what the text says there (DESIGN 3): all Kadr programs of this
+// repository, and random ones, are evaluated and written block by block, their text is executed
+// line by line, and behind each block all are asked. Where nothing is known there is nothing to
+// contradict.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "driver/cycles.h"
+#include "driver/messages.h"
+#include "driver/program.h"
+#include "driver/session.h"
+#include "driver/share.h"
+#include "expand/expander.h"
+#include "expand/modal.h"
+#include "interp/interpreter.h"
+#include "interp/program.h"
+#include "nc/writer.h"
+#include "nc/writer_state.h"
+#include "tests/control/random_program.h"
+
+namespace kadr::control_testing {
+namespace {
+
+namespace fs = std::filesystem;
+using expand::ModalState;
+using nc::Function;
+using nc::Group;
+
+/// A text rounds each number to an increment, and increments add up.
+constexpr double kRounded = 0.003;
+constexpr std::uint64_t kMostBlocks = 3000;  // of a program: behind these nothing new comes
+
+/// What the expander knows behind a block. F is the author's; the text has another one where a
+/// control counts it otherwise, along a helix or beside rotary axes, and for threads.
+struct Known {
+    ModalState state;
+    nc::WriterModal text;
+    bool is_inch = false;
+    bool has_feed_of_text = true;
+};
+
+/// The text of a program, and what the expander knows behind the lines that end a block.
+struct Evaluated {
+    std::string text;
+    std::map<std::uint32_t, Known> known;
+};
+
+/// Whether the text may say another F than the block.
+bool converts_feed(const nc::Block& block, const ModalState& state) {
+    const Function motion = state[Group::Motion];
+    const bool is_arc = motion == Function::ArcCw || motion == Function::ArcCcw;
+    const nc::SlotMask targets = block.given & nc::kTargetSlots;
+    const nc::SlotMask linear = nc::bit(nc::Slot::X) | nc::bit(nc::Slot::Y) | nc::bit(nc::Slot::Z);
+    return is_arc || (targets & ~linear) != 0 || block.find(Function::Thread) != nullptr ||
+           block.motion == Function::Thread;
+}
+
+Evaluated evaluated(const sema::Code& code, const nc::Dialect& dialect, DiagnosticSink& sink) {
+    Evaluated out;
+    expand::ExpandOptions options;
+    options.limits.blocks = kMostBlocks;
+    expand::Expander expander(code, dialect, options, sink);
+    if (!expander.start("", {})) return out;
+    const auto& functions = code.functions;
+    const auto entry = std::ranges::find_if(functions, [](const sema::FunctionCode& function) {
+        return function.kind == sema::FunctionKind::Program;
+    });
+    nc::Writer writer(dialect, {.number_blocks = false}, sink);
+    const bool is_inch = entry != functions.end() && entry->units == sema::Units::Inch;
+    writer.begin({"known", 1, "", is_inch}, out.text);
+    std::vector<nc::Block> block(1);
+    bool is_converted = false;
+    while (expander.pull(block) > 0) {
+        writer.write(block[0], out.text);
+        const ModalState* known = expander.known();
+        if (known == nullptr) {
+            out.known.erase(writer.lines());
+            continue;
+        }
+        is_converted =
+            converts_feed(block[0], *known) || (is_converted && !block[0].has(nc::Slot::Feed));
+        out.known.insert_or_assign(writer.lines(),
+                                   Known{*known, writer.believed(), is_inch, !is_converted});
+    }
+    writer.end(out.text);
+    return out;
+}
+
+/// Hands out one block at a time, and has the state compared behind it when the next one is asked
+/// for.
+class OneByOne final : public Stream<nc::Block> {
+  public:
+    OneByOne(interp::Program& program, std::function<void(std::uint32_t)> behind)
+        : program_(program), behind_(std::move(behind)) {}
+    std::size_t pull(std::span<nc::Block> out) override {
+        if (line_ > 0) behind_(line_);
+        const std::size_t count = program_.pull(out.first(1));
+        line_ = count > 0 ? out[0].line : 0;
+        return count;
+    }
+
+  private:
+    interp::Program& program_;
+    std::function<void(std::uint32_t)> behind_;
+    std::uint32_t line_ = 0;
+};
+
+// ---------------------------------------------------------------- comparing
+
+bool is_lost(const ModalState& known, Group group) {
+    return (known.lost & sema::group_bit(group)) != 0;
+}
+
+/// The mode of the feed as the interpreter has it; nothing where the expander does not know it.
+std::optional<path::FeedMode> feed_mode_of(const ModalState& known) {
+    if (is_lost(known, Group::FeedMode)) return std::nullopt;
+    switch (known[Group::FeedMode]) {
+        case Function::FeedPerMinute: return path::FeedMode::PerMinute;
+        case Function::FeedPerRevolution: return path::FeedMode::PerRevolution;
+        case Function::FeedInverseTime: return path::FeedMode::InverseTime;
+        default: return std::nullopt;
+    }
+}
+
+std::optional<path::SpindleMode> spindle_of(const ModalState& known) {
+    if (is_lost(known, Group::Spindle) || known.spindle_in_doubt) return std::nullopt;
+    switch (known[Group::Spindle]) {
+        case Function::SpindleOrient: return path::SpindleMode::Orient;
+        case Function::SpindleCw: return path::SpindleMode::Cw;
+        case Function::SpindleCcw: return path::SpindleMode::Ccw;
+        case Function::SpindleStop: return path::SpindleMode::Stop;
+        default: return std::nullopt;
+    }
+}
+
+std::string pair(std::string_view what, double known, double found) {
+    return std::string(what) + ' ' + format_shortest(known) + " is " + format_shortest(found);
+}
+
+/// What the expander knows and the interpreter contradicts; empty: nothing.
+std::string contradiction(const Known& behind, const interp::Interpreter& interpreter) {
+    const ModalState& known = behind.state;
+    const interp::Snapshot now = interpreter.snapshot();
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((known.known >> i & 1u) == 0 || (now.axes >> i & 1u) == 0) continue;
+        if (std::abs(known.position[i] - now.work[i]) > kRounded)
+            return pair(kAxisNames[i], known.position[i], now.work[i]);
+    }
+    const auto mode = feed_mode_of(known);
+    if (mode && *mode != now.feed_mode) return "another feed mode";
+    const bool has_feed =
+        behind.has_feed_of_text && known.has_feed && (known.lost & sema::kFeedBit) == 0;
+    if (has_feed && mode && now.feed &&
+        std::abs(known.feed - *now.feed) > 0.006 + 1e-6 * known.feed)
+        return pair("F", known.feed, *now.feed);
+    if (has_feed && mode && !now.feed) return "no F";
+    const bool has_speed = known.has_speed && (known.lost & sema::kSpeedBit) == 0;
+    if (has_speed && std::abs(known.speed - now.speed) > 0.6)
+        return pair("S", known.speed, now.speed);
+    const auto spindle = spindle_of(known);
+    if (spindle && *spindle != now.spindle)
+        return pair("the spindle", static_cast<double>(*spindle), static_cast<double>(now.spindle));
+    if (known.has_tool_in && known.tool_in != static_cast<double>(now.tool))
+        return pair("T", known.tool_in, static_cast<double>(now.tool));
+    if (known[Group::WorkOffsets] == Function::WorkOffset && !is_lost(known, Group::WorkOffsets) &&
+        known.due_offset == 0 && known.work_offset != static_cast<double>(now.work_offset))
+        return pair("the work offset", known.work_offset, static_cast<double>(now.work_offset));
+    return {};
+}
+
+/// What is told of the state, by its name.
+std::string item(const std::vector<interp::StateItem>& items, std::string_view name) {
+    const auto found = std::ranges::find(items, name, &interp::StateItem::name);
+    return found == items.end() ? std::string() : found->value;
+}
+
+/// What the state shows where a function acts; empty: it does not show it.
+std::string shown(Function function) {
+    switch (function) {
+        case Function::PlaneXy: return "XY";
+        case Function::PlaneZx: return "ZX";
+        case Function::PlaneYz: return "YZ";
+        case Function::Absolute: return "absolute";
+        case Function::Incremental: return "incremental";
+        default: return {};
+    }
+}
+
+/// What the writer believes of its text and the one who reads and executes it contradicts.
+std::string misreading(const Known& behind, const interp::Interpreter& interpreter) {
+    constexpr double kWritten = 1e-6;  // both add up the same words
+    const nc::WriterModal& text = behind.text;
+    const interp::Snapshot now = interpreter.snapshot();
+    const std::vector<interp::StateItem> items = interpreter.state();
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const nc::SlotMask axis = nc::SlotMask{1} << i;
+        if ((text.position.known & ~text.position.told & axis) == 0) continue;
+        if ((now.axes >> i & 1u) != 0 && std::abs(text.position.text[i] - now.work[i]) > kWritten)
+            return "of the text " + pair(kAxisNames[i], text.position.text[i], now.work[i]);
+    }
+    for (const auto& [group, name] :
+         {std::pair(Group::Plane, "plane"), std::pair(Group::Distance, "distances")}) {
+        const std::string believed = shown(text.text_of(group));
+        if (!believed.empty() && believed != item(items, name))
+            return "of the text " + believed + " is " + item(items, name);
+    }
+    const Function motion = text.text_of(Group::Motion);
+    if (motion != Function::None && item(items, "motion") != nc::info(motion).name)
+        return "of the text " + std::string(nc::info(motion).name) + " is " + item(items, "motion");
+    if (text.feed.is_known && now.feed && !behind.is_inch &&
+        std::abs(text.feed.value - *now.feed) > kWritten * (1 + text.feed.value))
+        return "of the text " + pair("F", text.feed.value, *now.feed);
+    if (text.speed.is_known && std::abs(text.speed.value - now.speed) > kWritten * (1 + now.speed))
+        return "of the text " + pair("S", text.speed.value, now.speed);
+    return {};
+}
+
+// ---------------------------------------------------------------- programs
+
+std::string machine_of(const std::string& text, bool is_for_lathe) {
+    static const std::regex kSaid("machine: ([\\w-]+)");
+    std::smatch said;
+    const bool is_said = std::regex_search(text, said, kSaid);
+    if (is_said && said[1] == "five-axis") return "trunnion-ac";
+    if (is_said && fs::exists(KADR_ROOT "/runtime/machines/" + said[1].str() + ".xml"))
+        return said[1];
+    return is_for_lathe ? "lathe" : "";
+}
+
+struct Compared {
+    std::size_t blocks = 0;
+    std::string contradiction;
+};
+
+Compared compared(const std::string& path, const std::string& text, const std::string& target,
+                  bool is_for_lathe = false) {
+    Compared out;
+    Sources sources;
+    driver::Messages messages(sources, {}, [](std::string_view) {});
+    driver::Options options;
+    options.dialect = target;
+    options.machine = machine_of(text, is_for_lathe);
+    driver::Session session(options, driver::share_below(KADR_ROOT), sources, messages);
+    const nc::Dialect* dialect = session.chosen_dialect(target);
+    const machine::Machine* machine = session.machine();
+    const auto program = driver::load_program(session, sources.add(path, text));
+    if (!program || dialect == nullptr || machine == nullptr) return out;
+    const Evaluated text_of_it = evaluated(*program->code, *dialect, messages);
+    if (messages.errors() > 0) return out;  // such a text is never given to a control
+    DiagnosticList said;
+    struct Text final : nc::TextSource {
+        explicit Text(std::string_view all) : rest(all) {}
+        std::string_view next() override { return std::exchange(rest, {}); }
+        std::string_view rest;
+    } source(text_of_it.text);
+    driver::LibraryCycles cycles(session, *dialect);
+    interp::Program lines(*dialect, source, "known", {}, said);
+    const interp::Interpreter* onlooker = nullptr;
+    OneByOne blocks(lines, [&](std::uint32_t line) {
+        const auto known = text_of_it.known.find(line);
+        if (known == text_of_it.known.end() || !out.contradiction.empty()) return;
+        ++out.blocks;
+        std::string found = contradiction(known->second, *onlooker);
+        if (found.empty()) found = misreading(known->second, *onlooker);
+        if (found.empty()) return;
+        std::istringstream in(text_of_it.text);
+        std::string shown;
+        for (std::uint32_t i = 0; i < line; ++i) std::getline(in, shown);
+        out.contradiction = "line " + std::to_string(line) + " `" + shown + "`: " + found;
+    });
+    interp::InterpreterOptions stepping;
+    stepping.in_step = true;
+    interp::Interpreter interpreter(*dialect, *machine, blocks, &lines, &cycles, stepping, said);
+    onlooker = &interpreter;
+    lines.follow(interpreter);
+    std::vector<path::Command> batch(64);
+    while (interpreter.pull(batch) > 0) {
+    }
+    return out;
+}
+
+TEST(KnownState, IsWhatTheControlDoes) {
+    std::size_t blocks = 0;
+    std::size_t programs = 0;
+    for (const char* folder : {"/tests", "/examples", "/stdlib"}) {
+        for (const auto& entry :
+             fs::recursive_directory_iterator(KADR_ROOT + std::string(folder))) {
+            if (entry.path().extension() != ".kadr") continue;
+            const std::string path = entry.path().string();
+            const auto text = read_file(path);
+            ASSERT_TRUE(text.has_value());
+            const bool turns = path.find("lathe") != std::string::npos ||
+                               text->find("-m lathe") != std::string::npos ||
+                               text->find("machine: lathe") != std::string::npos;
+            for (const char* target :
+                 {"sinumerik", turns ? "fanuc-lathe" : "fanuc", "axioma", "iso"}) {
+                const Compared result = compared(path, *text, target, turns);
+                blocks += result.blocks;
+                programs += result.blocks > 0;
+                EXPECT_EQ(result.contradiction, "") << path << " on " << target;
+            }
+        }
+    }
+    EXPECT_GT(programs, 700u);
+    EXPECT_GT(blocks, 10000u);
+}
+
+TEST(KnownState, OfRandomProgramsIsWhatTheControlDoes) {
+    std::size_t blocks = 0;
+    for (std::uint64_t seed = 1; seed <= 700; ++seed) {
+        const auto program = rc::gen::exec(any_program)(rc::Random(seed), rc::kNominalSize).value();
+        const std::string text = text_of(program, Language::Kadr);
+        const char* target = seed % 2 == 0 ? "sinumerik" : "fanuc";
+        const Compared result = compared("random.kadr", text, target);
+        blocks += result.blocks;
+        EXPECT_EQ(result.contradiction, "") << seed << " on " << target << "\n" << text;
+    }
+    EXPECT_GT(blocks, 6000u);
+}
+
+}  // namespace
+}  // namespace kadr::control_testing
