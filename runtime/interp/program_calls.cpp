@@ -179,7 +179,9 @@ void Program::State::check_call(CompiledLine& line, const ControlStatement& stat
     if (name.empty() && words.program.is_plain && !lines.failed()) {
         PreparedCall ignored;
         ProgramName wanted;
-        program_name(line, statement, nullptr, ignored, wanted);
+        const CallForm* const form =
+            words.form >= 0 ? &language.calls.calls[static_cast<std::size_t>(words.form)] : nullptr;
+        program_name(line, statement, form, ignored, wanted);
         name = wanted.name;
     }
     if (name.empty() || units.find(name, text(), words.kind) != nullptr) return;

@@ -8,8 +8,8 @@
 namespace kadr::motion {
 
 /// Pieces of a curve that bends freely, in order, on each of which the curvature is about the same
-/// and the direction turns by little between samples. Where it turns back it is
-/// cut; a turn inside less than a nanometre becomes a straight piece: a corner at both its ends.
+/// and the direction turns by little between samples. Where it turns back it is cut; a turn inside
+/// less than a nanometre becomes a straight piece: a corner at both its ends.
 std::vector<path::Curve> evenly_bent(const path::Curve& curve);
 
 /// What the limits of axes need to know of a piece: greatest |dq/ds|, |d²q/ds²| and |d³q/ds³| of X,

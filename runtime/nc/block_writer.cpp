@@ -139,11 +139,12 @@ void BlockWriter::take_position(const Block& block) {
     WrittenPosition& position = modal_.position;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (!block.has(static_cast<Slot>(axis)) || is_known(axis)) continue;
-        if ((position.told & bit(static_cast<Slot>(axis))) == 0)
+        if ((position.reframed & bit(static_cast<Slot>(axis))) == 0)
             position.named[axis] = {position.meant[axis], position.text[axis]};
         position.meant[axis] = position.text[axis] = block.at(static_cast<Slot>(axis));
         position.known |= bit(static_cast<Slot>(axis));
         position.told |= bit(static_cast<Slot>(axis));
+        position.reframed |= bit(static_cast<Slot>(axis));
     }
 }
 

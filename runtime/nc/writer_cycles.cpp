@@ -59,7 +59,7 @@ void BlockWriter::follow_back(const Block& block, const Invocation& cycle) {
     position.text[across] = round_to(position.meant[across] * scale, decimals(slot)) / scale;
     position.known |= mask;
     position.told |= mask;
-    position.named[across] = {position.meant[across], position.text[across]};
+    position.reframed &= ~mask;
 }
 
 /// A cycle of the control may bring a feed and a speed of its own; those of the program act behind

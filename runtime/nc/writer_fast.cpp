@@ -111,7 +111,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
         modal_.position.meant[place] = block.at(word.axis->slot);
         modal_.position.text[place] = word.text;
         modal_.position.known |= bit(word.axis->slot);
-        modal_.position.told &= ~bit(word.axis->slot);
+        modal_.position.name(bit(word.axis->slot));
         if (changed != 0 && (changed & bit(word.axis->slot)) == 0) continue;
         if (end != line.data() || out.size() != line_start_) *end++ = ' ';
         *end++ = word.axis->letter;

@@ -99,7 +99,7 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
         by_itself ? (block.incremental & mask) != 0 : meant_distance == Function::Incremental;
     const bool was_known = is_known(axis);
     // There an increment counts from the coordinate that was named last, whatever the frame.
-    if (is_distance && increments_travel_frames_ && (position.told & mask) != 0) {
+    if (is_distance && increments_travel_frames_ && (position.reframed & mask) != 0) {
         position.meant[axis] = position.named[axis][0];
         position.text[axis] = position.named[axis][1];
     }
@@ -107,7 +107,7 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
     position.meant[axis] = is_distance ? position.meant[axis] + value : value;
     position.text[axis] = round_to(position.meant[axis] * scale, places) / scale;
     if (!is_distance) position.known |= mask;
-    position.told &= ~mask;
+    position.name(mask);
 
     bool writes_distance = is_distance;
     if (by_itself && tables_.rules.has_modes) {

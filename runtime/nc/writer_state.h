@@ -32,12 +32,18 @@ constexpr std::size_t index_of(Group group) { return static_cast<std::size_t>(gr
 struct WrittenPosition {
     std::array<double, kAxes> meant{};
     std::array<double, kAxes> text{};
-    SlotMask known = 0;  // the axes whose coordinates are known, not only their changes
-    SlotMask told = 0;   // … and of these the ones that no word of the text has named yet
-    // Of these the coordinate that a word named last, in another frame: meant, and in the text.
+    SlotMask known = 0;     // the axes whose coordinates are known, not only their changes
+    SlotMask told = 0;      // … and of these the ones that no word of the text has named yet
+    SlotMask reframed = 0;  // axes that no word has named since the frame changed …
+    // … and the coordinates that words named last, in the frame before: meant, and in the text.
     std::array<std::array<double, 2>, kAxes> named{};
 
-    void forget() { known = told = 0; }
+    /// A word of the text names the axis.
+    void name(SlotMask axis) {
+        told &= ~axis;
+        reframed &= ~axis;
+    }
+    void forget() { known = told = reframed = 0; }
 };
 
 /// Whether something additive (a rotation, a mirroring) acts.

@@ -280,6 +280,10 @@ TEST_F(CommandLine, WhatStandsBehindTheEndIsWrongOnlyIfItIsReached) {
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_EQ(run.err.find(place), std::string::npos) << run.err;
     }
+    // 30012 is three times the program 12.
+    save("thrice.nc", "O1\nGOTO5\nM98 P30012\nN5 M30\nO12\nM99\n");
+    const ProcessResult thrice = kadr({"check", file("thrice.nc"), "-d", "fanuc"});
+    EXPECT_EQ(thrice.err.find("K5921"), std::string::npos) << thrice.err;
     // A subprogram behind knows its parameters, whatever they will be.
     save("behind_sub.mpf",
          "G0 X8\nM30\n%_N_SUB_SPF\nPROC SUB(AXIS AA1, INT BB1)\nDEF REAL CC1[BB1]\n"
