@@ -60,7 +60,8 @@ struct Value {
 inline std::string_view kind_name(const Value& value) {
     switch (value.kind) {
         case Value::Kind::Text: return "a text";
-        case Value::Kind::Axis: return "an axis";
+        case Value::Kind::Axis:
+            return value.axis() || value.spindle() ? "an axis" : "an axis without a value";
         case Value::Kind::Frame: return "a frame";
         default: return "a number";
     }

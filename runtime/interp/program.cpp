@@ -626,7 +626,33 @@ void Program::State::compile_language(CompiledLine& line) {
                : line.line.statements.empty() && !line.line.words.words.empty());
     if (is_argument) fault = compile_line(tables, symbols, line.text, line.line, line.context);
     if (!fault) line.kind = CompiledLine::Kind::Compiled;
-    if (fault) lines.report_fault(line.text, *fault);
+    if (!fault) return;
+    note_lost_names(line);
+    // A name that a line with a mistake should have declared is no second mistake.
+    if (is_lost(line, *fault)) lines.note_fault();
+    else lines.report_fault(line.text, *fault);
+}
+
+/// The names of a line that declares variables and could not be read.
+void Program::State::note_lost_names(const CompiledLine& line) {
+    const nc::ControlWords words(tables, line.text);
+    bool is_declaration = false;
+    for (std::size_t at = 0; !words.is_end(at);) {
+        const nc::Word word = words.word_at(at);
+        const auto declares = [&](const nc::StatementForm& form) {
+            return form.statement == Statement::Declare && words.says(word, form.tokens[0].text);
+        };
+        if (is_declaration && !word.text.empty()) lost_names.insert(words.normal(word.text));
+        is_declaration |= std::ranges::any_of(language.statements, declares);
+        at += std::max<std::size_t>(1, word.text.size());
+    }
+}
+
+bool Program::State::is_lost(const CompiledLine& line, const LineFault& fault) const {
+    const bool is_of_name = fault.row == &diag::NameUnknown || fault.row == &diag::IsoUnknownWord;
+    if (!is_of_name || lost_names.empty()) return false;
+    const nc::ControlWords words(tables, line.text);
+    return lost_names.contains(words.normal(words.word_at(fault.span.begin).text));
 }
 
 Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) {

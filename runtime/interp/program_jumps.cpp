@@ -184,11 +184,9 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
         front.statement = statement.kind;
         front.loop = statement.loop;
         const Structure* found = nullptr;
-        const auto fault = map().find_end(line.place, front, found);
-        if (fault != ProgramMap::Fault::None) {
-            return fail(line, fault, diag::StructureEndMissing, statement.span,
-                        std::to_string(statement.loop));
-        }
+        ProgramMap::Crossing crossing;
+        const auto fault = map().find_end(line.place, front, found, crossing);
+        if (fault != ProgramMap::Fault::None) return fail(line, statement, fault, crossing);
         if (static_cast<int>(frame->structures.size()) >= language.rules.most_levels) {
             return fail(line, diag::StructuresTooDeep, statement.span,
                         {std::to_string(language.rules.most_levels)});
@@ -220,6 +218,33 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
     }
     frame->goes_on = open.end.next;
     frame->structures.pop_back();
+    return Done::Nothing;
+}
+
+/// The end of a structure cannot be found: what is in the way is told with it.
+Program::State::Done Program::State::fail(CompiledLine& line, const ControlStatement& statement,
+                                          ProgramMap::Fault fault,
+                                          const ProgramMap::Crossing& crossing) {
+    const auto end = static_cast<std::uint32_t>(crossing.text.size());
+    if (fault == ProgramMap::Fault::LoopNumber) {
+        // Wrong is the loop inside.
+        lines.begin(crossing.line);
+        const std::string number = std::to_string(statement.loop);
+        lines.report_event(crossing.text, {&diag::LoopNumber, {0, end}, {number}})
+            .note(lines.place(line.text, line.place.line.line, statement.span),
+                  "it lies in this loop, which has it");
+        lines.begin(line.place.line.line);
+        return Done::Nothing;
+    }
+    if (crossing.line == 0 || fault != ProgramMap::Fault::Missing)
+        return fail(line, fault, diag::StructureEndMissing, statement.span, "");
+    std::string why = "a condition has one `ELSE`, and this is the second";
+    if (!crossing.is_second_else)
+        why = crossing.inside == 0 ? "this comes first, and belongs to another structure"
+                                   : "this comes while the structure of line " +
+                                         std::to_string(crossing.inside) + " is open";
+    lines.report_event(line.text, {&diag::StructureEndMissing, statement.span, {}})
+        .note(lines.place(crossing.text, crossing.line, {0, end}), std::move(why));
     return Done::Nothing;
 }
 

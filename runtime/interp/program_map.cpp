@@ -127,43 +127,82 @@ std::optional<ProgramMap::Twice> ProgramMap::twice(const LineTarget& target) {
     return found == twice_->end() ? std::nullopt : std::optional(found->second);
 }
 
+namespace {
+
+/// The structures that are open behind a head, line by line, until its own end.
+class OpenStructures {
+  public:
+    explicit OpenStructures(const nc::LineFront& head) : open_{head} {}
+
+    enum class Step : std::uint8_t { On, Done, Crossed, SecondElse, NumberedTwice };
+
+    /// The line of the innermost structure; 0: of the one that was begun with.
+    std::uint64_t innermost() const { return open_.size() == 1 ? 0 : heads_.back(); }
+
+    Step take(const nc::LineFront& line, const Place& place, Structure& out) {
+        if (begins_structure(line.statement)) return begin(line, place);
+        if (line.statement == Statement::Else) return take_else(place, out);
+        return is_end(line.statement) ? end(line, place, out) : Step::On;
+    }
+
+  private:
+    Step begin(const nc::LineFront& line, const Place& place) {
+        const bool is_numbered_twice =
+            line.loop != 0 &&
+            std::ranges::any_of(open_, [&](const auto& open) { return open.loop == line.loop; });
+        open_.push_back(line);
+        heads_.push_back(place.line.line);
+        return is_numbered_twice ? Step::NumberedTwice : Step::On;
+    }
+
+    /// Of a condition inside, its own map looks at the order.
+    Step take_else(const Place& place, Structure& out) {
+        const bool is_own = open_.size() == 1;
+        if (open_.back().statement != Statement::If) return Step::Crossed;
+        if (is_own && out.otherwise) return Step::SecondElse;
+        if (is_own) out.otherwise = place;
+        return Step::On;
+    }
+
+    Step end(const nc::LineFront& line, const Place& place, Structure& out) {
+        // An end of a condition inside of a loop that none has opened there: it is passed over.
+        if (line.statement == Statement::EndIf && open_.back().statement != Statement::If)
+            return Step::On;
+        if (!closes(line, open_.back().statement) || line.loop != open_.back().loop)
+            return Step::Crossed;
+        open_.pop_back();
+        if (!open_.empty()) heads_.pop_back();
+        if (!open_.empty()) return Step::On;
+        out.end = place;
+        return Step::Done;
+    }
+
+    std::vector<nc::LineFront> open_;
+    std::vector<std::uint64_t> heads_;  // lines of those inside, one fewer
+};
+
+}  // namespace
+
 ProgramMap::Fault ProgramMap::find_end(const Place& head, const nc::LineFront& front,
-                                       const Structure*& out) {
+                                       const Structure*& out, Crossing& crossing) {
     if (const auto known = structures_.find(head.line.offset); known != structures_.end()) {
         out = &known->second;
         return Fault::None;
     }
-    std::vector<nc::LineFront> open{front};
+    using Step = OpenStructures::Step;
+    OpenStructures open(front);
     Structure structure;
-    bool is_wrong = false;
-    bool is_numbered_twice = false;
+    Step step = Step::On;
     const Fault fault = scan(head.next, [&](std::string_view line, const Place& place) {
-        const nc::LineFront here = nc::front_of(tables_, line);
-        if (begins_structure(here.statement)) {
-            is_numbered_twice |= here.loop != 0 && std::ranges::any_of(open, [&](const auto& o) {
-                                     return o.loop == here.loop;
-                                 });
-            open.push_back(here);
-            return !is_numbered_twice;
-        }
-        if (here.statement == Statement::Else) {
-            is_wrong =
-                open.back().statement != Statement::If || (open.size() == 1 && structure.otherwise);
-            if (open.size() == 1) structure.otherwise = place;
-            return !is_wrong;
-        }
-        if (!is_end(here.statement)) return true;
-        // An end of a condition inside of a loop that none has opened there: it is passed over.
-        if (here.statement == Statement::EndIf && open.back().statement != Statement::If)
-            return true;
-        is_wrong = !closes(here, open.back().statement) || here.loop != open.back().loop;
-        if (!is_wrong) open.pop_back();
-        if (open.empty()) structure.end = place;
-        return !is_wrong && !open.empty();
+        step = open.take(nc::front_of(tables_, line), place, structure);
+        if (step != Step::On && step != Step::Done)
+            crossing = {place.line.line, std::string(line), step == Step::SecondElse,
+                        open.innermost()};
+        return step == Step::On;
     });
     if (fault != Fault::None) return fault;
-    if (is_numbered_twice) return Fault::LoopNumber;
-    if (is_wrong || !open.empty()) return Fault::Missing;
+    if (step == Step::NumberedTwice) return Fault::LoopNumber;
+    if (step != Step::Done) return Fault::Missing;
     if (structures_.size() >= kMostPlaces) structures_.clear();
     out = &structures_.emplace(head.line.offset, structure).first->second;
     return Fault::None;

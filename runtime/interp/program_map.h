@@ -62,8 +62,20 @@ class ProgramMap {
         std::uint64_t second = 0;
     };
     std::optional<Twice> twice(const LineTarget& target);
+    /// The line at which the search for an end could not go on: a head with the number of a loop
+    /// that is open, or an end or an ELSE of another structure.
+    struct Crossing {
+        std::uint64_t line = 0;  // 0: none, the program has ended
+        std::string text;
+        bool is_second_else = false;
+        std::uint64_t inside =
+            0;  // head of the structure that is open there; 0: the one looked for
+    };
     /// The end of the structure whose head stands at `head`.
-    Fault find_end(const Place& head, const nc::LineFront& front, const Structure*& out);
+    ///
+    /// crossing  set where a line of another structure is in the way
+    Fault find_end(const Place& head, const nc::LineFront& front, const Structure*& out,
+                   Crossing& crossing);
     /// The next mark of this name behind `from`.
     Fault find_label_between(std::string_view label, const LinePosition& from,
                              const LinePosition& to, Place& out);

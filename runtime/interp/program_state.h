@@ -271,6 +271,7 @@ struct Program::State {
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_ends;         // likewise
     std::set<std::pair<const ProgramUnit*, LineTarget>> said_twice;
+    std::set<std::string> lost_names;  // of declarations that could not be read
     bool said_separate = false;      // that axes move each by itself
     bool said_radians = false;       // … and that an angle is one in radians
     bool has_visible_fault = false;  // that blocks of this batch stand behind
@@ -324,6 +325,8 @@ struct Program::State {
     CompiledLine* line_at(const LinePosition& position);
     void compile(CompiledLine& line, nc::Block& out);
     void compile_language(CompiledLine& line);
+    void note_lost_names(const CompiledLine& line);
+    bool is_lost(const CompiledLine& line, const nc::LineFault& fault) const;
     void name_call(nc::Block& block);
     void deliver(nc::Block& block, std::string_view text, std::uint64_t number, bool again);
     void end_after(nc::Block& block);
@@ -409,6 +412,8 @@ struct Program::State {
               std::vector<std::string> arguments = {}) {
         return fail(line, nc::LineFault{&row, span, std::move(arguments)});
     }
+    Done fail(CompiledLine& line, const nc::ControlStatement& statement, ProgramMap::Fault fault,
+              const ProgramMap::Crossing& crossing);
     Done fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
               const nc::Span& span, const std::string& what);
 

@@ -464,6 +464,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (!was_taken && !fault_ && is_any) was_taken = take_assign(inner);
         is_inner_ = was_inner;
         if (!was_taken) {
+            // `IF[#1 EQ 5]THEN` at the end of its line, for blocks that come behind.
+            if (!fault_ && is_any && words_.is_end(at_)) fail_missing("assignment");
             if (!fault_ && is_any) fail_here(diag::MixedStatement);
             return false;
         }
@@ -533,12 +535,28 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return fail(diag::PrintFormat, span_from(begin));
     }
 
+    /// Whether letters stand on both sides: `END` of `ENDIF` is no statement.
+    bool is_inside_word(std::size_t at) const {
+        return at > 0 && at < line_.size() && is_letter(line_[at - 1]) && is_letter(line_[at]);
+    }
+
+    bool fail_whole_word(std::size_t at) {
+        std::size_t begin = at;
+        while (begin > 0 && is_letter(line_[begin - 1])) --begin;
+        while (at < line_.size() && is_letter(line_[at])) ++at;
+        fault_ = LineFault{&diag::IsoUnknownWord,
+                           {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at)},
+                           {std::string(line_.substr(begin, at - begin))}};
+        return false;
+    }
+
     bool take_loop_number(ControlStatement& out) {
         skip();
         const std::size_t begin = at_;
         int number = 0;
         while (peek() >= '0' && peek() <= '9' && number < 100000)
             number = number * 10 + (line_[at_++] - '0');
+        if (is_inside_word(begin)) return fail_whole_word(begin);
         if (at_ == begin || number < 1 || number > rules_.loop_numbers) {
             return at_ == begin ? fail_here(diag::LoopNumber)
                                 : fail(diag::LoopNumber, span_from(begin));
@@ -567,10 +585,23 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             }
             return true;
         }
+        if (!has_labels && is_lettered_number(begin)) return false;
         out.kind = JumpTarget::Kind::Computed;
         const bool is_fine = has_labels ? take_expression(out.value) : take_operand(out.value);
         out.span = out.value.span;
         return is_fine;
+    }
+
+    /// `GOTO N10` where the number stands alone.
+    bool is_lettered_number(std::size_t begin) {
+        std::size_t end = begin + 1;
+        while (end < line_.size() && is_digit(line_[end])) ++end;
+        const std::string_view name = line_.substr(std::min(begin, line_.size()), end - begin);
+        if (words_.block_number(name) < 0) return false;
+        fail(diag::StatementSyntax,
+             {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+        fault_->fix = "the number stands alone: `" + std::string(name.substr(1)) + '`';
+        return true;
     }
 
     /// `5`, `"CONTOUR"`: what the statement Label says of a target.

@@ -189,7 +189,12 @@ bool ExpressionCompiler::take_sign(char sign) {
 
 bool ExpressionCompiler::take_open(char sign) {
     skip();
-    if (peek() != sign) return fail_here(diag::OpenBracketMissing);
+    if (peek() != sign) {
+        fail_here(diag::OpenBracketMissing);
+        const std::string_view shape = sign == '[' ? "square" : "round";
+        fault_->fix = "it stands in " + std::string(shape) + " brackets";
+        return false;
+    }
     if (rules_.depth > 0 && ++depth_ > rules_.depth) return fail_here(diag::BracketsTooDeep);
     ++at_;
     return true;
@@ -455,6 +460,19 @@ bool ExpressionCompiler::take_reference(Reference& out) {
     if (!is_fine) return fault_ ? false : fail_unknown(word);
     out.indices.count = static_cast<std::uint32_t>(out_.code.size()) - out.indices.first;
     out.indices.span = out.span = span_from(begin);
+    return !begins_second_index(begin);
+}
+
+/// `$P_UIFR[1][X,TR]`: all indices stand in one bracket, with commas between them.
+bool ExpressionCompiler::begins_second_index(std::size_t begin) {
+    const bool is_indexed = at_ > begin && line_[at_ - 1] == language_.index_close;
+    if (language_.index_open == language_.open || !is_indexed || peek() != language_.index_open)
+        return false;
+    fail_here(diag::ExpressionSyntax);
+    const std::size_t close = std::min(line_.find(language_.index_close, at_), line_.size() - 1);
+    fault_->fix = "all indices stand in one bracket: `" +
+                  std::string(line_.substr(begin, at_ - 1 - begin)) + ',' +
+                  std::string(line_.substr(at_ + 1, close - at_)) + '`';
     return true;
 }
 

@@ -129,7 +129,10 @@ bool is_variable(std::string_view line, std::size_t begin) {
     std::size_t end = end_of_word(line, begin);
     while (end < line.size() && is_blank(line[end])) ++end;
     const bool is_assigned = end < line.size() && line[end] == '=';
-    return is_assigned || line.substr(0, begin).find_first_of("[(") != line.npos;
+    const std::string_view front = line.substr(0, begin);
+    const auto opened = std::ranges::count_if(front, [](char c) { return c == '[' || c == '('; });
+    const auto closed = std::ranges::count_if(front, [](char c) { return c == ']' || c == ')'; });
+    return is_assigned || opened > closed;
 }
 
 /// Whether nothing but blanks stands in front.
@@ -204,10 +207,18 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
     if (place.is_executed &&
         is_own(tables, spelled(line.substr(fault.begin, behind - fault.begin))))
         return {};
-    if (const std::string* found = entry_at(tables, line, fault.begin)) return *found;
+    const bool is_in_remark = line.substr(0, fault.begin).find("//") != line.npos;
+    const std::string* const at_fault =
+        is_in_remark ? nullptr : entry_at(tables, line, fault.begin);
+    if (at_fault != nullptr) return *at_fault;
     if (place.is_executed) return {};
     for (std::size_t at = 0; at < line.size();) {
         if (line[at] == ';' || line[at] == '"' || line[at] == '(') break;
+        // A comment of other languages; what stands in it is no word.
+        if (line.substr(at, 2) == "//") {
+            const std::string* const remark = entry(tables, "//");
+            return remark != nullptr ? std::string_view(*remark) : std::string_view();
+        }
         if (!is_letter(line[at])) {
             ++at;
             continue;

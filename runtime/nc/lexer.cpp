@@ -71,6 +71,10 @@ class Lexer {
         const std::string known =
             tables_.unsupported_words(rules_.ignores_case ? upper_ascii(written) : written);
         if (!known.empty()) return fail(diag::IsoNotSupported, begin, end, {known});
+        // `L1:` would be the label that it looks like, had it another name.
+        const std::string& colon = tables_.language.label_sign;
+        if (!colon.empty() && line_.substr(end).starts_with(colon))
+            return fail(diag::IsoSyntax, end, end + colon.size(), {colon});
         if (is_program_call(tables_, written))
             return fail(diag::CallNotAlone, begin, end, {written});
         if (!fail_at_unsupported()) fail(diag::IsoUnknownWord, begin, end, {written});

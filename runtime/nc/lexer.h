@@ -48,6 +48,7 @@ struct LineFault {
     const DiagnosticRow* row = nullptr;
     Span span;
     std::vector<std::string> arguments;
+    std::string fix = {};  // where the place itself says what is meant
 };
 
 /// Compiles what stands in a line besides words with numbers: the control's own language. Each call

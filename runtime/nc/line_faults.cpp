@@ -56,6 +56,13 @@ bool has_word(const DialectTables& tables, const LexedLine& lexed, const FormWor
     });
 }
 
+/// The plane in which a form acts alone; None: it acts in all of them.
+Function plane_of(const Form& form) {
+    const auto plane = std::ranges::find_if(
+        form.during, [](Function needed) { return info(needed).group == Group::Plane; });
+    return plane == form.during.end() ? Function::None : *plane;
+}
+
 /// The word of a block for an axis of the program, where the code at `head` goes by those of the
 /// machine: Z of `G75 Z0`, for which `Z1=0` stands.
 std::optional<std::size_t> axis_of_program(const DialectTables& tables, const LexedLine& lexed,
@@ -161,10 +168,10 @@ namespace {
 /// range or a bracket that is not closed, have nothing to do with the words of other controls.
 bool is_about_words(const DiagnosticRow& row) {
     static constexpr std::array kRows = {
-        &diag::IsoUnknownWord,   &diag::IsoUnknownCode,  &diag::IsoNoValue,
-        &diag::IsoWordsMissing,  &diag::IsoWordUnused,   &diag::IsoSyntax,
-        &diag::ExpressionSyntax, &diag::StatementSyntax, &diag::AssignmentMissing,
-        &diag::LoopNumber,       &diag::CallNotAlone};
+        &diag::IsoUnknownWord,       &diag::IsoUnknownCode,  &diag::IsoNoValue,
+        &diag::IsoWordsMissing,      &diag::IsoWordUnused,   &diag::IsoSyntax,
+        &diag::ExpressionSyntax,     &diag::StatementSyntax, &diag::AssignmentMissing,
+        &diag::StatementWordMissing, &diag::LoopNumber,      &diag::CallNotAlone};
     return std::ranges::find(kRows, &row) != kRows.end();
 }
 
@@ -196,7 +203,7 @@ std::string fix_of_exponent(const DialectTables& tables, std::string_view line, 
 
 }  // namespace
 
-void LineReader::report(std::string_view line, const LineFault& fault, FaultOf of) {
+DiagnosticBuilder LineReader::report(std::string_view line, const LineFault& fault, FaultOf of) {
     note_fault();
     DiagnosticBuilder builder = sink_.report(*fault.row, place(line, line_number_, fault.span));
     std::string detail;
@@ -215,12 +222,14 @@ void LineReader::report(std::string_view line, const LineFault& fault, FaultOf o
     const bool is_small = !tables_.rules.ignores_case && at < line.size() && is_lower(line[at]);
     const std::string number =
         is_about_words(*fault.row) ? fix_of_exponent(tables_, line, at) : std::string();
-    if (!number.empty()) builder.fix(number);
+    if (!fault.fix.empty()) builder.fix(fault.fix);
+    else if (!number.empty()) builder.fix(number);
     else if (!instead.empty()) builder.fix(std::string(instead));
     else if (fault.row == &diag::MachineAxisWanted)
         builder.fix("name the axis of the machine: `" + fault.arguments[1].substr(0, 1) + "1=0`");
     else if (is_small && fault.row == &diag::IsoSyntax) builder.fix("write capital letters");
     write_notes(builder);
+    return builder;
 }
 
 bool LineReader::is_polynomial(FormId form) const {
@@ -252,12 +261,37 @@ void LineReader::take_argument_fault(const MatchFault& fault, LineFault& out) co
     if (is_of_type) out.arguments.emplace_back(is_text ? "a number" : "a text");
 }
 
+/// A word beside a function that takes it in another plane: Y of `G68 X0 Y0 R30` under G18.
+void LineReader::take_other_plane(const MatchFault& fault, LineFault& out) const {
+    const GivenWord& head = lexed_->words[fault.word];
+    const GivenWord& other = lexed_->words[fault.other];
+    const Code* const code = tables_.find_code(head.address, head.number);
+    if (code == nullptr) return;
+    const Form* acting = nullptr;
+    bool is_of_another = false;
+    for (const FormId id : code->forms) {
+        const Form& form = tables_.forms[id];
+        const Function plane = plane_of(form);
+        if (plane == Function::None) continue;
+        const bool acts = plane == modal_[static_cast<std::size_t>(Group::Plane)];
+        if (acts && acting == nullptr) acting = &form;
+        is_of_another |= !acts && std::ranges::any_of(form.words, [&](const FormWord& word) {
+            return word.address == other.address;
+        });
+    }
+    if (acting == nullptr || !is_of_another) return;
+    out.row = &diag::IsoWordUnused;
+    out.arguments = {tables_.addresses[other.address].name};
+    out.fix = "in the plane that acts it is `" + shown_pattern(first_line(*acting)) + '`';
+}
+
 void LineReader::report(std::string_view line, const MatchFault& fault) {
     using Kind = MatchFault::Kind;
     LineFault out;
     if (fault.kind == Kind::Full && lexed_->words.size() > kMaxWords) {
         out = {&diag::IsoTooManyWords, {0, static_cast<std::uint32_t>(line.size())}, {}};
-        return report(line, out);
+        report(line, out);
+        return;
     }
     const std::string word = word_text(line, fault.word);
     const std::string other = word_text(line, fault.other);
@@ -310,7 +344,10 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
         case Kind::Unused: out.row = &diag::IsoWordUnused, out.arguments = {word}; break;
         case Kind::Alone:
             out.row = &diag::IsoAlone, out.arguments = {word};
-            if (fault.other > fault.word) out.span = lexed_->spans[fault.other];
+            if (fault.other > fault.word) {
+                out.span = lexed_->spans[fault.other];
+                take_other_plane(fault, out);
+            }
             if (const auto wrong = axis_of_program(tables_, *lexed_, fault.word)) {
                 out.row = &diag::MachineAxisWanted;
                 out.span = lexed_->spans[*wrong];

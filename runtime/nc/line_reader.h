@@ -104,9 +104,10 @@ class LineReader {
     int value_decimals(const ControlLine& line, std::size_t computed) const;
     /// The line is not written as the control wants it.
     void report_fault(std::string_view line, const LineFault& fault) { report(line, fault); }
-    /// What came up while the line was executed; how it is written is right.
-    void report_event(std::string_view line, const LineFault& fault) {
-        report(line, fault, FaultOf::Execution);
+    /// What came up while the line was executed; how it is written is right. Notes of who asks may
+    /// be added.
+    DiagnosticBuilder report_event(std::string_view line, const LineFault& fault) {
+        return report(line, fault, FaultOf::Execution);
     }
     void report_too_long(std::string_view line, std::uint64_t number);
     /// An alarm that somebody else has reported came up in this line.
@@ -206,11 +207,13 @@ class LineReader {
     void follow(const Block& block);
     void follow_units();
     enum class FaultOf : std::uint8_t { Writing, Execution };
-    void report(std::string_view line, const LineFault& fault, FaultOf of = FaultOf::Writing);
+    DiagnosticBuilder report(std::string_view line, const LineFault& fault,
+                             FaultOf of = FaultOf::Writing);
     bool is_in_cycle() const;
     void report(std::string_view line, const MatchFault& fault);
     bool is_polynomial(FormId form) const;
     void take_argument_fault(const MatchFault& fault, LineFault& out) const;
+    void take_other_plane(const MatchFault& fault, LineFault& out) const;
     std::string word_text(std::string_view line, std::size_t word) const;
 
     const Dialect& dialect_;
