@@ -3,9 +3,11 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Geometry>
 
+#include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/block_words.h"
@@ -58,6 +60,8 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     const bool has_opening = block.has(Slot::Opening);
     const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
     if (!has_form && !has_opening && rules_.arc_without_center == ArcWithoutCenter::Line) {
+        if (target.moved != 0 && !std::exchange(told_.arc_is_line, true))
+            report(diag::ArcIsLine, block, modal_.motion);
         return line(block, target, Op::Line, exact_stop);
     }
     if (const SlotMask through = block.given & nc::kThroughSlots; through != 0) {

@@ -272,10 +272,10 @@ struct Program::State {
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_ends;         // likewise
     std::set<std::pair<const ProgramUnit*, LineTarget>> said_twice;
     std::set<std::string> lost_names;  // of declarations that could not be read
-    bool said_separate = false;      // that axes move each by itself
-    bool said_radians = false;       // … and that an angle is one in radians
-    bool has_visible_fault = false;  // that blocks of this batch stand behind
-    bool was_stopped = false;        // by who looks on, or because its time is over
+    bool said_separate = false;        // that axes move each by itself
+    bool said_radians = false;         // … and that an angle is one in radians
+    bool has_visible_fault = false;    // that blocks of this batch stand behind
+    bool was_stopped = false;          // by who looks on, or because its time is over
     std::uint32_t steps = 0;
     std::uint64_t executed = 0;  // statements
     std::uint64_t blocks = 0;    // that were given to be executed

@@ -246,7 +246,11 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
     const bool is_one = number >= 1 && number < machine::kReferencePoints + 1;
     const std::size_t point = is_one ? static_cast<std::size_t>(number) - 1 : 0;
     if (!is_one || (moved & ~axes_.has_reference_point[point]) != 0) {
-        report(diag::ReferenceUnknown, block, invocation.function).arg(number);
+        DiagnosticBuilder message = report(diag::ReferenceUnknown, block, invocation.function);
+        message.arg(number);
+        if (is_one && point > 0)
+            message.fix("the machine's file says where it is: `home" + std::to_string(point + 1) +
+                        "` of the axis");
         return;
     }
     if (targets != 0) {

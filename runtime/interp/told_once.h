@@ -13,6 +13,7 @@ struct ToldOnce {
     bool shape = false;  // … the shape of a tool for faces
     bool spindle_stopped = false;
     bool rapid = false;  // a rapid into the work
+    bool arc_is_line = false;
     bool thread_speed = false;
     bool turned_edge = false;  // the spindle stops in a cycle whose plane is turned
     double bound = 0;          // speed of the spindle that is beyond one

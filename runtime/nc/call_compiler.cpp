@@ -323,7 +323,8 @@ bool CallCompiler::take_named_call() {
     if (peek() == ':' || (peek() == '=' && !call.repeats.is_given)) return give_up();
     out_.calls.push_back(std::move(call));
     Call& added = out_.calls.back();
-    if (peek() == language_.open && !take_list(added)) {
+    const bool has_list = peek() == language_.open;
+    if (has_list && !take_list(added)) {
         if (is_own) return give_up();
         return false;
     }
@@ -331,7 +332,12 @@ bool CallCompiler::take_named_call() {
     if (!added.repeats.is_given && words_.upper(peek()) == form->repeats &&
         !take_repeats(*form, added.repeats))
         return give_up();
-    if (!is_at_end()) return give_up();
+    if (!is_at_end()) {
+        const LineFault not_alone{&diag::CallNotAlone, added.span, {added.name}};
+        give_up();
+        if (has_list && !is_own) fault_ = not_alone;
+        return false;
+    }
     ControlStatement statement;
     statement.kind = Statement::Call;
     statement.call = static_cast<std::uint32_t>(out_.calls.size()) - 1;

@@ -63,6 +63,18 @@ Function plane_of(const Form& form) {
     return plane == form.during.end() ? Function::None : *plane;
 }
 
+/// The plane that a line says itself, else the one that acts.
+Function plane_of(const DialectTables& tables, const LexedLine& lexed, Function modal) {
+    for (const GivenWord& word : lexed.words) {
+        const Code* const code =
+            word.is_known ? tables.find_code(word.address, word.number) : nullptr;
+        if (code == nullptr || code->simple == kNoForm) continue;
+        const Function said = tables.forms[code->simple].function;
+        if (info(said).group == Group::Plane) return said;
+    }
+    return modal;
+}
+
 /// The word of a block for an axis of the program, where the code at `head` goes by those of the
 /// machine: Z of `G75 Z0`, for which `Z1=0` stands.
 std::optional<std::size_t> axis_of_program(const DialectTables& tables, const LexedLine& lexed,
@@ -267,13 +279,15 @@ void LineReader::take_other_plane(const MatchFault& fault, LineFault& out) const
     const GivenWord& other = lexed_->words[fault.other];
     const Code* const code = tables_.find_code(head.address, head.number);
     if (code == nullptr) return;
+    const Function active =
+        plane_of(tables_, *lexed_, modal_[static_cast<std::size_t>(Group::Plane)]);
     const Form* acting = nullptr;
     bool is_of_another = false;
     for (const FormId id : code->forms) {
         const Form& form = tables_.forms[id];
         const Function plane = plane_of(form);
         if (plane == Function::None) continue;
-        const bool acts = plane == modal_[static_cast<std::size_t>(Group::Plane)];
+        const bool acts = plane == active;
         if (acts && acting == nullptr) acting = &form;
         is_of_another |= !acts && std::ranges::any_of(form.words, [&](const FormWord& word) {
             return word.address == other.address;

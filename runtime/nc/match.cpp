@@ -20,10 +20,11 @@ bool near(double a, double b) { return std::fabs(a - b) < 1e-9; }
 struct Fit {
     enum class Answer : std::uint8_t { Yes, Missing, Value, Mode };
     Answer answer = Answer::Yes;
-    std::size_t matched = 0;  // words of the block that it takes
-    std::size_t culprit = 0;  // word of the block, for Value and Mode
-    int argument = -1;        // … of a call
-    bool is_idle = false;     // the modal functions are not active that it needs
+    std::size_t matched = 0;        // words of the block that it takes
+    std::size_t culprit = 0;        // word of the block, for Value and Mode
+    int argument = -1;              // … of a call
+    bool is_idle = false;           // the modal functions are not active that it needs
+    bool is_of_other_word = false;  // a word has another fixed number: L11 where the form has L10
     WordSet taken;
 };
 
@@ -172,7 +173,8 @@ class Matcher {
     /// Whether the block comes nearer to a form than to another one.
     static bool is_nearer(const Fit& fit, const Fit& other) {
         if (fit.is_idle != other.is_idle) return other.is_idle;
-        return fit.matched > other.matched;
+        if (fit.matched != other.matched) return fit.matched > other.matched;
+        return !fit.is_of_other_word && other.is_of_other_word;
     }
 
     /// Of a cycle of two lines: what looks like settings is the work, and lacks a word of it.
@@ -370,6 +372,7 @@ class Matcher {
         switch (wanted.kind) {
             case FormWord::Kind::Fixed:
                 if (!word.has_value || (word.is_known && !is_fixed(wanted, word.number))) {
+                    fit.is_of_other_word = true;
                     refuse(fit, Fit::Answer::Value, i);
                 }
                 break;
@@ -694,7 +697,8 @@ class Matcher {
         if (without_axes_ && (motion_head_ || (seen_slots_ & kPlaces) != 0))
             return MatchFault{MatchFault::Kind::Alone, *without_axes_};
         if (without_places_ && (seen_slots_ & kPlaces) != 0)
-            return MatchFault{MatchFault::Kind::Alone, *without_places_};
+            return MatchFault{MatchFault::Kind::Alone, *without_places_,
+                              place_beside().value_or(*without_places_)};
         if (!alone_) return {};
         const bool has_more = match_.form_count > 1 || seen_slots_ != 0;
         if (!has_more) return {};
@@ -705,14 +709,15 @@ class Matcher {
     /// R30`.
     std::optional<std::size_t> place_beside() const {
         bool takes_places = false;
+        std::optional<std::size_t> beside;
         for (std::size_t i = 0; i < words_.size(); ++i) {
             const int slot = words_[i].is_left_out ? -1 : address(i).slot;
             if (slot < 0 || (kTargetSlots & bit(static_cast<Slot>(slot))) == 0) continue;
             const bool is_taken = (seen_slots_ & bit(static_cast<Slot>(slot))) == 0;
-            if (!is_taken && takes_places) return i;
+            if (!is_taken && !beside) beside = i;
             takes_places |= is_taken;
         }
-        return std::nullopt;
+        return takes_places ? beside : std::nullopt;
     }
 
     const DialectTables& tables_;

@@ -1,7 +1,7 @@
 %
 O0001
 (rule: F 11 PS0031 G54.1 has P1 to P300)
-(expect: alarm PS0031 K5281 at 5:4)
+(expect: alarm PS0031 K5281 at 5:7)
 G10L20P0X0.
 M30
 %
