@@ -61,6 +61,7 @@ class SenseCheck {
     void run() {
         check_name();
         check_leads();
+        check_forms();
         check_twice(root_);
         for (const XmlElement& element : root_.children) {
             if (element.name == "language") check_twice(element);
@@ -94,6 +95,50 @@ class SenseCheck {
                 });
             if (is_own) continue;
             sink_.report(diag::DialectContradiction, form.range).arg(code.text);
+        }
+    }
+
+    void check_forms() {
+        for (const Form& form : tables_.forms) {
+            if (form.range.file != root_.range.file) continue;
+            check_motion_code(form);
+            check_parameters(form);
+        }
+    }
+
+    /// `G1 Z{to} R{retract}` of a cycle would take a plain line with these words for its call.
+    void check_motion_code(const Form& form) {
+        const FormWord& head = form.words[0];
+        if (form.function != Function::Cycle || !form.is_read || head.kind != FormWord::Kind::Fixed)
+            return;
+        const Code* const code = tables_.find_code(head.address, head.number);
+        if (code == nullptr || code->simple == kNoForm) return;
+        const Form& motion = tables_.forms[code->simple];
+        if (info(motion.function).group != Group::Motion) return;
+        sink_.report(diag::DialectConflict, form.range)
+            .arg(first_line(form))
+            .arg(info(motion.function).name)
+            .note(motion.range, "here");
+    }
+
+    /// Two words for one value can contradict each other in a line that is read.
+    void check_parameters(const Form& form) {
+        if (!form.is_read || form.is_verbatim) return;
+        std::vector<int> said;
+        const auto take = [&](const FormWord& word) {
+            if (word.kind != FormWord::Kind::Value || word.parameter < 0) return;
+            if (std::ranges::find(said, word.parameter) != said.end() && !word.adds) {
+                sink_.report(diag::DialectBadForm, form.range)
+                    .arg(first_line(form))
+                    .arg("the parameter `" +
+                         std::string(tables_.parameters(form)[word.parameter].name) +
+                         "` stands twice in it");
+            }
+            said.push_back(word.parameter);
+        };
+        for (const FormWord& word : form.words) {
+            take(word);
+            for (const FormWord& argument : word.arguments) take(argument);
         }
     }
 
@@ -201,7 +246,10 @@ class SenseCheck {
                 continue;
             }
             const auto reads = [&](const Form& form) {
-                return form.is_read && form.pattern == word.text && form.unsupported.empty();
+                const bool is_code = form.words[0].kind == FormWord::Kind::Fixed;
+                const bool begins = is_code && form.words[0].text == word.text;
+                return form.is_read && (begins || form.pattern == word.text) &&
+                       form.unsupported.empty();
             };
             const auto form = std::ranges::find_if(tables_.forms, reads);
             if (form == tables_.forms.end()) continue;
