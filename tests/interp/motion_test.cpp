@@ -128,7 +128,7 @@ TEST(Motion, ArcErrors) {
              {"radius, no chord", {}, ccw().x(20).y(0).r(14).f(200), "K5222"},
              {"radius, no chord, no motion", kFanuc, ccw().x(20).y(0).r(14).f(200), ""},
              {"no centre", {}, quarter, "K5223"},
-             {"no centre: a line", kFanuc, quarter, ""},
+             {"no centre: a line", kFanuc, quarter, "K5909"},
              {"centre at the start", {}, ccw().x(0).y(20).i(0).j(0).f(200), "K5220"},
              {"full circle about its start", {}, ccw().i(0).j(0).f(200), "K5223"},
              {"negative turns", {}, ccw().i(-20).turns(-1).f(200), "K5224"},
