@@ -52,7 +52,7 @@ std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect
             if (pattern.is_number && !is_number) continue;
             if (!kind.empty() && nc::kind_of(pattern) != kind) continue;
             const auto is_wanted = [&](const Entry& entry) {
-                return nc::match_program(pattern, entry.name, tables.rules.ignores_case, true) ==
+                return nc::match_program(pattern, entry.name, tables.notation.ignores_case, true) ==
                        program;
             };
             const auto found = std::ranges::find_if(names, is_wanted);

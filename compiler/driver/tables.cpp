@@ -11,7 +11,6 @@
 #include "base/text.h"
 #include "driver/examples.h"
 #include "driver/pipeline_stages.h"
-#include "interp/rules.h"
 #include "machine/machine.h"
 #include "nc/alarms.h"
 #include "nc/check.h"
@@ -171,10 +170,7 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
     DiagnosticList found;
     const nc::InspectedDialect inspected = session.inspect_dialect(name_or_file, found);
-    if (inspected.dialect) {
-        (void)interp::rules_of(*inspected.dialect, found);
-        nc::check_sense(inspected.root, *inspected.dialect, found);
-    }
+    if (inspected.dialect) nc::check_sense(inspected.root, *inspected.dialect, found);
     say_in_order(found, session.messages());
     if (!inspected.dialect) {
         mark_unknown(session, name_or_file, nc::list_dialects(session.share().dialects));

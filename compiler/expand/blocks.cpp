@@ -151,7 +151,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     block.absolute = plan.absolute;
     block.argument_count = plan.argument_count;
     block.skip = plan.skip == syntax::kPlainSkip
-                     ? static_cast<std::int8_t>(target.tables().rules.default_skip)
+                     ? static_cast<std::int8_t>(target.tables().notation.default_skip)
                      : plan.skip;
     block.cycle = plan.cycle;
     block.number = plan.number;

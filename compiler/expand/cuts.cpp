@@ -74,7 +74,7 @@ bool Expander::State::check_lead(const Block& block, std::uint32_t at) {
 bool Expander::State::check_mirror(const Block& block, const sema::Plan& plan, std::uint32_t at) {
     const nc::Invocation* mirror = block.find(Function::Mirror);
     const bool replaces = (plan.customs & sema::custom::kFrameOrder) != 0;  // in the source, too
-    if (mirror == nullptr || replaces || !target.has_rule("mirror_replaces")) return true;
+    if (mirror == nullptr || replaces || !target.rules().mirror_replaces) return true;
     for (std::size_t i = 0; i < 3; ++i) {
         if ((mirror->given >> i & 1u) == 0 || !modal.frame.is_mirrored[i]) continue;
         fault(diag::MirrorAgain, at)
@@ -92,7 +92,8 @@ void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
     if (!is_zx && block.find(Function::PlaneYz) == nullptr) return;
     const bool is_turned = modal[Group::Diameter] != Function::None;
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !is_turned;
-    if (!is_mill || !modal.has_tool_in || warned_of_plane || target.has_rule("length_axis", "z"))
+    if (!is_mill || !modal.has_tool_in || warned_of_plane ||
+        target.rules().length_axis == nc::LengthAxis::Z)
         return;
     warned_of_plane = !is_allowed(diag::LengthTurns, at);
     fault(diag::LengthTurns, at)
@@ -127,10 +128,10 @@ bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
 
 /// Whether a T by itself brings the tool in: on some controls it does, on others on lathes alone.
 static bool selection_changes(const nc::Dialect& target, const ModalState& modal) {
-    if (target.has_rule("tool_select_changes", "yes")) return true;
+    if (target.rules().tool_select_changes == nc::ToolSelectChanges::Yes) return true;
     const bool turns =
         target.is_of_lathe() || modal.is_diameter || modal[Group::Plane] == Function::PlaneZx;
-    return turns && target.has_rule("tool_select_changes", "lathe");
+    return turns && target.rules().tool_select_changes == nc::ToolSelectChanges::Lathe;
 }
 
 /// A tool was selected, and nothing has changed it.

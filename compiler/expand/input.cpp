@@ -363,9 +363,9 @@ bool Expander::State::may_move(const Block& block, std::uint32_t at) {
 /// An increment behind a change of the frame: some controls travel the change as well.
 bool Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool source_travels = (plan.customs & custom::kIncrementTravels) != 0;
-    const bool target_travels = target.has_rule("incremental_frame", "traversed");
+    const bool target_travels = target.rules().incremental_frame == nc::IncrementalFrame::Traversed;
     const bool wants_place = (modal.unplaced & block.given) != 0 &&
-                             target.has_rule("place_behind_rotation") &&
+                             target.rules().place_behind_rotation &&
                              block.find(Function::Cycle) == nullptr;
     if (!source_travels && !target_travels && !wants_place) return true;
     if (block.find(Function::MachineCoordinates) != nullptr ||
@@ -464,7 +464,7 @@ bool Expander::State::is_whole_circle(const sema::Plan& plan) const {
 /// What names no axis as the first motion behind a rotation, a full circle or a cycle, gets a block
 /// before it that does: to where the tool stands already.
 bool Expander::State::say_places(SourceId source, std::uint32_t at, unsigned depth) {
-    if (!target.has_rule("place_behind_rotation") || !recordings.empty()) return true;
+    if (!target.rules().place_behind_rotation || !recordings.empty()) return true;
     if (is_block_limit(at)) return false;
     Block& block = next_block(source);
     block.motion = Function::Rapid;
@@ -691,7 +691,7 @@ bool Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
         }
         erase(block, i);
     }
-    if (target.has_rule("tool_change_activates_length")) return true;
+    if (target.rules().tool_change_activates_length) return true;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (block.functions[i].function != Function::ToolChange) continue;
         const Invocation* select = block.find(Function::ToolSelect);

@@ -69,7 +69,7 @@ bool Expander::State::spares_distances(nc::CycleId cycle, std::uint32_t given) c
     const nc::CycleInfo::Roles& roles = target.cycles()[cycle].roles;
     const auto is_given = [&](int role) { return role >= 0 && (given >> role & 1u) != 0; };
     return (is_given(roles.stroke) || is_given(roles.shift)) &&
-           target.has_rule("cycle_distances_scaled", "no");
+           !target.rules().cycle_distances_scaled;
 }
 
 void Expander::State::compensated_cycle(const sema::FunctionCode& cycle) {
@@ -88,7 +88,7 @@ void Expander::State::compensated_cycle(const sema::FunctionCode& cycle) {
 void Expander::State::warn_of_tap() {
     const CallFrame& frame = frames.back();
     const bool is_called = frames.size() > 1 && frame.return_to > 0;
-    if (!is_called || !target.has_rule("modal_cycles", "yes")) return;
+    if (!is_called || !target.rules().modal_cycles) return;
     const std::uint32_t at = frame.return_to - 1;
     if (tap_warned_at == at) return;
     tap_warned_at = at;

@@ -222,7 +222,7 @@ bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
     if (has_own) {
         say_function(Function::TcpOn, {}, source, at, depth);
         say_offset_again(source, at, depth);
-        if (target.has_rule("transformation_wants_offset")) say_frame_again(source, at, depth);
+        if (target.rules().transformation_wants_offset) say_frame_again(source, at, depth);
         for (const nc::Invocation& invocation : said) {
             if (invocation.function != Function::TcpOn && target.can_write(invocation.function))
                 say_function(invocation.function, {}, source, at, depth);
@@ -243,7 +243,7 @@ bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
 /// Whether the switch takes the work offset off is a matter of the machine: said behind it, it acts
 /// on each. Where the program has said none, it is that of the text's head.
 void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsigned depth) {
-    if (!target.has_rule("transformation_wants_offset")) return;
+    if (!target.rules().transformation_wants_offset) return;
     if ((modal.lost & sema::group_bit(Group::WorkOffsets)) != 0) return;
     Function& active = modal.active[static_cast<std::size_t>(Group::WorkOffsets)];
     if (active == Function::None && modal.due_offset == 0) {

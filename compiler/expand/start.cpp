@@ -65,8 +65,8 @@ Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
       heap(program, {wanted.limits.array_elements, wanted.limits.heap_bytes}) {
     turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
     blocks_left = options.limits.blocks;
-    has_machine_rapid = target.has_rule("machine_coordinates_rapid");
-    has_frame_diameter = target.has_rule("shift_in_diameter");
+    has_machine_rapid = target.rules().machine_coordinates_rapid;
+    has_frame_diameter = target.rules().shift_in_diameter;
     all_given.reserve(code.functions.size());
     for (const FunctionCode& function : code.functions) {
         const std::size_t count = function.parameters.size();
@@ -275,7 +275,7 @@ bool Expander::State::set_number(const ParameterInfo& parameter, double value, S
 
 ModalState Expander::State::first_state(const FunctionCode& function) const {
     ModalState state = ModalState::at_start(function);
-    state.stops_at_tool_change = target.has_rule("tool_change_stops_spindle");
+    state.stops_at_tool_change = target.rules().tool_change_stops_spindle;
     if (target.power_on(nc::Group::Diameter) == nc::Function::DiameterOn) state.is_diameter = true;
     return state;
 }

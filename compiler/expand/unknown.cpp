@@ -169,7 +169,7 @@ bool Expander::State::knows_state(const Block& block, std::uint32_t at) {
     const Function motion = modal[Group::Motion];
     // A control without words for it says a single distance by the dimensions of its block, too.
     const nc::DialectTables& tables = target.tables();
-    const bool says_each = tables.rules.has_modes || tables.has_incremental_letters;
+    const bool says_each = tables.notation.has_modes || tables.has_incremental_letters;
     const nc::SlotMask by_itself = says_each ? block.absolute | block.incremental : 0;
     const nc::SlotMask bare = block.given & nc::kTargetSlots & ~by_itself;
     if (bare != 0 && lacks(Group::Distance))

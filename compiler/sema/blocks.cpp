@@ -237,34 +237,39 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
     add(changes_tool && dialect.is_core() && (customs & custom::kCoreOffsets) == 0, custom::kEdges);
     if (dialect.is_core()) return customs;
     add(!cycle_modules_.empty(), custom::kPlaces);
-    add(dialect.has_rule("incremental_frame", "traversed"), custom::kIncrementTravels);
-    add(dialect.has_rule("helix_feed_along_arc"), custom::kFeedOfArc);
-    add(dialect.has_rule("feed_of_all_axes"), custom::kFeedOfAxes);
+    const auto differs = [&](auto nc::Rules::*rule) {
+        constexpr nc::Rules kLanguage = nc::Rules::of_language();
+        return dialect.rules().*rule != kLanguage.*rule;
+    };
+    using nc::Rules;
+    add(differs(&Rules::incremental_frame), custom::kIncrementTravels);
+    add(differs(&Rules::helix_feed_along_arc), custom::kFeedOfArc);
+    add(differs(&Rules::feed_of_all_axes), custom::kFeedOfAxes);
     for (const nc::Invocation& invocation : plan.functions) {
         using nc::Function;
-        add(dialect.has_rule("rotation_is_innermost"), custom::kFrameOrder);
-        add(dialect.has_rule("shift_in_diameter") && nc::frame_x(invocation.function).has_value(),
+        add(differs(&Rules::rotation_is_innermost), custom::kFrameOrder);
+        add(differs(&Rules::shift_in_diameter) && nc::frame_x(invocation.function).has_value(),
             custom::kFrameDiameter);
         const bool by_tool = dialect.counts_offsets_by_tool();
         switch (invocation.function) {
             case Function::Shift:
-                add(dialect.has_rule("shift_keeps_unnamed"), custom::kShiftKeeps);
+                add(differs(&Rules::shift_keeps_unnamed), custom::kShiftKeeps);
                 break;
             case Function::Rotate:
-                add(dialect.has_rule("rotate_replaces"), custom::kRotateReplaces);
-                add(dialect.has_rule("frame_center_at_tool"), custom::kCenterAtTool);
+                add(differs(&Rules::rotate_replaces), custom::kRotateReplaces);
+                add(differs(&Rules::frame_center_at_tool), custom::kCenterAtTool);
                 break;
             case Function::Scale:
-                add(dialect.has_rule("frame_center_at_tool"), custom::kCenterAtTool);
+                add(differs(&Rules::frame_center_at_tool), custom::kCenterAtTool);
                 break;
             case Function::FeedPerMinute:
             case Function::FeedPerRevolution:
             case Function::FeedInverseTime:
-                add(dialect.has_rule("feed_deleted_on_mode_change"), custom::kFeedDeleted);
+                add(differs(&Rules::feed_deleted_on_mode_change), custom::kFeedDeleted);
                 break;
             case Function::MachineCoordinates:
-                add(dialect.has_rule("machine_coordinates_rapid"), custom::kMachineRapid);
-                add(dialect.has_rule("machine_coordinates_keep_length"), custom::kMachineLength);
+                add(differs(&Rules::machine_coordinates_rapid), custom::kMachineRapid);
+                add(differs(&Rules::machine_coordinates_keep_length), custom::kMachineLength);
                 break;
             case Function::LengthCompOn:
             case Function::LengthCompOff:
@@ -745,7 +750,7 @@ bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
     }
     // … unless the source is written for a control on which they act before.
     const nc::Dialect& dialect = *modules_[module_].dialect;
-    const bool is_before = !dialect.is_core() && !dialect.has_rule("stops_after_motion");
+    const bool is_before = !dialect.is_core() && !dialect.rules().stops_after_motion;
     const bool has_stops = !stops.functions.empty();
     if (has_stops && !is_before) {
         // Behind what the program stops or ends with nothing acts: it comes last.

@@ -77,8 +77,8 @@ bool Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange&
         wanted_.push_back(found->index);
     }
     cycle.function = found->index + 1;
-    cycle.has_distances = dialect.has_rule("cycle_levels_incremental");
-    cycle.stops_rigid_spindle = dialect.has_rule("rigid_tap_stops_spindle");
+    cycle.has_distances = dialect.rules().cycle_levels_incremental;
+    cycle.stops_rigid_spindle = dialect.rules().rigid_tap_stops_spindle;
     return true;
 }
 
@@ -110,8 +110,7 @@ std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& 
     const auto invocation = static_cast<std::size_t>(found - plan.functions.begin());
     const std::span<const nc::Parameter> parameters = dialect.cycles()[plan.cycle].parameters;
     SourceCycle cycle;
-    cycle.kind =
-        dialect.has_rule("modal_cycles") ? SourceCycle::Kind::Modal : SourceCycle::Kind::Once;
+    cycle.kind = dialect.rules().modal_cycles ? SourceCycle::Kind::Modal : SourceCycle::Kind::Once;
     SourceRange range = words[0].range;
     for (const Word& word : words) {
         if (word.form != Word::Form::Literal ||

@@ -59,7 +59,7 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     if (frames_.is_stretched(modal_.plane)) return stretched_arc(block, target, exact_stop);
     const bool has_opening = block.has(Slot::Opening);
     const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
-    if (!has_form && !has_opening && rules_.arc_without_center == ArcWithoutCenter::Line) {
+    if (!has_form && !has_opening && rules_.arc_without_center == nc::ArcWithoutCenter::Line) {
         if (target.moved != 0 && !std::exchange(told_.arc_is_line, true))
             report(diag::ArcIsLine, block, modal_.motion);
         return line(block, target, Op::Line, exact_stop);
@@ -242,7 +242,7 @@ std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target&
     const std::optional<Vec3> center = center_of_arc(block, ends.start);
     if (!center) return std::nullopt;
     const path::ArcTolerance tolerance{rules_.arc_tolerance, rules_.arc_tolerance_factor,
-                                       rules_.arc_error == ArcError::ShiftCenter
+                                       rules_.arc_error == nc::ArcError::ShiftCenter
                                            ? path::RadiusError::ShiftCenter
                                            : path::RadiusError::Spread};
     const Result<path::Arc, path::ArcFault> arc =
@@ -294,7 +294,7 @@ void Executor::report_radius_arc(const Block& block, path::ArcFault fault,
         return;
     }
     const bool moves = way.norm() > 0;  // along the axis of a helix
-    if (!moves && rules_.arc_radius_without_chord == ArcWithoutChord::NoMotion) return;
+    if (!moves && rules_.arc_radius_without_chord == nc::ArcWithoutChord::NoMotion) return;
     report(diag::ArcWithoutChord, block, Slot::Radius);
 }
 

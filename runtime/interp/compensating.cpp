@@ -283,7 +283,7 @@ void Executor::begin_comp(const Block& block, Function side) {
         report(diag::CarrierPlane, block, comp_.side);
         return;
     }
-    if (comp_.acting != Function::CompInPlane && comp_settings().start == CompStart::Around) {
+    if (comp_.acting != Function::CompInPlane && comp_settings().start == nc::CompStart::Around) {
         report(diag::CompSpaceStart, block, comp_.side);
         return;
     }
@@ -313,28 +313,37 @@ bool Executor::is_in_space(CompChange::Kind kind) const {
                                            : space_comp_.is_on();
 }
 
+static path::OutsideCorner corner_of(nc::CompCorner corner) {
+    switch (corner) {
+        case nc::CompCorner::Arc: return path::OutsideCorner::Arc;
+        case nc::CompCorner::Intersection: return path::OutsideCorner::Intersection;
+        case nc::CompCorner::Square: return path::OutsideCorner::Square;
+    }
+    return path::OutsideCorner::Arc;
+}
+
 CompSettings Executor::comp_settings() const {
     CompSettings settings;
     path::CompRules& corners = settings.corners;
     corners.outside = comp_.corner == Function::CompCornerArc ? path::OutsideCorner::Arc
                       : comp_.corner == Function::CompCornerIntersection
                           ? path::OutsideCorner::Intersection
-                          : rules_.comp_corner;
+                          : corner_of(rules_.comp_corner);
     corners.pointed = std::min(comp_.pointed, rules_.comp_pointed_limit) / 100;
     corners.limit = rad_from_deg(rules_.comp_corner_limit);
-    corners.sharp = rules_.comp_sharp_corner;
+    corners.sharp = corner_of(rules_.comp_sharp_corner);
     corners.extends_tangents = rules_.comp_extends_tangents;
     corners.leaves_out = comp_.has_check;
     corners.open_end = comp_.open_end;
     corners.look_ahead = comp_.has_check
                              ? kCheckedBlocks
                              : static_cast<std::size_t>(std::max(1, rules_.comp_look_ahead));
-    settings.start = comp_.start == Function::CompStartNormal    ? CompStart::Normal
-                     : comp_.start == Function::CompStartAround  ? CompStart::Around
-                     : comp_.start == Function::CompStartTangent ? CompStart::Tangent
-                     : comp_.start == Function::CompStartSmooth  ? CompStart::Smooth
+    settings.start = comp_.start == Function::CompStartNormal    ? nc::CompStart::Normal
+                     : comp_.start == Function::CompStartAround  ? nc::CompStart::Around
+                     : comp_.start == Function::CompStartTangent ? nc::CompStart::Tangent
+                     : comp_.start == Function::CompStartSmooth  ? nc::CompStart::Smooth
                                                                  : rules_.comp_start;
-    settings.feed = comp_.feed ? static_cast<CompFeed>(*comp_.feed) : rules_.comp_feed;
+    settings.feed = comp_.feed ? static_cast<nc::CompFeed>(*comp_.feed) : rules_.comp_feed;
     settings.radius_changes_in_lines = rules_.comp_keeps_tool;
     settings.takes_inverse_time = rules_.comp_takes_inverse_time;
     settings.empty_blocks = rules_.comp_empty_blocks;

@@ -25,7 +25,9 @@ namespace {
 
 bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
-bool is_curve(CompStart start) { return start == CompStart::Tangent || start == CompStart::Smooth; }
+bool is_curve(nc::CompStart start) {
+    return start == nc::CompStart::Tangent || start == nc::CompStart::Smooth;
+}
 
 bool is_same(const AxisValues& a, const AxisValues& b) {
     for (std::size_t i = 0; i < kAxes; ++i) {
@@ -515,8 +517,8 @@ void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
         command.exact_stop = false;
         command.turns = 0;
         stand_tool(command);
-    } else if (held.radius > 0 && (held.feed == CompFeed::Contour ||
-                                   (held.feed == CompFeed::Inside && radius < held.radius))) {
+    } else if (held.radius > 0 && (held.feed == nc::CompFeed::Contour ||
+                                   (held.feed == nc::CompFeed::Inside && radius < held.radius))) {
         command.feed *= radius / held.radius;
     }
     set_in_plane(command.to, arc.to);

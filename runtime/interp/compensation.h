@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "interp/rules.h"
 #include "interp/turns_beside.h"
 #include "nc/block.h"
+#include "nc/rules.h"
 #include "path/command.h"
 #include "path/frame.h"
 #include "path/radius_comp.h"
@@ -23,8 +23,8 @@ namespace kadr::interp {
 
 struct CompSettings {
     path::CompRules corners;
-    CompStart start = CompStart::Normal;
-    CompFeed feed = CompFeed::Contour;
+    nc::CompStart start = nc::CompStart::Normal;
+    nc::CompFeed feed = nc::CompFeed::Contour;
     bool radius_changes_in_lines =
         false;                        // an arc under another radius is a fault; else its side steps
     bool takes_inverse_time = false;  // F of the block as it is programmed
@@ -119,7 +119,7 @@ class Compensation {
         std::size_t index = 0;      // of the element; 0: no motion in the plane
         double radius = 0;          // of an arc as programmed
         bool is_departure = false;  // ends where it is programmed
-        CompFeed feed = CompFeed::Contour;
+        nc::CompFeed feed = nc::CompFeed::Contour;
     };
     using Fault = const DiagnosticRow*;  // null: none
 

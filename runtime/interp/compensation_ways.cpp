@@ -47,12 +47,12 @@ Compensation::Fault Compensation::way_in(const Element& first, std::optional<Ele
     if (along.norm() < path::kSamePoint || distance_ == 0) return nullptr;
     // From the other side of the contour the way is straight, whatever the corner.
     const bool is_beside = (from - in_plane(meant_)).norm() > path::kSamePoint;
-    if (settings_.start == CompStart::Extended && !is_beside) {
+    if (settings_.start == nc::CompStart::Extended && !is_beside) {
         const double turn = along.x() * tangent.y() - along.y() * tangent.x();
         if (turn * distance_ < 0) way = path::line_element(from, first.from);
     }
     const bool is_behind = left_of(tangent).dot(along) * distance_ > path::kSamePoint;
-    if (settings_.start != CompStart::Around || !is_behind) return nullptr;
+    if (settings_.start != nc::CompStart::Around || !is_behind) return nullptr;
     const std::optional<Vec2> touch = touched(first.from, from, distance_);
     if (!touch) return &diag::CompStartBlocked;
     way = path::line_element(first.from - (*touch - from), first.from);
@@ -63,12 +63,12 @@ Compensation::Fault Compensation::way_out(const Vec2& to, std::optional<Element>
     const Vec2 tangent = path::end_direction(last_);
     const Vec2 along = to - last_.to;
     if (along.norm() < path::kSamePoint || distance_ == 0) return nullptr;
-    if (settings_.start == CompStart::Extended) {
+    if (settings_.start == nc::CompStart::Extended) {
         const double turn = tangent.x() * along.y() - tangent.y() * along.x();
         if (turn * distance_ < 0) way = path::line_element(last_.to, to);
     }
     const bool is_behind = left_of(tangent).dot(along) * distance_ < -path::kSamePoint;
-    if (settings_.start != CompStart::Around || !is_behind) return nullptr;
+    if (settings_.start != nc::CompStart::Around || !is_behind) return nullptr;
     // The way back touches from the other side.
     const std::optional<Vec2> touch = touched(last_.to, to, -distance_);
     if (!touch) return &diag::CompStartBlocked;
@@ -102,7 +102,7 @@ void Compensation::emit_curve_in(const Element& first) {
     };
     command.op = Op::Spline;
     command.spline.weights = {1, 1, 1, 1};
-    if (settings_.start == CompStart::Tangent) {
+    if (settings_.start == nc::CompStart::Tangent) {
         command.spline.degree = 2;
         place(0, end - tangent * reach / 2);
     } else {
@@ -128,7 +128,7 @@ void Compensation::emit_curve_out(Command& command) {
         return emit_line({command, 0, 0, true}, in_plane(command.to), false);
     command.op = Op::Spline;
     command.spline.weights = {1, 1, 1, 1};
-    if (settings_.start == CompStart::Tangent) {
+    if (settings_.start == nc::CompStart::Tangent) {
         command.spline.degree = 2;
         place(0, from + tangent * reach / 2);
     } else {

@@ -33,7 +33,7 @@ void Program::State::begin_definitions() {
     const std::vector<std::string>& names = language.calls.definitions;
     // One that is looked at by itself, `kadr check UGUD.DEF`, is the program that runs.
     const std::string own =
-        nc::program_of_path(language.calls, units.main().text->name, tables.rules.ignores_case);
+        nc::program_of_path(language.calls, units.main().text->name, tables.notation.ignores_case);
     const bool is_own = std::ranges::find(names, own) != names.end();
     if (is_own) {
         frames[0]->is_definition = true;
@@ -66,7 +66,8 @@ void Program::State::leave_definition(const Frame& left) {
 /// By its head, else by its file.
 std::string Program::State::name_of_definitions() const {
     if (!frame->unit->name.empty()) return frame->unit->name;
-    return nc::program_of_path(language.calls, frame->unit->text->name, tables.rules.ignores_case);
+    return nc::program_of_path(language.calls, frame->unit->text->name,
+                               tables.notation.ignores_case);
 }
 
 /// A line that defines something, or the end of the program.

@@ -42,7 +42,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       cycles_(cycles),
       options_(options),
       sink_(&sink),
-      rules_(rules_of(dialect, sink)),
+      rules_(dialect.rules()),
       program_(blocks, options.in_step ? 1 : kProgramBatch),
       clocks_(machine),
       carriers_(machine) {
@@ -172,7 +172,7 @@ void Executor::end_of_blocks() {
         alarmed_ = true;
         return;
     }
-    const bool is_alarm = rules_.missing_end == MissingEnd::Alarm;
+    const bool is_alarm = rules_.missing_end == nc::MissingEnd::Alarm;
     Block nowhere{};
     nowhere.line = places_ != nullptr ? static_cast<std::uint32_t>(places_->lines()) : 0;
     LinePlace place = places_ != nullptr ? places_->place(nowhere) : LinePlace{};

@@ -34,7 +34,6 @@
 #include "interp/interpreter.h"
 #include "interp/output.h"
 #include "interp/program_clocks.h"
-#include "interp/rules.h"
 #include "interp/shape_run.h"
 #include "interp/snapshot.h"
 #include "interp/soft_approach.h"
@@ -48,6 +47,7 @@
 #include "interp/work_area.h"
 #include "machine/orientation.h"
 #include "machine/path_choice.h"
+#include "nc/rules.h"
 #include "path/arc.h"
 #include "path/curve.h"
 #include "path/involute.h"
@@ -55,7 +55,7 @@
 
 namespace kadr::interp {
 
-constexpr CornerSettings corner_settings(const Rules& rules) {
+constexpr CornerSettings corner_settings(const nc::Rules& rules) {
     return {rules.corner_strict, rules.corner_feed_of_next, rules.corner_empty_blocks};
 }
 
@@ -773,7 +773,7 @@ class Executor {
     CycleExpander* cycles_;
     InterpreterOptions options_;
     DiagnosticSink* sink_;
-    Rules rules_;
+    nc::Rules rules_;
 
     BlockQueue program_;
     Output output_;

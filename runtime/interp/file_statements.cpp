@@ -34,7 +34,7 @@ ControlFiles::Lines lines_of(nc::TextSource& text) {
 /// The path is not looked at, and the control's own marks of names do not count: `_N_PROT_MPF` is
 /// `PROT`.
 std::string Program::State::file_name(std::string_view path) const {
-    return nc::program_of_path(language.calls, path, tables.rules.ignores_case);
+    return nc::program_of_path(language.calls, path, tables.notation.ignores_case);
 }
 
 /// Files wait for the blocks in front: what stands behind an alarm is never written.

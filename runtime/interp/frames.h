@@ -11,7 +11,7 @@
 
 #include "interp/base_frames.h"
 #include "interp/control_frame.h"
-#include "interp/rules.h"
+#include "nc/rules.h"
 #include "path/frame.h"
 
 namespace kadr::interp {
@@ -25,7 +25,7 @@ struct FrameWords {
 
 class Frames {
   public:
-    explicit Frames(const Rules& rules) : rules_(&rules) {}
+    explicit Frames(const nc::Rules& rules) : rules_(&rules) {}
 
     void select_work_offset(const ControlFrame& offset);
     void select_bases(const BaseFrames& bases);
@@ -125,7 +125,7 @@ class Frames {
     AxisMask mirrored_by_steps() const;
     void update();
 
-    const Rules* rules_;
+    const nc::Rules* rules_;
     path::Frame tables_;
     BaseFrames bases_;
     ControlFrame base_;  // their product

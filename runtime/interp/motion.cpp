@@ -194,7 +194,7 @@ void Executor::check_place(const Block& block, SlotMask targets) {
 Target Executor::target_of(const Block& block, SlotMask targets) const {
     Target target{position_.here, position_.base, static_cast<AxisMask>(targets)};
     const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
-    const AxisValues& last = rules_.incremental_frame == IncrementalFrame::Traversed
+    const AxisValues& last = rules_.incremental_frame == nc::IncrementalFrame::Traversed
                                  ? position_.programmed
                                  : position_.here;
     const AxisValues& shift = frames_.shift_values();

@@ -17,11 +17,8 @@ namespace {
 /// How the cutter comes to a contour, and what joins its elements: the rule of that name can say
 /// more than the functions of the group do, and counts where a file sets it.
 bool is_ruled(const nc::Dialect& dialect, Group group) {
-    const std::string_view rule = group == Group::CompStart    ? "comp_start"
-                                  : group == Group::CompCorner ? "comp_corner"
-                                                               : "";
-    return std::ranges::any_of(dialect.rules(),
-                               [&](const nc::RuleSetting& set) { return set.name == rule; });
+    if (group == Group::CompStart) return dialect.names_rule(nc::Rule::comp_start);
+    return group == Group::CompCorner && dialect.names_rule(nc::Rule::comp_corner);
 }
 
 }  // namespace

@@ -324,7 +324,8 @@ Program::State::Done Program::State::end_of_text() {
     }
     // Where a sign ends the text its head follows; `%_N_SUB_SPF` is both.
     const bool is_head =
-        nc::program_of_header(language.calls, scratch.text, tables.rules.ignores_case).has_value();
+        nc::program_of_header(language.calls, scratch.text, tables.notation.ignores_case)
+            .has_value();
     bool is_more = true;
     if (!is_head) {
         std::string_view line;

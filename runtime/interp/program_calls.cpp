@@ -100,8 +100,8 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
             return fail(line, diag::TypesDiffer, statement.second.span,
                         {"the name of a program", "a number"});
         const std::string_view path = evaluator.text(text);
-        name = nc::program_of_path(language.calls, path, tables.rules.ignores_case);
-        found.kind = nc::kind_of_path(language.calls, path, tables.rules.ignores_case);
+        name = nc::program_of_path(language.calls, path, tables.notation.ignores_case);
+        found.kind = nc::kind_of_path(language.calls, path, tables.notation.ignores_case);
         if (name.empty()) {
             return fail(line, diag::CallIncomplete, statement.second.span,
                         {std::string(evaluator.text(text))});
@@ -684,14 +684,15 @@ std::optional<std::string> Program::State::name_at(std::int64_t level) const {
     if (!at.unit->name.empty()) return at.unit->name;
     const std::string& head = at.text.program;
     return head.empty()
-               ? nc::program_of_path(language.calls, at.text.name, tables.rules.ignores_case)
+               ? nc::program_of_path(language.calls, at.text.name, tables.notation.ignores_case)
                : head;
 }
 
 bool Program::State::has_program(std::string_view name) {
-    const std::string wanted = nc::program_of_path(language.calls, name, tables.rules.ignores_case);
+    const std::string wanted =
+        nc::program_of_path(language.calls, name, tables.notation.ignores_case);
     if (control_files.knows(file_name(name))) return control_files.has(file_name(name));
-    const std::string kind = nc::kind_of_path(language.calls, name, tables.rules.ignores_case);
+    const std::string kind = nc::kind_of_path(language.calls, name, tables.notation.ignores_case);
     return !wanted.empty() && units.find(wanted, text(), kind) != nullptr;
 }
 
@@ -839,9 +840,9 @@ void Program::State::follow_named_shape(const Block& block, std::string_view tex
     if (kind == ContourPlace::Program || kind == ContourPlace::ProgramLabels) {
         const std::string said = contour.parts.empty() ? std::string() : contour.parts[0];
         const std::string name =
-            nc::program_of_path(language.calls, said, tables.rules.ignores_case);
+            nc::program_of_path(language.calls, said, tables.notation.ignores_case);
         const std::string its_kind =
-            nc::kind_of_path(language.calls, said, tables.rules.ignores_case);
+            nc::kind_of_path(language.calls, said, tables.notation.ignores_case);
         call.unit = name.empty() ? nullptr : units.find(name, text(), its_kind);
         if (call.unit == nullptr)
             return missing(diag::ProgramMissing,
@@ -948,7 +949,7 @@ bool has_exit_behind(const nc::Dialect& dialect, nc::LineSource& source, const L
     bool has_number = false;
     while (source.next(line, is_too_long)) {
         if (std::ranges::find(tables.program.end, line) != tables.program.end.end()) return false;
-        if (nc::program_of_header(tables.language.calls, line, tables.rules.ignores_case))
+        if (nc::program_of_header(tables.language.calls, line, tables.notation.ignores_case))
             return false;
         has_number = has_number || nc::front_of(tables, line).number >= 0;
         if (has_number && ends_program(dialect, line)) return true;

@@ -56,7 +56,7 @@ ProgramMap::Fault ProgramMap::scan(const LinePosition& from, Look look) {
     while (source_.next(line, is_too_long)) {
         // The mark at the head of a file looks like the one at its end.
         if (here.line > begin_.line && std::ranges::find(ends, line) != ends.end()) break;
-        if (nc::program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)) {
+        if (nc::program_of_header(tables_.language.calls, line, tables_.notation.ignores_case)) {
             if (is_behind_head) break;
             is_behind_head = true;
         }

@@ -23,7 +23,7 @@ ProgramUnits::ProgramUnits(const nc::Dialect& dialect, nc::TextSource& main, std
                            std::size_t kept, ProgramFiles* files)
     : dialect_(dialect), tables_(dialect.tables()), kept_(kept), files_(files) {
     texts_.push_back(
-        std::make_unique<ProgramText>(main, std::move(name), kept_, tables_.rules.max_line));
+        std::make_unique<ProgramText>(main, std::move(name), kept_, tables_.notation.max_line));
     main_ = std::make_unique<ProgramUnit>(tables_, *texts_[0], LinePosition{}, std::string());
 }
 
@@ -47,7 +47,7 @@ LinePosition ProgramUnits::main_begin() const {
     while (text.source.next(line, is_too_long)) {
         const bool is_blank = line.find_first_not_of(" \t\r") == std::string_view::npos;
         const nc::ProgramPattern* const head =
-            nc::header_of(calls, line, tables_.rules.ignores_case);
+            nc::header_of(calls, line, tables_.notation.ignores_case);
         if (head != nullptr && !head->is_subprogram) {
             if (is_behind_subprogram) begin = here;
             break;
@@ -59,7 +59,7 @@ LinePosition ProgramUnits::main_begin() const {
             if (text.is_kept && !text.kept_text.keep_all()) break;
         }
         if (head != nullptr) {
-            const auto name = nc::program_of_header(calls, line, tables_.rules.ignores_case);
+            const auto name = nc::program_of_header(calls, line, tables_.notation.ignores_case);
             if (name) text.programs[*name].emplace(nc::kind_of(*head), here);
         }
         here = {text.source.offset(), here.line + 1};
@@ -93,7 +93,7 @@ ProgramUnit* ProgramUnits::find_definitions(const std::string& name) {
 
 ProgramUnit& ProgramUnits::add(std::unique_ptr<nc::TextSource> source, std::string name) {
     texts_.push_back(
-        std::make_unique<ProgramText>(*source, std::move(name), kept_, tables_.rules.max_line));
+        std::make_unique<ProgramText>(*source, std::move(name), kept_, tables_.notation.max_line));
     texts_.back()->own = std::move(source);
     added_.push_back(
         std::make_unique<ProgramUnit>(tables_, *texts_.back(), LinePosition{}, std::string()));
@@ -108,7 +108,7 @@ std::optional<LinePosition> ProgramUnits::find_in_file(const std::string& name,
     auto file = files_->open(dialect_, name, kind);
     if (!file) return std::nullopt;
     texts_.push_back(std::make_unique<ProgramText>(*file->text, std::move(file->name), kept_,
-                                                   tables_.rules.max_line));
+                                                   tables_.notation.max_line));
     text = texts_.back().get();
     text->own = std::move(file->text);
     // One that stands behind another in its file begins at its own head.
@@ -149,7 +149,7 @@ const LinePosition* ProgramUnits::first_of(const ProgramText& text, const std::s
 std::optional<LinePosition> ProgramUnits::find_in(ProgramText& text, const std::string& name,
                                                   const std::string& kind) const {
     const nc::CallLanguage& calls = tables_.language.calls;
-    const bool ignores_case = tables_.rules.ignores_case;
+    const bool ignores_case = tables_.notation.ignores_case;
     const auto seen = [&]() -> std::optional<LinePosition> {
         const LinePosition* const place = first_of(text, name, kind, text.is_seen_whole);
         return place != nullptr ? std::optional(*place) : std::nullopt;
@@ -185,7 +185,7 @@ void ProgramUnits::look_for_head(ProgramUnit& unit) const {
     bool is_first = true;
     while (unit.text->source.next(line, is_too_long)) {
         const bool is_header =
-            nc::program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)
+            nc::program_of_header(tables_.language.calls, line, tables_.notation.ignores_case)
                 .has_value();
         if (is_header && !is_first) return;
         is_first = false;

@@ -99,8 +99,8 @@ std::int64_t Executor::named_tool(const Block& block) {
 }
 
 bool Executor::selects_at_once() const {
-    return rules_.tool_select_changes == ToolSelectChanges::Yes ||
-           (rules_.tool_select_changes == ToolSelectChanges::Lathe && is_lathe_);
+    return rules_.tool_select_changes == nc::ToolSelectChanges::Yes ||
+           (rules_.tool_select_changes == nc::ToolSelectChanges::Lathe && is_lathe_);
 }
 
 void Executor::change_tool(const Block& block) {

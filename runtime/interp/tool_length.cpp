@@ -32,7 +32,7 @@ path::Plane plane_with_normal(Axis axis) {
 Axis Executor::wanted_length_axis() const {
     const bool is_turned =
         tool_.source != Tool::Source::None && tool_offsets_.is_turning(tool_.length_number());
-    if (is_turned || rules_.length_axis == LengthAxis::Z) return Axis::Z;
+    if (is_turned || rules_.length_axis == nc::LengthAxis::Z) return Axis::Z;
     return path::axes_of(modal_.plane).normal;
 }
 
@@ -47,7 +47,7 @@ Vec3 Executor::wanted_lengths() const {
             lengths[static_cast<Eigen::Index>(index(axis))] =
                 tool_offsets_.length(part, number) + extra;
     };
-    const bool goes_by_plane = rules_.length_axis == LengthAxis::Plane;
+    const bool goes_by_plane = rules_.length_axis == nc::LengthAxis::Plane;
     if (tool_offsets_.is_turning(number)) {
         // Lengths of a machine's tool are told by their axes.
         const bool is_typed = tool_offsets_.type(number) != 0;

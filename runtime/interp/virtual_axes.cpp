@@ -440,7 +440,7 @@ bool Executor::follow_leg_by_leg(const Command& command, const path::Curve& curv
     for (const path::Curve& leg : path::legs_between_poles(virtual_.axes, curve)) {
         const double leaves_at = path::rotary_to_leave(virtual_.axes, leg, rotary_.at);
         const double by = leaves_at - rotary_.at;
-        if (rules_.pole_passage == PolePassage::Alarm && std::abs(by) > kSameTurn) {
+        if (rules_.pole_passage == nc::PolePassage::Alarm && std::abs(by) > kSameTurn) {
             Block at{};
             at.source = command.source;
             at.line = command.line;

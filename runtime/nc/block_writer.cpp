@@ -10,7 +10,6 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "nc/comment_text.h"
-#include "nc/rule_defaults.h"
 
 namespace kadr::nc {
 
@@ -56,17 +55,7 @@ constexpr bool is_quiet_group(Group group) {
 
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
     : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
-    counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
-    counts_all_axes_ = dialect.has_rule("feed_of_all_axes");
-    shifts_center_ = dialect.has_rule("arc_error", "shift_center");
-    arc_tolerance_ = rule_value(dialect, "arc_tolerance");
-    arc_tolerance_factor_ = rule_value(dialect, "arc_tolerance_factor");
-    increments_travel_frames_ = dialect.has_rule("incremental_frame", "traversed");
-    scale_replaces_ = dialect.has_rule("scale_replaces");
-    changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
-    most_message_ = static_cast<std::size_t>(std::max(0.0, rule_value(dialect, "most_message")));
-    idle_is_alarm_ = dialect.has_rule("comp_more_empty_is_alarm");
-    most_idle_ = static_cast<int>(rule_value(dialect, "comp_empty_blocks"));
+    most_message_ = static_cast<std::size_t>(std::max(0, rules_.most_message));
     begin({});
     prepare_fast();
 }
@@ -120,7 +109,8 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     switch (block.kind) {
         case Block::Kind::Nc:
             if (!write_fast(block, out)) write_long(block, out);
-            if (most_idle_ >= 0 && (idle_.is_begun || is_compensated())) count_idle(block, before);
+            if (rules_.comp_empty_blocks >= 0 && (idle_.is_begun || is_compensated()))
+                count_idle(block, before);
             break;
         case Block::Kind::Comment: write_comment(block, out); break;
         case Block::Kind::Raw:
@@ -192,7 +182,7 @@ void BlockWriter::check_front(const Block& block) {
         number_fault(block, NumberFault::TooLarge, block.number, Dimension::Count, "N");
     }
     const bool is_level =
-        block.skip >= tables_.rules.default_skip && block.skip < tables_.rules.skip_levels;
+        block.skip >= tables_.notation.default_skip && block.skip < tables_.notation.skip_levels;
     if (block.skip_also != 0) cannot_express(block, "several skip levels of one block");
     if (block.skip >= 0 && !is_level) {
         cannot_express(block, "the skip level " + std::to_string(block.skip));
@@ -621,7 +611,7 @@ void BlockWriter::write_initial_level(const Form& form, const Block& block,
     move.motion = Function::Rapid;
     move.set(static_cast<Slot>(axis), level);
     move.absolute = bit(static_cast<Slot>(axis));
-    if (!tables_.rules.has_modes || modal_.text_of(Group::Distance) == Function::Absolute)
+    if (!tables_.notation.has_modes || modal_.text_of(Group::Distance) == Function::Absolute)
         move.absolute = 0;
     const Function distance = modal_.meant_of(Group::Distance);
     modal_.meant_of(Group::Distance) = Function::Absolute;

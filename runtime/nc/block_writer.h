@@ -333,6 +333,7 @@ class BlockWriter {
 
     const Dialect& dialect_;
     const DialectTables& tables_;
+    const Rules& rules_ = tables_.rules;
     WriteOptions options_;
     DiagnosticSink& sink_;
     std::span<const SourceRange> statements_;
@@ -351,16 +352,8 @@ class BlockWriter {
     std::string fast_rapid_, fast_line_;            // codes, for the fast way
     std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
     std::uint32_t done_ = 0;                        // functions that need no word any more
-    bool counts_feed_along_arc_ = false;            // F of a helix, in the text
-    bool counts_all_axes_ = false;                  // in F of a straight block, in the text
-    bool shifts_center_ = false;                    // the control, of an arc that does not close
-    double arc_tolerance_ = 0;                      // of the control, mm
-    double arc_tolerance_factor_ = 0;               // … and part of the radius
     bool is_part_ = false;                          // the blocks are parts of an arc
-    bool increments_travel_frames_ = false;         // they count from the coordinate named last
-    bool scale_replaces_ = false;                   // a second scale ends the first
     std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
-    bool changer_moves_plane_ = false;              // a tool change ends elsewhere in X and Y
     bool feed_every_block_ = false;                 // F is not modal in this feed mode
     bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
     double deferred_tool_ = 0;
@@ -373,8 +366,6 @@ class BlockWriter {
         std::array<int, 1 + kSkipLevels> lines{};
     };
     Idle idle_;
-    int most_idle_ = -1;          // that the control takes; -1: any number
-    bool idle_is_alarm_ = false;  // more of them; else corners are cut
     bool failed_ = false;
     bool has_ended_ = false;
 };

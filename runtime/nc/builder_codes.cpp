@@ -46,20 +46,20 @@ bool is_free(const DialectTables& tables, AddressId address, double number) {
 }  // namespace
 
 bool is_builder_code(const DialectTables& tables, AddressId address, double number) {
-    const CodeRange& codes = tables.rules.builder_codes;
+    const CodeRange& codes = tables.notation.builder_codes;
     return number >= codes.least && number <= codes.most && is_free(tables, address, number) &&
            !is_unsupported(tables, address, number);
 }
 
 bool is_passed_to_builder(const DialectTables& tables, AddressId address, double number) {
     if (is_builder_code(tables, address, number)) return true;
-    return number <= tables.rules.most_builder_code && is_free(tables, address, number);
+    return number <= tables.notation.most_builder_code && is_free(tables, address, number);
 }
 
 void add_builder_form(DialectTables& tables) {
     const Form* const usual = usual_form(tables);
     tables.builder_address = usual == nullptr ? kNoAddress : usual->words[0].address;
-    const CodeRange& codes = tables.rules.builder_codes;
+    const CodeRange& codes = tables.notation.builder_codes;
     if (usual == nullptr || codes.most < codes.least) return;
     Form form;
     form.function = Function::MachineFunction;

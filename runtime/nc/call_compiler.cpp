@@ -115,7 +115,7 @@ bool CallCompiler::take_program_in_brackets(Call& call) {
                     {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(line_.size())});
     }
     call.name = program_of_path(language_.calls, line_.substr(at_ + 1, close - at_ - 1),
-                                tables_.rules.ignores_case);
+                                tables_.notation.ignores_case);
     at_ = close + 1;
     call.program.span = span_from(begin);
     return true;
@@ -148,7 +148,7 @@ bool CallCompiler::take_word_of_call() {
 bool CallCompiler::take_value_of_word(CallValue& out) {
     skip();
     const std::size_t begin = at_;
-    if (peek() == '=' && tables_.rules.has_assignment) ++at_;
+    if (peek() == '=' && tables_.notation.has_assignment) ++at_;
     skip();
     const std::size_t first = at_;
     const Decimal decimal = parse_decimal(line_.data() + at_, line_.data() + line_.size());
@@ -373,8 +373,8 @@ bool CallCompiler::take_call_hole(ControlStatement& out) {
         std::size_t end = line_.find_first_of("( \t;", at_);
         end = std::min(end, line_.size());
         const std::string_view path = line_.substr(at_, end - at_);
-        call.name = program_of_path(language_.calls, path, tables_.rules.ignores_case);
-        call.kind = kind_of_path(language_.calls, path, tables_.rules.ignores_case);
+        call.name = program_of_path(language_.calls, path, tables_.notation.ignores_case);
+        call.kind = kind_of_path(language_.calls, path, tables_.notation.ignores_case);
         at_ = end;
     } else {
         call.name = program_name(at_);

@@ -127,7 +127,7 @@ class Front {
     /// Whether comments and the sign of the block's end are all that follows.
     bool says_nothing_from(std::size_t at) const {
         at = words_.skip_comments(at);
-        if (at < line_.size() && line_[at] == tables_.rules.end_sign)
+        if (at < line_.size() && line_[at] == tables_.notation.end_sign)
             at = words_.skip_comments(at + 1);
         return at >= line_.size() || words_.is_comment(at);
     }

@@ -151,7 +151,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return !is_spindle_name(index) || (argument > 0 && !is_number);
     }
     bool is_spindle_word(std::string_view name) const {
-        return std::ranges::any_of(tables_.rules.spindle_words, [&](const std::string& word) {
+        return std::ranges::any_of(tables_.notation.spindle_words, [&](const std::string& word) {
             return words_.is_same(name, word);
         });
     }

@@ -36,11 +36,11 @@ std::size_t ControlWords::trim(std::size_t begin, std::size_t end) const {
 
 char ControlWords::upper(char c) const {
     const bool is_small = c >= 'a' && c <= 'z';
-    return is_small && tables_.rules.ignores_case ? static_cast<char>(c - 'a' + 'A') : c;
+    return is_small && tables_.notation.ignores_case ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
 std::string ControlWords::normal(std::string_view text) const {
-    return tables_.rules.ignores_case ? upper_ascii(text) : std::string(text);
+    return tables_.notation.ignores_case ? upper_ascii(text) : std::string(text);
 }
 
 bool ControlWords::is_comment(std::size_t at) const {
@@ -48,7 +48,7 @@ bool ControlWords::is_comment(std::size_t at) const {
 }
 
 bool ControlWords::is_block_end(std::size_t at) const {
-    const char sign = tables_.rules.end_sign;
+    const char sign = tables_.notation.end_sign;
     if (sign == '\0' || at >= line_.size() || line_[at] != sign) return false;
     const std::size_t next = skip_blanks(at + 1);
     return next >= line_.size() || is_comment(next);

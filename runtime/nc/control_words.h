@@ -19,7 +19,7 @@ class ControlWords {
     ControlWords(const DialectTables& tables, std::string_view line);
 
     /// Blanks do not count, so that letters are told apart by what is known: `#1EQ#2`.
-    bool is_blank_insensitive() const { return tables_.rules.blanks_inside_words; }
+    bool is_blank_insensitive() const { return tables_.notation.blanks_inside_words; }
     /// Numbers may have exponents: `1.5EX-3`.
     bool has_exponents() const { return !is_blank_insensitive(); }
 

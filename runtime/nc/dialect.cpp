@@ -13,7 +13,6 @@
 #include "nc/check.h"
 #include "nc/load.h"
 #include "nc/refusals.h"
-#include "nc/rule_defaults.h"
 
 namespace kadr::nc {
 
@@ -35,17 +34,11 @@ std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
     return std::nullopt;
 }
 
-std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
+const Rules& Dialect::rules() const { return tables_->rules; }
 
-bool Dialect::has_rule(std::string_view name, std::string_view value) const {
-    return rule_text(rules(), name) == value;
-}
+bool Dialect::names_rule(Rule rule) const { return tables_->named_rules.has(rule); }
 
-std::optional<int> Dialect::rule_number(std::string_view name) const {
-    return static_cast<int>(rule_value(*this, name));
-}
-
-int Dialect::first_work_offset() const { return rule_number("default_work_offset").value_or(0); }
+int Dialect::first_work_offset() const { return rules().default_work_offset; }
 
 Function Dialect::first_motion() const {
     const Function function = tables_->power_on[static_cast<std::size_t>(Group::Motion)];
@@ -54,7 +47,7 @@ Function Dialect::first_motion() const {
 
 bool Dialect::is_core() const { return tables_->extends.empty(); }
 
-bool Dialect::has_distance_words() const { return tables_->rules.has_modes; }
+bool Dialect::has_distance_words() const { return tables_->notation.has_modes; }
 
 bool Dialect::counts_offsets_by_tool() const { return !tables_->deferred.empty(); }
 
@@ -147,7 +140,7 @@ double Dialect::written_increment(bool is_inch) const {
 
 void Dialect::record(UsedEntries* used) { tables_->used = used; }
 
-std::string_view Dialect::modal_call() const { return tables_->rules.modal_call; }
+std::string_view Dialect::modal_call() const { return tables_->notation.modal_call; }
 
 Function Dialect::power_on(Group group) const {
     return tables_->power_on[static_cast<std::size_t>(group)];

@@ -14,6 +14,7 @@
 
 #include "base/diagnostic.h"
 #include "nc/block.h"
+#include "nc/rules.h"
 
 namespace kadr::nc {
 
@@ -59,15 +60,6 @@ struct CycleInfo {
 struct AlarmText {
     std::string number;
     std::string text;
-};
-
-/// A switch of the interpreter that the file sets: `<rule name="arc_tolerance" value="0.01"/>`.
-/// Which there are, and what they mean, is the interpreter's table (interp/rules.def).
-struct RuleSetting {
-    std::string name;
-    std::string value;
-    SourceRange range;  // of the name
-    SourceRange value_range;
 };
 
 /// What stands beside an entry: a statement and its text, for the reader of the file and as a test.
@@ -117,12 +109,10 @@ class Dialect {
     /// The control's alarm for a diagnostic row; nothing if the dialect names none.
     /// `detail`: what the message says in words that are not the row's, where that decides.
     std::optional<AlarmText> alarm(const DiagnosticRow& row, std::string_view detail = {}) const;
-    /// Switches of the interpreter, in the order of the files: what extends comes last and wins.
-    std::span<const RuleSetting> rules() const;
-    /// Whether the files set this switch to the value.
-    bool has_rule(std::string_view name, std::string_view value = "yes") const;
-    /// The whole number to which the files set a rule; nothing if they do not.
-    std::optional<int> rule_number(std::string_view name) const;
+    /// How the control behaves: what the files set, of what extends the last, and defaults.
+    const Rules& rules() const;
+    /// Whether a file sets the rule.
+    bool names_rule(Rule rule) const;
     /// The work offset that acts where a program begins, before it says one; 0: none.
     int first_work_offset() const;
     /// The motion that is modal where a program begins, before it says one.

@@ -22,7 +22,8 @@ class Explainer {
         for (std::size_t i = 0; i < tables_.cycles.size(); ++i) {
             if (tables_.cycles[i].name == word) explain_cycle(static_cast<CycleId>(i));
         }
-        const std::string text = tables_.rules.ignores_case ? upper_ascii(word) : std::string(word);
+        const std::string text =
+            tables_.notation.ignores_case ? upper_ascii(word) : std::string(word);
         explain_text(text);
         explain_language(tables_.language, text, lines_);
         explain_mode(text);
@@ -157,7 +158,7 @@ class Explainer {
 
     /// `AC`, `IC`: around the value of a word.
     void explain_mode(std::string_view text) {
-        if (!tables_.rules.has_modes || !tables_.rules.has_assignment) return;
+        if (!tables_.notation.has_modes || !tables_.notation.has_assignment) return;
         for (const ModeWord& mode : kModeWords) {
             if (mode.name != text) continue;
             std::string line = quoted(text) + " around the value of a word, ";

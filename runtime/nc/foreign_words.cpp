@@ -107,7 +107,7 @@ bool is_out_of_habit(const DialectTables& tables, std::string_view line, std::si
         case '(': return is_blank(before) || tables.comment.open == "(";
         case ',': return is_digit(before) && is_digit(behind);
         case '=':
-            return before != '=' && (!tables.rules.has_assignment || is_in_condition(line, at));
+            return before != '=' && (!tables.notation.has_assignment || is_in_condition(line, at));
         default: return true;
     }
 }
@@ -232,7 +232,7 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
     }
     // `X=5`, where no value stands behind a sign: it is the mistake, and not the word.
     const bool is_sign =
-        !tables.rules.has_assignment && fault.end < line.size() && !is_letter(line[fault.end]);
+        !tables.notation.has_assignment && fault.end < line.size() && !is_letter(line[fault.end]);
     if (const std::string* found = is_sign ? entry_at(tables, line, fault.end) : nullptr)
         return *found;
     // A word of the control's own that elsewhere has other words behind it: `G4 P100`, `M98 P100`.

@@ -23,7 +23,7 @@ std::size_t behind_blanks(std::string_view line, std::size_t at) {
 std::size_t behind_program(const DialectTables& tables, std::string_view line) {
     std::string_view behind;
     const ProgramPattern* head =
-        header_of(tables.language.calls, line, tables.rules.ignores_case, &behind);
+        header_of(tables.language.calls, line, tables.notation.ignores_case, &behind);
     return head == nullptr ? kNone : line.size() - behind.size();
 }
 
@@ -49,7 +49,7 @@ std::size_t words_behind_head(const DialectTables& tables, std::string_view line
     if (at == kNone) return kNone;
     const CommentStyle& comment = tables.comment;
     for (at = behind_blanks(line, at); at < line.size(); at = behind_blanks(line, at)) {
-        if (line[at] == tables.rules.end_sign) {
+        if (line[at] == tables.notation.end_sign) {
             ++at;
         } else if (!comment.open.empty() && line.substr(at).starts_with(comment.open)) {
             const std::size_t close = comment.close.empty() ? kNone : line.find(comment.close, at);

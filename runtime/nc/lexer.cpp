@@ -21,7 +21,7 @@ class Lexer {
   public:
     Lexer(const DialectTables& tables, std::string_view line, LexedLine& out,
           ValueCompiler* compiler)
-        : tables_(tables), rules_(tables.rules), line_(line), out_(out), compiler_(compiler) {
+        : tables_(tables), notation_(tables.notation), line_(line), out_(out), compiler_(compiler) {
         open_ = tables.comment.open;
         while (open_.ends_with(' ')) open_.remove_suffix(1);
     }
@@ -47,16 +47,16 @@ class Lexer {
     char peek(std::size_t ahead = 0) const { return peek_at(at_ + ahead); }
     char peek_at(std::size_t i) const {
         if (i >= line_.size()) return '\0';
-        return rules_.ignores_case ? upper(line_[i]) : line_[i];
+        return notation_.ignores_case ? upper(line_[i]) : line_[i];
     }
     bool skip_blanks() {
         while (at_ < line_.size() && is_blank(line_[at_])) ++at_;
         return at_ < line_.size();
     }
     void skip_inner_blanks() {
-        if (rules_.blanks_inside_words) skip_blanks();
+        if (notation_.blanks_inside_words) skip_blanks();
     }
-    bool is_letter(char c) const { return is_upper(c) || (rules_.ignores_case && is_lower(c)); }
+    bool is_letter(char c) const { return is_upper(c) || (notation_.ignores_case && is_lower(c)); }
 
     void fail(const DiagnosticRow& row, std::size_t begin, std::size_t end,
               std::vector<std::string> arguments) {
@@ -69,7 +69,7 @@ class Lexer {
     void fail_unknown(std::size_t begin, std::size_t end) {
         const std::string written(line_.substr(begin, end - begin));
         const std::string known =
-            tables_.unsupported_words(rules_.ignores_case ? upper_ascii(written) : written);
+            tables_.unsupported_words(notation_.ignores_case ? upper_ascii(written) : written);
         if (!known.empty()) return fail(diag::IsoNotSupported, begin, end, {known});
         // `L1:` would be the label that it looks like, had it another name.
         const std::string& colon = tables_.language.label_sign;
@@ -84,7 +84,7 @@ class Lexer {
     bool fail_without_number(std::size_t begin) {
         const AddressId address =
             tables_.letters[static_cast<unsigned char>(peek_at(begin)) & 127u];
-        if (!rules_.blanks_inside_words || address == kNoAddress) return false;
+        if (!notation_.blanks_inside_words || address == kNoAddress) return false;
         const std::size_t next = begin + 1;
         const bool is_next_word =
             next + 1 < line_.size() && !is_letter(line_[next + 1]) &&
@@ -97,7 +97,7 @@ class Lexer {
     void fail_assigned(std::size_t begin, const char* otherwise) {
         const std::string known =
             tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)) + '=');
-        if (known.empty() && !rules_.has_assignment) return fail_here(diag::IsoSyntax);
+        if (known.empty() && !notation_.has_assignment) return fail_here(diag::IsoSyntax);
         fail(diag::IsoNotSupported, begin, at_, {known.empty() ? otherwise : known});
     }
     /// `E=0`, `Q1=5`: the control has axes of any letter, and this machine none such.
@@ -105,7 +105,7 @@ class Lexer {
         const std::string name = upper_ascii(line_.substr(begin, at_ - begin));
         const bool may_be_variable = compiler_ == nullptr;  // `R1=5`, in text without a language
         if (may_be_variable || !tables_.unsupported_words(name + '=').empty() ||
-            !rules_.has_assignment)
+            !notation_.has_assignment)
             return fail_assigned(begin, "the control's own parametric language");
         fail(diag::AxisMissing, begin, at_, {name});
     }
@@ -114,7 +114,7 @@ class Lexer {
         const int slot = tables_.addresses[address].slot;
         const bool is_axis =
             slot >= 0 && (kTargetSlots & bit(static_cast<Slot>(slot))) != 0 && compiler_ != nullptr;
-        if (is_axis && rules_.has_assignment) return fail_at_missing_axis(begin);
+        if (is_axis && notation_.has_assignment) return fail_at_missing_axis(begin);
         fail_assigned(begin, "an address with a number of its own");
     }
     /// What stands behind a word that Kadr does not know may have a form that it does not know.
@@ -122,7 +122,7 @@ class Lexer {
         for (const Span& span : out_.spans) {
             const std::string written(line_.substr(span.begin, span.end - span.begin));
             const std::string known =
-                tables_.unsupported_words(rules_.ignores_case ? upper_ascii(written) : written);
+                tables_.unsupported_words(notation_.ignores_case ? upper_ascii(written) : written);
             if (known.empty()) continue;
             fail(diag::IsoNotSupported, span.begin, span.end, {known});
             return true;
@@ -154,12 +154,13 @@ class Lexer {
     std::optional<int> take_skip_level() {
         const std::size_t begin = at_++;
         skip_inner_blanks();
-        int level = rules_.default_skip;
+        int level = notation_.default_skip;
         if (is_digit(peek())) {
             level = 0;
             while (is_digit(peek()) && level < 100) level = level * 10 + (line_[at_++] - '0');
         }
-        if (level >= rules_.default_skip && level < rules_.skip_levels && level <= 9) return level;
+        if (level >= notation_.default_skip && level < notation_.skip_levels && level <= 9)
+            return level;
         fail(diag::IsoSkipLevel, begin, at_, {std::to_string(level)});
         return std::nullopt;
     }
@@ -185,7 +186,7 @@ class Lexer {
             out_.skip_also |= static_cast<std::uint16_t>(1u << level);
         }
         skip_blanks();
-        if (peek() == '/' && !rules_.has_several_skips) fail_here(diag::IsoSyntax);
+        if (peek() == '/' && !notation_.has_several_skips) fail_here(diag::IsoSyntax);
     }
 
     // ------------------------------------------------------------ the control's language
@@ -248,8 +249,8 @@ class Lexer {
     void take_piece() {
         if (line_.compare(at_, open_.size(), open_) == 0) return take_comment();
         const char c = peek();
-        if (c == rules_.end_sign && c != '\0') return take_end();
-        if (c == '/' && rules_.has_several_skips) return take_skip_of_rest();
+        if (c == notation_.end_sign && c != '\0') return take_end();
+        if (c == '/' && notation_.has_several_skips) return take_skip_of_rest();
         is_behind_computed_ = false;
         if (c == ',' && tables_.has_comma_words) return take_comma_word();
         if (c == '[' && compiler_ != nullptr) return fail_here(diag::IsoSyntax);
@@ -340,7 +341,7 @@ class Lexer {
         if (compiler_ != nullptr && compiler_->begins_value(at_))
             return take_computed(address, begin);
         if (peek() == '#' || peek() == '[' || peek() == '$') return take_piece();
-        if (rules_.has_assignment) {
+        if (notation_.has_assignment) {
             const std::size_t next = line_.find_first_not_of(" \t", at_);
             if (next != std::string_view::npos && line_[next] == '=') {
                 at_ = next;
@@ -356,10 +357,10 @@ class Lexer {
     /// What the dialect declares for other spindles are addresses of their own.
     bool take_spindle(std::size_t begin) {
         const bool has_index = peek() == '[';
-        if ((!has_index && !is_digit(peek())) || rules_.spindle_words.empty()) return false;
+        if ((!has_index && !is_digit(peek())) || notation_.spindle_words.empty()) return false;
         std::string name(line_.substr(begin, at_ - begin));
-        if (rules_.ignores_case) name = upper_ascii(name);
-        if (std::ranges::find(rules_.spindle_words, name) == rules_.spindle_words.end())
+        if (notation_.ignores_case) name = upper_ascii(name);
+        if (std::ranges::find(notation_.spindle_words, name) == notation_.spindle_words.end())
             return false;
         std::size_t end = at_ + (has_index ? 1 : 0);
         // `S[SPI(2)]`: as `S[2]`.
@@ -404,7 +405,7 @@ class Lexer {
         const std::string name = upper_ascii(line_.substr(begin, at_ - begin));
         AddressId address = tables_.find_address(name);
         const bool is_of_spindle =
-            std::ranges::find(rules_.spindle_words, name) != rules_.spindle_words.end();
+            std::ranges::find(notation_.spindle_words, name) != notation_.spindle_words.end();
         if (!is_of_spindle) {
             if (!takes_axis(tables_, name)) return false;
             address = tables_.find_address(name + '[' + std::string(kAxisNames[0]) + ']');
@@ -439,8 +440,8 @@ class Lexer {
         const AddressId address =
             tables_.letters[static_cast<unsigned char>(upper(line_[begin])) & 127u];
         if (address == kNoAddress ||
-            std::ranges::find(rules_.code_words, tables_.addresses[address].name) ==
-                rules_.code_words.end())
+            std::ranges::find(notation_.code_words, tables_.addresses[address].name) ==
+                notation_.code_words.end())
             return false;
         fault_ = compiler_->take_code(at_, static_cast<std::uint16_t>(out_.words.size()));
         if (fault_) return true;
@@ -455,7 +456,7 @@ class Lexer {
         const auto named = [&](std::size_t end) {
             std::string text;
             for (const char c : line_.substr(begin, end - begin))
-                if (!is_blank(c)) text += rules_.ignores_case ? upper(c) : c;
+                if (!is_blank(c)) text += notation_.ignores_case ? upper(c) : c;
             return tables_.passed.find(text);
         };
         const std::size_t end = end_of_passed(begin);
@@ -567,7 +568,7 @@ class Lexer {
         while (end < line_.size() && is_digit(line_[end])) ++end;
         if (end == begin + 1 || end == line_.size() || line_[end] != '=') return kNoAddress;
         std::string name(line_.substr(begin, end - begin));
-        if (rules_.ignores_case) name = upper_ascii(name);
+        if (notation_.ignores_case) name = upper_ascii(name);
         return tables_.find_address(name);
     }
 
@@ -602,7 +603,7 @@ class Lexer {
         while (end > begin + 1 && is_blank(line_[end - 1])) --end;
         const std::string text(line_.substr(begin, end - begin));
         if (at_ == first) return fail(diag::IsoNoValue, begin, begin + 1, {text.substr(0, 1)});
-        if (!is_first && rules_.number_first) return fail(diag::IsoSyntax, begin, at_, {text});
+        if (!is_first && notation_.number_first) return fail(diag::IsoSyntax, begin, at_, {text});
         if (peek() == '.') return fail(diag::IsoPointNotAllowed, begin, at_ + 1, {text + '.'});
         if (number > tables_.block_numbers.most)
             return fail(diag::IsoTooManyDigits, begin, at_, {text});
@@ -616,7 +617,7 @@ class Lexer {
         Decimal decimal = parse_decimal(line_.data() + at_, line_.data() + line_.size());
         auto end = static_cast<std::size_t>(decimal.end - line_.data());
         const bool is_minus = peek() == '-';
-        if (rules_.blanks_inside_words) {
+        if (notation_.blanks_inside_words) {
             const std::size_t beyond = line_.find_first_not_of(" \t", end);
             const bool is_more = beyond != std::string_view::npos && end > at_ &&
                                  (is_digit(line_[beyond]) || line_[beyond] == '.');
@@ -666,7 +667,7 @@ class Lexer {
 
     /// `1.5EX-3`, on controls whose words are told apart by blanks.
     bool take_exponent(Decimal& decimal) {
-        if (!tables_.has_names || rules_.blanks_inside_words || peek() != 'E' || peek(1) != 'X')
+        if (!tables_.has_names || notation_.blanks_inside_words || peek() != 'E' || peek(1) != 'X')
             return true;
         const std::size_t begin = at_;
         at_ += 2;
@@ -702,7 +703,8 @@ class Lexer {
                (is_letter(line_[end]) || is_digit(line_[end]) || line_[end] == '_'))
             ++end;
         const std::string_view written = line_.substr(begin, end - begin);
-        const std::string name = rules_.ignores_case ? upper_ascii(written) : std::string(written);
+        const std::string name =
+            notation_.ignores_case ? upper_ascii(written) : std::string(written);
         const AddressId address = tables_.find_address(name);
         at_ = end;
         skip_blanks();
@@ -753,7 +755,7 @@ class Lexer {
         if (close == std::string_view::npos) return false;
         std::string name;
         for (const char c : line_.substr(begin, close + 1 - begin))
-            if (!is_blank(c)) name += rules_.ignores_case ? upper(c) : c;
+            if (!is_blank(c)) name += notation_.ignores_case ? upper(c) : c;
         const std::size_t sign = line_.find_first_not_of(" \t", close + 1);
         if (sign == std::string_view::npos || line_[sign] != '=') return false;
         const AddressId value = tables_.find_address(name);
@@ -806,7 +808,7 @@ class Lexer {
         if (close == std::string_view::npos) return false;
         std::string whole = name;
         for (const char c : line_.substr(at_, close + 1 - at_))
-            if (!is_blank(c)) whole += rules_.ignores_case ? upper(c) : c;
+            if (!is_blank(c)) whole += notation_.ignores_case ? upper(c) : c;
         const AddressId address = tables_.find_address(whole);
         if (address == kNoAddress || tables_.addresses[address].kind != Address::Kind::Word)
             return false;
@@ -821,7 +823,7 @@ class Lexer {
         std::size_t end = at_;
         std::string name = head.name + '=';
         for (; end < line_.size() && is_letter(line_[end]); ++end)
-            name += rules_.ignores_case ? upper(line_[end]) : line_[end];
+            name += notation_.ignores_case ? upper(line_[end]) : line_[end];
         const std::size_t open = std::min(line_.find_first_not_of(" \t", end), line_.size());
         if (open == line_.size() || line_[open] != '(') return false;
         const AddressId address = tables_.find_address(name);
@@ -836,13 +838,13 @@ class Lexer {
     void take_assigned(AddressId address, std::size_t begin) {
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Code &&
-            std::ranges::find(rules_.code_words, head.name) != rules_.code_words.end())
+            std::ranges::find(notation_.code_words, head.name) != notation_.code_words.end())
             return fail_here(diag::IsoSyntax);
         ++at_;
         skip_blanks();
         if (peek() == '"' && !is_computed_text()) return take_quoted(address, begin);
         if (peek() == '"') return take_computed(address, begin);
-        if (const ModeWord* mode = rules_.has_modes ? mode_here() : nullptr) {
+        if (const ModeWord* mode = notation_.has_modes ? mode_here() : nullptr) {
             at_ += mode->name.size() + 1;
             skip_blanks();
             if (is_computed(at_)) {
@@ -868,7 +870,7 @@ class Lexer {
         }
         if (!take_number(address, begin)) return;
         skip_blanks();
-        const bool is_end = peek() == rules_.end_sign && rules_.end_sign != '\0';
+        const bool is_end = peek() == notation_.end_sign && notation_.end_sign != '\0';
         if (!is_end && (peek() == '+' || peek() == '-' || peek() == '*' || peek() == '/')) {
             fail(diag::IsoNotSupported, begin, at_, {"a computed value"});
         }
@@ -890,7 +892,7 @@ class Lexer {
             std::ranges::any_of(tables_.addresses[address].forms, [&](const FormId id) {
                 return tables_.forms[id].function == Function::PolynomialAxis;
             });
-        const ModeWord* const mode = is_end && rules_.has_modes ? mode_here() : nullptr;
+        const ModeWord* const mode = is_end && notation_.has_modes ? mode_here() : nullptr;
         const bool is_way = mode != nullptr && (mode->mode == GivenWord::Mode::Absolute ||
                                                 mode->mode == GivenWord::Mode::Incremental);
         return is_way ? mode : nullptr;
@@ -998,7 +1000,7 @@ class Lexer {
     }
 
     const DialectTables& tables_;
-    const Rules& rules_;
+    const Notation& notation_;
     std::string_view line_;
     LexedLine& out_;
     ValueCompiler* compiler_;

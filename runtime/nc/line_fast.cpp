@@ -78,12 +78,13 @@ void LineReader::prepare(std::size_t letter) {
             return call.any_number && static_cast<unsigned char>(call.letter) == letter;
         });
     if (id != kNoAddress && !calls) fast = fast_word(id);
-    if (letter >= 'A' && letter <= 'Z' && tables_.rules.ignores_case) letters_[letter + 32] = fast;
+    if (letter >= 'A' && letter <= 'Z' && tables_.notation.ignores_case)
+        letters_[letter + 32] = fast;
 }
 
 /// Words of several letters with a value behind `=`.
 void LineReader::prepare_names() {
-    if (!tables_.has_names || !tables_.rules.has_assignment) return;
+    if (!tables_.has_names || !tables_.notation.has_assignment) return;
     const auto is_large = [](char c) { return c >= 'A' && c <= 'Z'; };
     for (std::size_t i = 0; i < tables_.addresses.size(); ++i) {
         const std::string_view name = tables_.addresses[i].name;
@@ -108,7 +109,7 @@ const FastLetter* LineReader::fast_name(const char*& p, const char* end) const {
             p = at + 1;
             return &found->word;
         }
-        const bool is_small = c >= 'a' && c <= 'z' && tables_.rules.ignores_case;
+        const bool is_small = c >= 'a' && c <= 'z' && tables_.notation.ignores_case;
         letters[length] = is_small ? static_cast<char>(c - 32) : c;
     }
     return nullptr;
@@ -135,7 +136,7 @@ bool LineReader::read_fast(std::string_view line, Block& block) {
         if (p != end && *p == '=') {
             // `X=10` says what `X10` says.
             const bool is_value = word->kind == FastLetter::Kind::Slot && word->is_literal;
-            if (!is_value || !tables_.rules.has_assignment) return false;
+            if (!is_value || !tables_.notation.has_assignment) return false;
             ++p;
         } else if (p != end && is_letter(*p)) {
             word = fast_name(p, end);

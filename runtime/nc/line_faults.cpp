@@ -231,7 +231,7 @@ DiagnosticBuilder LineReader::report(std::string_view line, const LineFault& fau
             ? instead_of_foreign(tables_, line, fault.span, {is_in_cycle(), is_executed})
             : std::string_view();
     const std::size_t at = fault.span.begin;
-    const bool is_small = !tables_.rules.ignores_case && at < line.size() && is_lower(line[at]);
+    const bool is_small = !tables_.notation.ignores_case && at < line.size() && is_lower(line[at]);
     const std::string number =
         is_about_words(*fault.row) ? fix_of_exponent(tables_, line, at) : std::string();
     if (!fault.fix.empty()) builder.fix(fault.fix);

@@ -69,7 +69,7 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
     if (!is_header) return LineKind::Words;
     if (!text_->has_content) note_program(line);
     if (text_->has_content &&
-        program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)) {
+        program_of_header(tables_.language.calls, line, tables_.notation.ignores_case)) {
         text_->has_ended = true;
         return LineKind::Nothing;
     }
@@ -81,7 +81,8 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
 }
 
 void LineReader::note_program(std::string_view line) {
-    if (auto program = program_of_header(tables_.language.calls, line, tables_.rules.ignores_case))
+    if (auto program =
+            program_of_header(tables_.language.calls, line, tables_.notation.ignores_case))
         text_->program = std::move(*program);
 }
 
@@ -127,7 +128,7 @@ bool LineReader::read_plain(std::string_view line, Block& block) {
 
 /// The last M code among codes and numbers.
 void LineReader::note_machine_code(std::string_view line) {
-    std::size_t at = line.find_last_of(tables_.rules.ignores_case ? "Mm" : "M");
+    std::size_t at = line.find_last_of(tables_.notation.ignores_case ? "Mm" : "M");
     if (at == std::string_view::npos) return;
     const Decimal code = parse_decimal(line.data() + at + 1, line.data() + line.size());
     if (code.end != line.data() + at + 1) machine_code_ = code.value;
@@ -324,8 +325,9 @@ double LineReader::rounded(double value, const NumberFormat& format, Dimension d
 void LineReader::report_too_long(std::string_view line, std::uint64_t number) {
     begin(number);
     const auto shown = static_cast<std::uint32_t>(std::min<std::size_t>(line.size(), 1));
-    report(line.substr(0, 80),
-           LineFault{&diag::IsoLineTooLong, {0, shown}, {std::to_string(tables_.rules.max_line)}});
+    report(
+        line.substr(0, 80),
+        LineFault{&diag::IsoLineTooLong, {0, shown}, {std::to_string(tables_.notation.max_line)}});
 }
 
 /// A line of the control's own language that the dialect knows by its letters.
@@ -340,7 +342,7 @@ bool LineReader::read_verbatim(std::string_view line, Block& block) const {
     std::int8_t skip = -1;
     if (begin != end && *begin == '/') {
         ++begin;
-        skip = static_cast<std::int8_t>(tables_.rules.default_skip);
+        skip = static_cast<std::int8_t>(tables_.notation.default_skip);
         if (begin != end && is_digit(*begin)) skip = static_cast<std::int8_t>(*begin++ - '0');
         skip_blanks();
     }

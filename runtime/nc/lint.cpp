@@ -262,7 +262,7 @@ class SenseCheck {
     /// `LBL` would be the letters L, B and L where blanks may stand inside of words.
     void check_blanks(const XmlElement& element) {
         const XmlAttribute* attribute = element.find("blanks_inside_words");
-        if (attribute == nullptr || !tables_.rules.blanks_inside_words) return;
+        if (attribute == nullptr || !tables_.notation.blanks_inside_words) return;
         for (const XmlElement& child : root_.children) {
             const XmlAttribute* name = child.name == "address" ? child.find("name") : nullptr;
             if (name == nullptr || name->value.size() < 2 || name->value[0] == ',') continue;

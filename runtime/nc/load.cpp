@@ -11,7 +11,7 @@ void load_ground(const XmlElement& e, DialectTables& tables, Attributes& attribu
     if (e.name == "doc") tables.doc = e.text;
     if (e.name == "remove") load_remove(e, tables, attributes);
     if (e.name == "comment") load_comment(e, tables.comment, attributes);
-    if (e.name == "rules") load_rules(e, tables.rules, attributes);
+    if (e.name == "rules") load_notation(e, tables.notation, attributes);
     if (e.name == "address") load_address(e, tables, attributes);
     if (e.name == "program") load_program(e, tables.program, attributes);
     if (e.name == "blocks") load_blocks(e, tables.block_numbers, attributes);
@@ -35,7 +35,7 @@ bool apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind ki
         if (e.name == "cycle") forms.load_cycle(e);
         if (e.name == "deferred") forms.load_deferred(e);
         if (e.name == "alarm") load_alarm(e, tables, attributes);
-        if (e.name == "rule") load_rule(e, tables);
+        if (e.name == "rule") load_rule(e, tables, attributes);
         if (e.name == "unsupported") load_unsupported(e, tables);
         if (e.name == "foreign") load_foreign(e, tables);
         if (e.name == "passed") load_passed(e, tables, attributes);

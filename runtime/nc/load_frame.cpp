@@ -158,23 +158,23 @@ void read_repeated(const XmlElement& element, std::string_view name, Repeated& o
 
 }  // namespace
 
-void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes) {
-    read_repeated(element, "repeated_address", rules.address, attributes);
-    read_repeated(element, "repeated_group", rules.group, attributes);
+void load_notation(const XmlElement& element, Notation& notation, Attributes& attributes) {
+    read_repeated(element, "repeated_address", notation.address, attributes);
+    read_repeated(element, "repeated_group", notation.group, attributes);
     if (const auto found = attributes.choice(element, "case", {"upper", "any"})) {
-        rules.ignores_case = *found == 1;
+        notation.ignores_case = *found == 1;
     }
-    attributes.read_flag(element, "assignment", rules.has_assignment);
-    attributes.read_flag(element, "modes", rules.has_modes);
-    attributes.read_flag(element, "number_first", rules.number_first);
-    attributes.read_flag(element, "blanks_inside_words", rules.blanks_inside_words);
-    attributes.read_flag(element, "several_skips", rules.has_several_skips);
+    attributes.read_flag(element, "assignment", notation.has_assignment);
+    attributes.read_flag(element, "modes", notation.has_modes);
+    attributes.read_flag(element, "number_first", notation.number_first);
+    attributes.read_flag(element, "blanks_inside_words", notation.blanks_inside_words);
+    attributes.read_flag(element, "several_skips", notation.has_several_skips);
     if (const XmlAttribute* sign = element.find("end_sign")) {
-        if (sign->value.size() == 1) rules.end_sign = sign->value[0];
+        if (sign->value.size() == 1) notation.end_sign = sign->value[0];
         else attributes.bad_value(*sign, "one ASCII character is expected");
     }
-    Attributes::read_text(element, "block_end", rules.block_end);
-    Attributes::read_text(element, "modal_call", rules.modal_call);
+    Attributes::read_text(element, "block_end", notation.block_end);
+    Attributes::read_text(element, "modal_call", notation.modal_call);
     const auto read_words = [&](std::string_view name, std::vector<std::string>& out) {
         const XmlAttribute* attribute = element.find(name);
         if (attribute == nullptr) return;
@@ -183,19 +183,20 @@ void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes)
     };
     if (const XmlAttribute* codes = element.find("builder_codes")) {
         Constraint range;
-        if (codes->value == "none") rules.builder_codes = {};
-        else if (read_range(codes->value, range)) rules.builder_codes = {range.least, range.most};
+        if (codes->value == "none") notation.builder_codes = {};
+        else if (read_range(codes->value, range))
+            notation.builder_codes = {range.least, range.most};
         else attributes.bad_value(*codes, "two whole numbers, `100..999`, or `none` are expected");
     }
-    attributes.read_number(element, "most_builder_code", rules.most_builder_code);
-    read_words("spindle_words", rules.spindle_words);
-    read_words("code_words", rules.code_words);
-    attributes.read_number(element, "skip_levels", rules.skip_levels);
-    attributes.read_number(element, "default_skip", rules.default_skip);
-    attributes.read_number(element, "read_line", rules.max_line);
-    attributes.read_number(element, "write_line", rules.write_line);
+    attributes.read_number(element, "most_builder_code", notation.most_builder_code);
+    read_words("spindle_words", notation.spindle_words);
+    read_words("code_words", notation.code_words);
+    attributes.read_number(element, "skip_levels", notation.skip_levels);
+    attributes.read_number(element, "default_skip", notation.default_skip);
+    attributes.read_number(element, "read_line", notation.max_line);
+    attributes.read_number(element, "write_line", notation.write_line);
     if (const auto found = attributes.choice(element, "line_end", {"lf", "crlf"})) {
-        rules.crlf = *found == 1;
+        notation.crlf = *found == 1;
     }
 }
 

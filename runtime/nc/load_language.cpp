@@ -483,7 +483,7 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
     for (const VariableForm& form : language.variables) {
         const auto first = static_cast<unsigned char>(form.name[0]);
         if (first < 128) language.variable_starts.set(first);
-        if (first < 128 && tables.rules.ignores_case)
+        if (first < 128 && tables.notation.ignores_case)
             language.variable_starts.set(static_cast<unsigned char>(std::tolower(first)));
     }
     language.has_names_with_signs = std::ranges::any_of(
@@ -497,7 +497,7 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
         const std::string& keyword = form.tokens[0].text;
         if (keyword.size() > 1 && is_name_char(keyword[1])) continue;
         language.variable_starts.set(static_cast<unsigned char>(keyword[0]));
-        if (tables.rules.ignores_case)
+        if (tables.notation.ignores_case)
             language.variable_starts.set(
                 static_cast<unsigned char>(std::tolower(static_cast<unsigned char>(keyword[0]))));
     }

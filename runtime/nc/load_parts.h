@@ -16,7 +16,7 @@ namespace kadr::nc {
 void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& attributes);
 void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& attributes);
 void load_comment(const XmlElement& element, CommentStyle& style, Attributes& attributes);
-void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes);
+void load_notation(const XmlElement& element, Notation& notation, Attributes& attributes);
 
 // load_addresses.cpp: the heads of words, and their numbers.
 void load_address(const XmlElement& element, DialectTables& tables, Attributes& attributes);
@@ -25,7 +25,7 @@ void load_remove(const XmlElement& element, DialectTables& tables, Attributes& a
 
 // load_references.cpp: what other rooms look up.
 void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& attributes);
-void load_rule(const XmlElement& element, DialectTables& tables);
+void load_rule(const XmlElement& element, DialectTables& tables, Attributes& attributes);
 void load_unsupported(const XmlElement& element, DialectTables& tables);
 void load_foreign(const XmlElement& element, DialectTables& tables);
 void load_passed(const XmlElement& element, DialectTables& tables, Attributes& attributes);

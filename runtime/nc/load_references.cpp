@@ -1,6 +1,7 @@
 // What other rooms look up in a dialect: the control's alarms, the interpreter's rules, examples.
 #include <algorithm>
 
+#include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "nc/load_parts.h"
@@ -23,7 +24,7 @@ std::string normal_word(std::string_view word) {
 
 /// A word as a line says it: in capital letters where both cases are one.
 std::string as_read(const DialectTables& tables, std::string_view word) {
-    return tables.rules.ignores_case ? upper_ascii(word) : std::string(word);
+    return tables.notation.ignores_case ? upper_ascii(word) : std::string(word);
 }
 
 }  // namespace
@@ -68,13 +69,29 @@ void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& at
     tables.alarms.insert_or_assign(name.value, std::move(alarm));
 }
 
-/// Which rules there are is the interpreter's matter; it checks them.
-void load_rule(const XmlElement& element, DialectTables& tables) {
+/// `<rule name="arc_tolerance" value="0.01"/>`
+void load_rule(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
     const XmlAttribute& name = needed(element, "name");
     const XmlAttribute& value = needed(element, "value");
-    std::erase_if(tables.rule_settings,
-                  [&](const RuleSetting& rule) { return rule.name == name.value; });
-    tables.rule_settings.push_back({name.value, value.value, name.value_range, value.value_range});
+    const std::optional<Rule> rule = rule_named(name.value);
+    if (!rule) {
+        Names names;
+        for (const RuleInfo& each : all_rules()) names.push_back(each.name);
+        attributes.fail();
+        auto message = attributes.sink().report(diag::RuleUnknown, name.value_range);
+        message.arg(name.value);
+        if (const auto near = nearest_name(name.value, names.data(), names.size()))
+            message.fix(name.value_range, std::string(*near), "is this meant?");
+        return;
+    }
+    tables.named_rules.add(*rule);
+    if (set_rule(tables.rules, *rule, value.value)) return;
+    attributes.fail();
+    attributes.sink()
+        .report(diag::RuleInvalid, value.value_range)
+        .arg(name.value)
+        .arg(value.value)
+        .fix("it takes: " + std::string(all_rules()[static_cast<std::size_t>(*rule)].values));
 }
 
 void load_unsupported(const XmlElement& element, DialectTables& tables) {

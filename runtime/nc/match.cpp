@@ -77,7 +77,7 @@ class Matcher {
             if (count <= address(i).read_max) continue;
             // A function is never dropped: which of too many the control would take is its
             // builder's choice.
-            if (tables_.rules.address == Repeated::Alarm || is_code(i)) {
+            if (tables_.notation.address == Repeated::Alarm || is_code(i)) {
                 return MatchFault{MatchFault::Kind::AddressTwice, i, first};
             }
             used_[first] = true;
@@ -102,7 +102,7 @@ class Matcher {
                 continue;
             for (std::size_t j = 0; j < i; ++j) {
                 if (used_[j] || group_of(j) != group) continue;
-                if (tables_.rules.group == Repeated::Alarm) {
+                if (tables_.notation.group == Repeated::Alarm) {
                     return MatchFault{MatchFault::Kind::GroupTwice, i, j};
                 }
                 used_[j] = true;

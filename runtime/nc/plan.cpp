@@ -493,7 +493,7 @@ CallMeaning call_meaning(const Dialect& dialect, std::string_view name) {
 
 WordKind word_kind(const Dialect& dialect, std::string_view identifier) {
     const DialectTables& tables = dialect.tables();
-    if (!tables.rules.modal_call.empty() && identifier == tables.rules.modal_call)
+    if (!tables.notation.modal_call.empty() && identifier == tables.notation.modal_call)
         return WordKind::Word;
     const AddressId id = tables.find_address(identifier);
     if (id == kNoAddress) return WordKind::None;

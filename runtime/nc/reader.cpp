@@ -11,7 +11,7 @@ namespace kadr::nc {
 
 struct Reader::State {
     State(const Dialect& dialect, TextSource& text, std::string name, DiagnosticSink& sink)
-        : source(text, dialect.tables().rules.max_line),
+        : source(text, dialect.tables().notation.max_line),
           lines(dialect, std::move(name), sink),
           kept(lines) {}
 

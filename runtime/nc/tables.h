@@ -233,7 +233,8 @@ struct CodeRange {
     double most = -1;
 };
 
-struct Rules {
+/// How lines are written, whatever they mean.
+struct Notation {
     Repeated address = Repeated::Alarm;
     Repeated group = Repeated::Alarm;
     bool ignores_case = false;         // of letters outside comments and texts
@@ -314,13 +315,14 @@ struct DialectTables {
         foreign;  // words of other controls, and what this one has instead
     /// By the word alone, or with all that belongs to it: `SETMS(1)`.
     std::map<std::string, PassedWord, std::less<>> passed;
-    std::vector<RuleSetting> rule_settings;  // of the interpreter
     std::vector<Deferred> deferred;
     std::vector<Example> examples;
     ProgramFrame program;
     BlockNumbers block_numbers;
     CommentStyle comment;
+    Notation notation;
     Rules rules;
+    NamedRules named_rules;  // which of them a file names
     Language language;
 
     // Made from the above when the file is loaded.

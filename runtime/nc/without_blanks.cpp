@@ -101,7 +101,7 @@ void LineWithoutBlanks::put_back(Span& span) const {
 void LineWithoutBlanks::put_back(ControlLine& line) const { PlacesOfLine(*this).put_back(line); }
 
 bool has_split_words(const DialectTables& tables, std::string_view line) {
-    if (!tables.rules.blanks_inside_words) return false;
+    if (!tables.notation.blanks_inside_words) return false;
     const auto is_part = [](char c) { return is_digit(c) || c == '.'; };
     const ControlWords words(tables, line);
     for (std::size_t at = 0; at + 2 < line.size(); ++at) {

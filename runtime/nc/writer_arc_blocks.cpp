@@ -141,7 +141,8 @@ double BlockWriter::text_error(const Block& block, const PlannedArc& arc) const 
     if (!grid.is_absolute) {
         for (std::size_t i = 0; i < 2; ++i) center[i] += arc.points.text_start[i];
     }
-    const TracedArc traced = traced_arc(arc.points, center, arc.is_clockwise, shifts_center_);
+    const TracedArc traced =
+        traced_arc(arc.points, center, arc.is_clockwise, rules_.arc_error == ArcError::ShiftCenter);
     return path_error(arc.points, arc.center, arc.sweep, arc.is_clockwise, traced,
                       grid.increment());
 }

@@ -71,7 +71,7 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
             if (!is_coordinate && !is_start_known) position_unknown(block, address_of(slot).name);
         } else if (is_coordinate) {
             // A coordinate, where the control takes distances only, needs the start.
-            if (tables_.rules.has_modes) targets.wrapped_absolute |= bit(slot);
+            if (tables_.notation.has_modes) targets.wrapped_absolute |= bit(slot);
             else if (is_start_known) number -= to_text(slot, start.text[axis]);
             else position_unknown(block, address_of(slot).name);
         }
@@ -85,7 +85,7 @@ bool BlockWriter::is_on_circle(const ArcPoints& arc, const PlanePoint& center) c
     const double mm = to_text(static_cast<Slot>(plane_axes()[0]), 1);
     const double radius = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
     return radius_miss(arc, center) <=
-           std::max(arc_tolerance_ * mm, arc_tolerance_factor_ * radius);
+           std::max(rules_.arc_tolerance * mm, rules_.arc_tolerance_factor * radius);
 }
 
 /// A length of the text, in the text's unit, for a message.
@@ -165,7 +165,7 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     const SlotMask coordinates = block.absolute & block.given & in_plane;
     // Where X is a diameter, controls do not agree on what a coordinate of the centre is.
     const bool is_turned = on_part(axes[0]) != 1 || on_part(axes[1]) != 1;
-    const bool writes_absolute = is_absolute && tables_.rules.has_modes && !is_turned;
+    const bool writes_absolute = is_absolute && tables_.notation.has_modes && !is_turned;
     CenterGrid grid = center_grid(block);
     grid.fixed_zero = fixed_zero;
     grid.is_absolute = writes_absolute;
@@ -197,7 +197,7 @@ CenterGrid BlockWriter::center_grid(const Block& block) const {
     const bool has_all = grid.is_absolute || block.has(Slot::Radius);
     for (std::size_t i = 0; i < 2; ++i)
         grid.fixed_zero[i] = !has_all && !block.has(center_slot(axes[i]));
-    grid.most_misfit = arc_tolerance_ * to_text(static_cast<Slot>(axes[0]), 1);
+    grid.most_misfit = rules_.arc_tolerance * to_text(static_cast<Slot>(axes[0]), 1);
     return grid;
 }
 
@@ -385,7 +385,7 @@ void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& star
 /// along different lengths: the way of the tool, or the arc that the helix is over.
 void BlockWriter::place_helix_feed(const Block& block, const WrittenPosition& start,
                                    Targets& targets) {
-    if (block.feed_along_arc == counts_feed_along_arc_) return;
+    if (block.feed_along_arc == rules_.helix_feed_along_arc) return;
     if (modal_.meant_of(Group::FeedMode) == Function::FeedInverseTime) return;
     if (!block.has(Slot::Feed) && !modal_.has_meant_feed)
         return;  // whoever cuts without has its message

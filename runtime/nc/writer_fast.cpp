@@ -56,7 +56,8 @@ bool BlockWriter::is_fast(const Block& block) const {
     const Function motion = effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;
     const bool moves_others = (targets & ~SlotMask{kLinearXYZ}) != 0;
-    if (moves_others && block.feed_of_all_axes != counts_all_axes_ && motion == Function::Line)
+    if (moves_others && block.feed_of_all_axes != rules_.feed_of_all_axes &&
+        motion == Function::Line)
         return false;
     if (options_.verbose_modal && fast_code(motion).empty()) return false;
     const auto distance = static_cast<std::size_t>(Group::Distance);

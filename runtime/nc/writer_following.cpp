@@ -214,7 +214,7 @@ void BlockWriter::check_message(const Block& block) {
 /// plane.
 void BlockWriter::leave_changer() {
     WrittenPosition& position = modal_.position;
-    if (changer_moves_plane_ || modal_.meant_of(Group::Plane) != Function::PlaneXy)
+    if (rules_.tool_change_moves_plane || modal_.meant_of(Group::Plane) != Function::PlaneXy)
         return position.forget();
     position.known &= bit(Slot::X) | bit(Slot::Y);
     position.told = position.known;
@@ -238,7 +238,7 @@ void BlockWriter::follow_scale(const Block& block, const Invocation& invocation)
     for (std::size_t axis = 0; axis < modal_.factors.size(); ++axis) {
         const double of_all = block.argument(invocation, kOfAll, 1);
         const double factor = block.argument(invocation, kFirstOfAxes + axis, of_all);
-        modal_.factors[axis] = scale_replaces_ ? factor : modal_.factors[axis] * factor;
+        modal_.factors[axis] = rules_.scale_replaces ? factor : modal_.factors[axis] * factor;
     }
 }
 

@@ -34,13 +34,13 @@ void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
         // Without the blocks of a level in which the compensation begins nothing is compensated.
         if (idle_.level < 0 || i != 1 + idle_.level) most = std::max(most, lines);
     }
-    if (idle_.moves < kContour || most <= most_idle_) return;
+    if (idle_.moves < kContour || most <= rules_.comp_empty_blocks) return;
     if (!is_new_message(block, "idle")) return;
     const std::string fix = "end the compensation before them, or move in the plane in between";
-    if (!idle_is_alarm_) {
+    if (!rules_.comp_more_empty_is_alarm) {
         sink_.report(diag::IdleCutsCorners, place(block))
             .arg(tables_.name)
-            .arg(most_idle_)
+            .arg(rules_.comp_empty_blocks)
             .fix(fix);
         return;
     }
@@ -48,7 +48,7 @@ void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
     sink_.report(diag::TooManyIdle, place(block))
         .arg(tables_.name)
         .arg(alarm && !alarm->number.empty() ? " with alarm " + alarm->number : std::string())
-        .arg(most_idle_)
+        .arg(rules_.comp_empty_blocks)
         .fix(fix);
 }
 

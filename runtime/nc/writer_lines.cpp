@@ -630,7 +630,7 @@ void BlockWriter::open_line(int skip, bool is_numbered, std::string& out) {
     line_start_ = out.size();
     if (skip >= 0) {
         out += '/';
-        if (skip != tables_.rules.default_skip) out += static_cast<char>('0' + skip);
+        if (skip != tables_.notation.default_skip) out += static_cast<char>('0' + skip);
         out += ' ';
     }
     const BlockNumbers& numbers = tables_.block_numbers;
@@ -657,20 +657,20 @@ void BlockWriter::open_line(int skip, bool is_numbered, std::string& out) {
 }
 
 /// The sign that the control wants behind the words of a block.
-void BlockWriter::end_block(std::string& out) const { out += tables_.rules.block_end; }
+void BlockWriter::end_block(std::string& out) const { out += tables_.notation.block_end; }
 
 void BlockWriter::close_line(std::string& out) {
     const std::size_t length = out.size() - line_start_;
-    if (length + 1 > tables_.rules.write_line) {
+    if (length + 1 > tables_.notation.write_line) {
         failed_ = true;
         if (reported_.insert(length).second) {
             sink_.report(diag::LineTooLong)
                 .arg(length)
                 .arg(tables_.name)
-                .arg(tables_.rules.write_line);
+                .arg(tables_.notation.write_line);
         }
     }
-    if (tables_.rules.crlf) out += '\r';
+    if (tables_.notation.crlf) out += '\r';
     out += '\n';
     ++lines_;
 }

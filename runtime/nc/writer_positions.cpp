@@ -53,7 +53,7 @@ std::array<std::size_t, 3> BlockWriter::plane_axes() const {
 bool BlockWriter::needs_incremental(const Block& block) const {
     const SlotMask given = block.given & kTargetSlots;
     if (given == 0 || (block.incremental & given) != given) return false;
-    if (tables_.rules.has_modes || tables_.has_incremental_letters) return false;
+    if (tables_.notation.has_modes || tables_.has_incremental_letters) return false;
     const bool has_functions = block.function_count != 0;
     if (has_functions && block.find(Function::MachineCoordinates) != nullptr) return false;
     // On the way to the reference point the control's own habit is a distance: G91 G28 Z0.
@@ -99,7 +99,8 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
         by_itself ? (block.incremental & mask) != 0 : meant_distance == Function::Incremental;
     const bool was_known = is_known(axis);
     // There an increment counts from the coordinate that was named last, whatever the frame.
-    if (is_distance && increments_travel_frames_ && (position.reframed & mask) != 0) {
+    if (is_distance && rules_.incremental_frame == IncrementalFrame::Traversed &&
+        (position.reframed & mask) != 0) {
         position.meant[axis] = position.named[axis][0];
         position.text[axis] = position.named[axis][1];
     }
@@ -110,7 +111,7 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
     position.name(mask);
 
     bool writes_distance = is_distance;
-    if (by_itself && tables_.rules.has_modes) {
+    if (by_itself && tables_.notation.has_modes) {
         (is_distance ? targets.wrapped_incremental : targets.wrapped_absolute) |= mask;
     } else if (tables_.has_incremental_letters) {
         if (is_distance && tables_.incremental_address[axis] == kNoAddress) {
@@ -131,9 +132,9 @@ void BlockWriter::place_machine_target(const Block& block, std::size_t axis, boo
     const bool is_way = is_distance(block, axis);
     // FANUC ignores it under G91, SINUMERIK travels or not as SD42440 says.
     const bool is_machine = block.find(Function::MachineCoordinates) != nullptr;
-    if (is_way && is_machine && (by_itself || tables_.rules.has_modes))
+    if (is_way && is_machine && (by_itself || tables_.notation.has_modes))
         return cannot_express(block, "a distance in machine coordinates");
-    if (by_itself && tables_.rules.has_modes) {
+    if (by_itself && tables_.notation.has_modes) {
         (is_way ? targets.wrapped_incremental : targets.wrapped_absolute) |=
             bit(static_cast<Slot>(axis));
     } else if (is_way && (by_itself || tables_.has_incremental_letters)) {
@@ -161,7 +162,8 @@ void BlockWriter::drop_unchanged(const Block& block, const WrittenPosition& star
 void BlockWriter::place_axes_feed(const Block& block, const WrittenPosition& start,
                                   Targets& targets) {
     constexpr SlotMask kFollowers = kTargetSlots & ~SlotMask{kLinearXYZ};
-    if (block.feed_of_all_axes == counts_all_axes_ || (block.given & kFollowers) == 0) return;
+    if (block.feed_of_all_axes == rules_.feed_of_all_axes || (block.given & kFollowers) == 0)
+        return;
     if (leads_tip() || modal_.meant_of(Group::FeedMode) == Function::FeedInverseTime) return;
     if (!block.has(Slot::Feed) && !modal_.has_meant_feed) return;  // that has its message
     double way = 0;                                                // squares, mm

@@ -588,7 +588,7 @@ std::vector<std::string> words_of(const nc::Dialect& dialect) {
     for (const std::string& word :
          {calls.save_word, calls.reference_word, language.axis_word, language.end_label})
         if (!word.empty()) words.push_back(word);
-    if (tables.rules.has_modes && tables.rules.has_assignment) {
+    if (tables.notation.has_modes && tables.notation.has_assignment) {
         for (const nc::ModeWord& mode : nc::kModeWords) words.emplace_back(mode.name);
     }
     return words;

@@ -328,7 +328,7 @@ TEST_F(Docs, ThePageOnDebuggingShowsWhatIsSaid) {
 
 TEST_F(Docs, EveryRuleIsInThePageOnDialects) {
     const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
-    std::istringstream table(kadr::read_file(KADR_ROOT "/runtime/interp/rules.def").value_or(""));
+    std::istringstream table(kadr::read_file(KADR_ROOT "/runtime/nc/rules.def").value_or(""));
     int rules = 0;
     for (std::string line; std::getline(table, line);) {
         if (!line.starts_with("KADR_RULE(")) continue;

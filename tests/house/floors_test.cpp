@@ -91,4 +91,23 @@ TEST(House, LibrariesStayBehindTheirDoors) {
     }
 }
 
+/// A rule of a control is a typed value of its dialect: only the loader looks one up by its name,
+/// so no room has a default of its own.
+TEST(House, NoRuleIsAskedByItsName) {
+    const std::set<std::string> doors = {"rules.h", "rules.cpp", "load_references.cpp"};
+    std::size_t doors_found = 0;
+    for (const char* side : {"runtime", "compiler"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / side)) {
+            const std::string text = kadr::read_file(entry.path()).value_or("");
+            if (text.find("rule_named(") == text.npos && text.find("set_rule(") == text.npos)
+                continue;
+            const bool is_language = entry.path().filename().string().starts_with("language");
+            const bool is_door = doors.contains(entry.path().filename().string());
+            doors_found += is_door;
+            EXPECT_TRUE(is_door || is_language) << entry.path();
+        }
+    }
+    EXPECT_EQ(doors_found, doors.size());
+}
+
 }  // namespace

@@ -1,7 +1,6 @@
 // Spindle, tools, stops, skip levels, limits of a run, rules and alarms of a dialect.
 #include "bench.h"
-#include "interp/rules.h"
-#include "nc/rule_defaults.h"
+#include "nc/rules.h"
 
 namespace kadr::interp {
 namespace {
@@ -248,45 +247,27 @@ TEST(Program, AlarmsHaveTheControlsNumber) {
 }
 
 TEST(Rules, EveryRuleCanBeSetAndRefusesNonsense) {
-    Rules rules;
-    for (const RuleInfo& rule : all_rules()) {
-        SCOPED_TRACE(rule.name);
-        EXPECT_FALSE(rule.meaning.empty());
-        EXPECT_FALSE(rule.source.empty());
-        const std::string values(rule.values);
-        const bool is_number = values.find(',') == std::string::npos;
-        EXPECT_TRUE(set_rule(rules, rule.name,
-                             is_number ? "1"
-                                       : values.substr(values.find(", ") + 2)
-                                             .substr(0, values.find(',', values.find(", ") + 2) -
-                                                            values.find(", ") - 2)));
-        EXPECT_FALSE(set_rule(rules, rule.name, "nonsense"));
-        EXPECT_FALSE(set_rule(rules, rule.name, ""));
+    nc::Rules rules;
+    for (const nc::RuleInfo& info : nc::all_rules()) {
+        SCOPED_TRACE(info.name);
+        EXPECT_FALSE(info.meaning.empty());
+        EXPECT_FALSE(info.source.empty());
+        const std::string values(info.values);
+        const std::size_t second = values.find(", ");
+        const std::string value =
+            second == values.npos
+                ? "1"
+                : values.substr(second + 2, values.find(',', second + 2) - second - 2);
+        const std::optional<nc::Rule> rule = nc::rule_named(info.name);
+        ASSERT_TRUE(rule.has_value());
+        EXPECT_TRUE(set_rule(rules, *rule, value));
+        EXPECT_FALSE(set_rule(rules, *rule, "nonsense"));
+        EXPECT_FALSE(set_rule(rules, *rule, ""));
     }
-    EXPECT_TRUE(set_rule(rules, "arc_error", "shift_center"));
-    EXPECT_EQ(rules.arc_error, ArcError::ShiftCenter);
-    EXPECT_FALSE(set_rule(rules, "work_offsets", "1.5"));
-    EXPECT_FALSE(set_rule(rules, "no_such_rule", "1"));
-}
-
-// Rooms below the interpreter ask a dialect for rules by name: with the same defaults.
-TEST(Rules, DefaultsOfOtherRoomsAreThoseOfTheTable) {
-    for (const nc::RuleDefault& row : nc::rule_defaults()) {
-        SCOPED_TRACE(row.name);
-        Rules rules;
-        EXPECT_TRUE(set_rule(rules, row.name, row.text));
-        const Rules standard;
-#define KADR_RULE(type, field, value, values, meaning, source) \
-    EXPECT_TRUE(rules.field == standard.field) << #field;
-#include "interp/rules.def"
-#undef KADR_RULE
-    }
-}
-
-TEST(Rules, AMistakeInTheDialectIsReported) {
-    const Ran ran = run({}, {.rules = "<rule name=\"arc_error\" value=\"round\"/>"});
-    EXPECT_EQ(ran.codes(), "K5201");
-    EXPECT_EQ(ran.messages[0].message(), "the rule `arc_error` cannot be `round`");
+    EXPECT_TRUE(set_rule(rules, nc::Rule::arc_error, "shift_center"));
+    EXPECT_EQ(rules.arc_error, nc::ArcError::ShiftCenter);
+    EXPECT_FALSE(set_rule(rules, nc::Rule::work_offsets, "1.5"));
+    EXPECT_FALSE(nc::rule_named("no_such_rule").has_value());
 }
 
 }  // namespace

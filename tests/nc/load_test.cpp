@@ -177,11 +177,18 @@ TEST(Load, WhatAFileSaysReplacesWhatItExtends) {
     EXPECT_FALSE(dialect.can_write(Function::Dwell));
     EXPECT_TRUE(dialect.can_write(Function::ArcCw));
     EXPECT_EQ(describe(testing::source_block(dialect, "G0 X1")), "line X1");
-    std::string tolerance;
-    for (const RuleSetting& rule : dialect.rules()) {
-        if (rule.name == "arc_tolerance") tolerance += rule.value;
-    }
-    EXPECT_EQ(tolerance, "0.5");  // said once, whatever iso says
+    EXPECT_EQ(dialect.rules().arc_tolerance, 0.5);  // whatever iso says
+    EXPECT_TRUE(dialect.names_rule(Rule::arc_tolerance));
+    EXPECT_FALSE(dialect.names_rule(Rule::comp_start));
+}
+
+/// A source that names no dialect is written in the blocks of `iso`.
+TEST(Load, TheRulesOfTheLanguageAreThoseOfTheCore) {
+    Sources sources;
+    DiagnosticList messages;
+    const auto core = load_dialect("iso", {KADR_ROOT "/dialects"}, sources, messages);
+    ASSERT_TRUE(core);
+    EXPECT_TRUE(core->rules() == Rules::of_language());
 }
 
 /// Lines in front of the first block that do not say the units: the writer says them, as it makes

@@ -76,7 +76,7 @@ void add_motion(Block& block, const DialectTables& tables) {
         if (!maybe()) continue;
         const auto slot = static_cast<Slot>(axis);
         block.set(slot, any_length());
-        const int mode = tables.rules.has_modes ? *rc::gen::inRange(0, 3) : 0;
+        const int mode = tables.notation.has_modes ? *rc::gen::inRange(0, 3) : 0;
         if (mode == 1) block.absolute |= bit(slot);
         if (mode == 2) block.incremental |= bit(slot);
     }
@@ -238,8 +238,8 @@ bool write_program(const Dialect& dialect, const Block& block, std::string& text
 void check_round_trip(const Dialect& dialect) {
     Block block = any_block(dialect.tables());
     // F of a helix as the control counts it; the writer's tests have the numbers of the others.
-    block.feed_along_arc = dialect.has_rule("helix_feed_along_arc");
-    block.feed_of_all_axes = dialect.has_rule("feed_of_all_axes");
+    block.feed_along_arc = dialect.rules().helix_feed_along_arc;
+    block.feed_of_all_axes = dialect.rules().feed_of_all_axes;
     std::string text;
     RC_PRE(write_program(dialect, block, text));  // else it has no spelling, and the writer said so
     std::string head;

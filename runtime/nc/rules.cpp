@@ -1,14 +1,12 @@
-#include "interp/rules.h"
+#include "nc/rules.h"
 
+#include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
+#include <iterator>
 
-#include "base/diagnostics/iso.h"
 #include "base/numbers.h"
-#include "base/text.h"
 
-namespace kadr::interp {
+namespace kadr::nc {
 
 namespace {
 
@@ -67,7 +65,7 @@ bool read(std::string_view text, CompFeed& value) {
 bool read(std::string_view text, ToolSelectChanges& value) {
     return read(text, "no", "yes", "lathe", value);
 }
-bool read(std::string_view text, path::OutsideCorner& value) {
+bool read(std::string_view text, CompCorner& value) {
     return read(text, "arc", "intersection", "square", value);
 }
 bool read(std::string_view text, PolePassage& value) { return read(text, "alarm", "turn", value); }
@@ -77,7 +75,7 @@ bool read(std::string_view text, MissingEnd& value) {
 
 constexpr RuleInfo kRules[] = {
 #define KADR_RULE(type, field, standard, values, meaning, source) {#field, values, meaning, source},
-#include "interp/rules.def"
+#include "nc/rules.def"
 #undef KADR_RULE
 };
 
@@ -85,44 +83,20 @@ constexpr RuleInfo kRules[] = {
 
 std::span<const RuleInfo> all_rules() { return kRules; }
 
-bool set_rule(Rules& rules, std::string_view name, std::string_view value) {
+std::optional<Rule> rule_named(std::string_view name) {
+    const auto* const found = std::ranges::find(kRules, name, &RuleInfo::name);
+    if (found == std::end(kRules)) return std::nullopt;
+    return static_cast<Rule>(found - std::begin(kRules));
+}
+
+bool set_rule(Rules& rules, Rule rule, std::string_view value) {
+    switch (rule) {
 #define KADR_RULE(type, field, standard, values, meaning, source) \
-    if (name == #field) return read(value, rules.field);
-#include "interp/rules.def"
+    case Rule::field: return read(value, rules.field);
+#include "nc/rules.def"
 #undef KADR_RULE
+    }
     return false;
 }
 
-namespace {
-
-/// Says why a rule could not be set.
-void report(const nc::RuleSetting& setting, DiagnosticSink& sink) {
-    std::vector<std::string_view> names;
-    for (const RuleInfo& rule : kRules) {
-        if (rule.name == setting.name) {
-            sink.report(diag::RuleInvalid, setting.value_range)
-                .arg(setting.name)
-                .arg(setting.value)
-                .fix("it takes: " + std::string(rule.values));
-            return;
-        }
-        names.push_back(rule.name);
-    }
-    auto message = sink.report(diag::RuleUnknown, setting.range);
-    message.arg(setting.name);
-    if (const auto near = nearest_name(setting.name, names.data(), names.size())) {
-        message.fix(setting.range, std::string(*near), "is this meant?");
-    }
-}
-
-}  // namespace
-
-Rules rules_of(const nc::Dialect& dialect, DiagnosticSink& sink) {
-    Rules rules;
-    for (const nc::RuleSetting& setting : dialect.rules()) {
-        if (!set_rule(rules, setting.name, setting.value)) report(setting, sink);
-    }
-    return rules;
-}
-
-}  // namespace kadr::interp
+}  // namespace kadr::nc
