@@ -203,7 +203,9 @@ bool Checker::report_foreign_word(std::string_view name, const SourceRange& rang
     const std::size_t digit = name.find_first_of("0123456789");
     const bool is_like_word =
         digit != 0 && digit != std::string_view::npos && upper_ascii(name) == name;
-    if (!is_like_word || !(range == target_)) return false;
+    const syntax::Habit* habit = syntax::habit_of(name);
+    const bool is_statement = habit != nullptr && habit->is_statement;  // `N20 END1`
+    if (!is_like_word || is_statement || !(range == target_)) return false;
     report(diag::BlockWordUnknown, range)
         .arg(name)
         .arg(modules_[module_].dialect->name())

@@ -164,7 +164,7 @@ bool Complaints::explain_capitals(const Place& place) {
         return false;
     auto report = file_.sink.report(diag::KeywordCase, file_.range(head));
     report.arg(lower);
-    if (const std::string form = form_of_statement(lower, place.head_index); !form.empty())
+    if (const std::string form = form_of_control(lower, place.head_index); !form.empty())
         report.fix(form);
     else report.fix(file_.range(head), lower, "write it in lower case");
     return true;

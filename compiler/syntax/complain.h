@@ -108,7 +108,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     void explain(const Place& place);
     bool explain_number(const Place& place);
     bool explain_capitals(const Place& place);
-    std::string form_of_statement(std::string_view keyword, std::size_t head) const;
+    std::string form_of_control(std::string_view keyword, std::size_t head) const;
     bool explain_program_number(const Place& place);
     bool explain_habit(const Place& place);
     bool is_cast(const Place& place) const;

@@ -231,15 +231,7 @@ bool Complaints::is_cast(const Place& place) const {
 
 /// How a statement of a control's language is written here, where small letters alone do not make
 /// it one: `IF R1<3 GOTO N10;`. Empty: they do.
-std::string Complaints::form_of_statement(std::string_view keyword, std::size_t head) const {
-    constexpr std::pair<std::string_view, std::string_view> kForms[] = {
-        {"if", "`if (a < 3) { … } else { … }`"},
-        {"while", "`while (a < 3) { … }`"},
-        {"for", "`for (int i = 0; i < n; i++) { … }`"},
-    };
-    const auto* const form =
-        std::ranges::find(kForms, keyword, [](const auto& f) { return f.first; });
-    if (form == std::end(kForms)) return "";
+std::string Complaints::form_of_control(std::string_view keyword, std::size_t head) const {
     bool jumps = false;
     bool has_brace = false;
     std::size_t end = head + 1;
@@ -250,9 +242,7 @@ std::string Complaints::form_of_statement(std::string_view keyword, std::size_t 
     }
     const bool is_lowered_only = stream_.lexeme(head + 1).token == Token::OpenParen && !jumps &&
                                  (has_brace || matching(head + 1) + 1 < end);
-    if (is_lowered_only) return "";
-    return "it is written " + std::string(form->second) +
-           (jumps ? "; there are no jumps, what is left out or repeated stands in its braces" : "");
+    return is_lowered_only ? "" : form_of_statement(keyword, jumps);
 }
 
 /// Whether the lexeme is the last of its line.

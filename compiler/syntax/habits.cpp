@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+
+#include "base/text.h"
 
 namespace kadr::syntax {
 
@@ -26,6 +29,11 @@ constexpr std::string_view kJump =
     "there are no jumps: `while` and `for` repeat, `break`, `continue` and `return` leave";
 constexpr std::string_view kFunction =
     "a function begins with the type of its result, `length f(length a) { … }`, or with `void`";
+constexpr std::string_view kDeclaration =
+    "a variable is declared by its type and its name, `real a = 5.5;`, a function so as well, "
+    "`length f(length a) { … }`";
+constexpr std::string_view kCall = "a function is called by its name: `f(5mm);`";
+constexpr std::string_view kReturn = "`return;` leaves a function, its `}` ends it";
 constexpr std::string_view kElse = "another condition begins with two words: `else if (…)`";
 constexpr std::string_view kBraces = "a body stands in braces: `{ … }`";
 constexpr std::string_view kUntil = "a loop with its condition at the end: `do { … } while (…);`";
@@ -43,6 +51,7 @@ constexpr Habit kHabits[] = {
     {"begin", "", kBraces, true},
     {"boolean", "bool", "truth values are `bool`"},
     {"byte", "int", kInt},
+    {"call", "", kCall, true},
     {"calloc", "", kMemory},
     {"catch", "", kFault, true},
     {"ceilf", "ceil", ""},
@@ -50,7 +59,7 @@ constexpr Habit kHabits[] = {
     {"console", "", kOutput},
     {"cosf", "cos", ""},
     {"cout", "", kOutput},
-    {"def", "", kFunction, true},
+    {"def", "", kDeclaration, true},
     {"delay", "", kWait},
     {"double", "real", kReal},
     {"echo", "", kOutput, true},
@@ -58,8 +67,13 @@ constexpr Habit kHabits[] = {
     {"elseif", "", kElse, true},
     {"elsif", "", kElse, true},
     {"end", "", kBraces, true},
+    {"end_for", "", kBraces, true},
+    {"end_if", "", kBraces, true},
+    {"end_while", "", kBraces, true},
     {"endfor", "", kBraces, true},
     {"endif", "", kBraces, true},
+    {"endloop", "", kBraces, true},
+    {"endproc", "", kBraces, true},
     {"endwhile", "", kBraces, true},
     {"exit", "", "`return;` leaves a function, `error(\"…\")` ends the program with a message"},
     {"extern", "", kLasting, true},
@@ -75,6 +89,10 @@ constexpr Habit kHabits[] = {
     {"function", "", kFunction, true},
     {"gosub", "", kFunction, true},
     {"goto", "", kJump, true},
+    {"gotob", "", kJump, true},
+    {"gotoc", "", kJump, true},
+    {"gotof", "", kJump, true},
+    {"gotos", "", kJump, true},
     {"include", "", "`import cycles.drilling;` brings names in", true},
     {"inline", "", kFunction, true},
     {"int16_t", "int", kInt},
@@ -100,10 +118,12 @@ constexpr Habit kHabits[] = {
     {"print", "", kOutput},
     {"printf", "", kOutput},
     {"println", "", kOutput},
+    {"proc", "", kFunction, true},
     {"puts", "", kOutput},
     {"realloc", "", kMemory},
     {"register", "", kLasting, true},
     {"repeat", "", kUntil, true},
+    {"ret", "", kReturn, true},
     {"short", "int", kInt, true},
     {"signed", "int", kInt, true},
     {"sinf", "sin", ""},
@@ -120,6 +140,7 @@ constexpr Habit kHabits[] = {
     {"strcat", "", "texts are joined with `+`"},
     {"strcmp", "", "texts are compared with `==`"},
     {"strlen", "", "a text has as many letters as `s.count`"},
+    {"sub", "", kFunction, true},
     {"tanf", "tan", ""},
     {"then", "", kBraces, true},
     {"throw", "", kFault, true},
@@ -151,12 +172,29 @@ std::string lower_ascii(std::string_view text) {
     return lower;
 }
 
+std::string form_of_statement(std::string_view keyword, bool jumps) {
+    constexpr std::pair<std::string_view, std::string_view> kForms[] = {
+        {"if", "`if (a < 3) { … } else { … }`"},
+        {"while", "`while (a < 3) { … }`"},
+        {"for", "`for (int i = 0; i < n; i++) { … }`"},
+        {"case", "`switch (n) { case 1: … break; default: … }`"},
+    };
+    const auto* const form =
+        std::ranges::find(kForms, keyword, [](const auto& f) { return f.first; });
+    if (form == std::end(kForms)) return "";
+    return "it is written " + std::string(form->second) +
+           (jumps ? "; there are no jumps, what is left out or repeated stands in its braces" : "");
+}
+
 const Habit* habit_of(std::string_view word) {
-    const std::string lower = lower_ascii(word);
+    const std::size_t last = word.find_last_not_of("0123456789");
+    const bool is_numbered =
+        last != std::string_view::npos && last + 1 < word.size() && upper_ascii(word) == word;
+    const std::string lower = lower_ascii(is_numbered ? word.substr(0, last + 1) : word);
     const auto* const found = std::ranges::lower_bound(kHabits, lower, {}, &Habit::word);
     if (found == std::end(kHabits) || found->word != lower || found->instead == word)
         return nullptr;
-    return found;
+    return is_numbered && !found->is_statement ? nullptr : found;
 }
 
 void advise(DiagnosticBuilder& message, const Habit& habit, const SourceRange& range) {

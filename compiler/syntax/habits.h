@@ -18,13 +18,18 @@ struct Habit {
     bool is_statement = false;  // begins statements or declarations there
 };
 
-/// A word in lower case: words of other languages are known in capitals as well.
 /// Whether the language has the keyword, in small letters.
 bool is_keyword(std::string_view word);
 
+/// How a statement of this keyword is written: what to say where small letters alone do not make a
+/// control's statement one. `jumps`: it does so there. Empty: it is no such keyword.
+std::string form_of_statement(std::string_view keyword, bool jumps);
+
+/// A word in lower case: words of other languages are known in capitals as well.
 std::string lower_ascii(std::string_view text);
 
-/// The word, in capitals or not; null if it is none of them.
+/// The word, in capitals or not; null if it is none of them. In capitals some have a number:
+/// `END1`, `GOTO10`.
 const Habit* habit_of(std::string_view word);
 
 /// Adds the hint, with the replacement of the word at `range` if there is one.

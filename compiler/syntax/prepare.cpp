@@ -1,5 +1,6 @@
 #include "syntax/prepare.h"
 
+#include "syntax/foreign_statements.h"
 #include "syntax/lex.h"
 #include "syntax/words.h"
 
@@ -13,7 +14,8 @@ std::optional<Prepared> prepare(const SourceFile& file, const KeywordTable& keyw
     const WordKindOf kind_of = [&dialect](std::string_view identifier) {
         return nc::word_kind(dialect, identifier);
     };
-    return retype(file, merge_words(file, *raw, kind_of), keywords);
+    std::vector<Lexeme> words = merge_words(file, *raw, kind_of);
+    return retype(file, mend_statements(file, std::move(words), keywords), keywords);
 }
 
 }  // namespace kadr::syntax

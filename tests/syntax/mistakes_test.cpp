@@ -292,6 +292,44 @@ TEST(Mistakes, WordsOfOtherLanguages) {
     });
 }
 
+TEST(Mistakes, StatementsOfControls) {
+    expect_messages({
+        {R"(cycle a() {
+    IF [n EQ 5] GOTO 10
+    ENDWHILE
+    G0 Z5
+})",
+         "2:5 K1217 keywords are written in lower case: `if`\n"
+         "3:5 K1219 `ENDWHILE` begins no statement here\n"
+         "4:10 K1101 `;` is missing behind this block"},
+        {"cycle a() { DO { M8; } WHILE (n < 5); while (n < 5) { } }",
+         "1:13 K1217 keywords are written in lower case: `do`\n"
+         "1:24 K1217 keywords are written in lower case: `while`"},
+        // Names of the program that are words of other languages.
+        {R"(enum e {
+    end
+}
+cycle a() {
+    real[] list = {
+        end
+    };
+    list = {1, 2,
+        loop
+    };
+    x = c ? 1 :
+        proc
+    ;
+    end
+        = 5;
+    For(n);
+    While(n);
+    Do = 5;
+    if (n > 3) Return(x);
+})",
+         ""},
+    });
+}
+
 TEST(Mistakes, ArraysOfArrays) {
     expect_messages({
         {"cycle a() { int[][] m; }", "1:13 K1216 there are no arrays of arrays"},
