@@ -242,13 +242,18 @@ Value Checker::binary_values(Operator op, Value left, Value right, const Expr& e
 }
 
 /// `d^2`, where `^` is meant as a power.
-void Checker::fix_power(const Expr& expr, const Value& right, DiagnosticBuilder& builder) {
+void Checker::fix_power(const Expr& expr, const Value& left, const Value& right,
+                        DiagnosticBuilder& builder) {
     const Expr& base = ast()[expr.child[0]];
     const std::string name(sources_.text(base.range));
     const bool is_square = right.is_constant() && kind(right.type) == Kind::Int &&
                            right.constant.integer == 2 && base.kind == ExprKind::Name;
-    if (is_square)
-        builder.fix(expr.range, name + '*' + name, "a power is a product, or `pow(a, n)`");
+    const std::string product = name + '*' + name;
+    // Whether a place takes the square of a length, only the author knows: `G0 X=d^2;`.
+    if (is_square && !type_info(left.type).quantity.is_number())
+        builder.fix("a power is a product, `" + product +
+                    "`, or `pow(a, n)`: that of a length is " + "an area");
+    else if (is_square) builder.fix(expr.range, product, "a power is a product, or `pow(a, n)`");
     else builder.fix("a power is `pow(a, n)`; `^` joins the bits of whole numbers");
 }
 
@@ -260,7 +265,7 @@ Value Checker::bits(Operator op, const Value& left, const Value& right, const Ex
         const bool is_left = kind(left.type) != Kind::Int;
         auto builder = report(diag::OperandType, ast()[expr.child[is_left ? 0 : 1]].range);
         builder.arg(spelling(op)).arg(type_name(is_left ? left.type : right.type));
-        if (op == Operator::BitXor) fix_power(expr, right, builder);
+        if (op == Operator::BitXor) fix_power(expr, left, right, builder);
         return error_value();
     }
     const bool is_shift = op == Operator::ShiftLeft || op == Operator::ShiftRight;

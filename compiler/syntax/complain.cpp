@@ -336,10 +336,9 @@ void Complaints::lose_names(std::size_t index) {
 void Complaints::explain_address_name(const Lexeme& lexeme) {
     const std::string_view spelled = file_.spelling(lexeme);
     bad_names_.insert(std::string(spelled));
-    const SourceRange range = file_.range(lexeme);
-    file_.sink.report(diag::AddressAsName, range)
-        .arg(quoted(lexeme))
-        .fix(range, lower_ascii(spelled), "write it in lower case");
+    auto message = file_.sink.report(diag::AddressAsName, file_.range(lexeme));
+    message.arg(quoted(lexeme));
+    fix_name_of_word(lexeme, message);
 }
 
 /// Where a name must stand.
@@ -373,10 +372,9 @@ bool Complaints::explain_value(const Place& place) {
     if (is_word(offending.token) && !is_text_meant && !is_next_word) {
         const std::string_view spelled = file_.spelling(offending);
         if (bad_names_.count(std::string(spelled)) > 0) return true;
-        file_.sink.report(diag::WordAsValue, file_.range(offending))
-            .arg(quoted(offending))
-            .fix(file_.range(offending), lower_ascii(spelled),
-                 "if a variable is meant: names of variables are not addresses");
+        auto message = file_.sink.report(diag::WordAsValue, file_.range(offending));
+        message.arg(quoted(offending));
+        fix_value_of_word(offending, message);
         return true;
     }
     auto message = file_.sink.report(diag::ValueMissing, gap);
@@ -485,10 +483,12 @@ bool Complaints::explain_assignment(const Place& place) {
     if (place.offending.token != Token::Assign) return false;
     const SourceRange range = file_.range(place.offending);
     if (is_word(place.previous.token)) {
-        file_.sink.report(diag::AddressAsName, file_.range(place.previous))
-            .arg(quoted(place.previous))
-            .fix(file_.range(place.previous), lower_ascii(file_.spelling(place.previous)),
-                 "write it in lower case");
+        auto message = file_.sink.report(diag::AddressAsName, file_.range(place.previous));
+        message.arg(quoted(place.previous));
+        const std::string name = lower_ascii(file_.spelling(place.previous));
+        if (is_declared(name))
+            message.fix(file_.range(place.previous), name, "write it in lower case");
+        else fix_control_variable(place.previous, message);
         return true;
     }
     if (is_foreign_word(place)) {

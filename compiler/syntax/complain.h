@@ -116,6 +116,10 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     void fix_operator(const Place& place, DiagnosticBuilder& report) const;
     void fix_parentheses(const Place& place, DiagnosticBuilder& report) const;
     void fix_word_value(const Place& place, DiagnosticBuilder& report) const;
+    bool is_declared(std::string_view name) const;
+    void fix_control_variable(const Lexeme& word, DiagnosticBuilder& report) const;
+    void fix_name_of_word(const Lexeme& word, DiagnosticBuilder& report) const;
+    void fix_value_of_word(const Lexeme& word, DiagnosticBuilder& report) const;
     bool is_list(std::size_t open, std::size_t close) const;
     bool is_then(std::size_t index) const;
     std::size_t last_comma(std::size_t index) const;

@@ -177,6 +177,58 @@ std::string Complaints::round_brackets(std::size_t open) const {
     return text + std::string(file_.text.substr(copied, stream_.lexeme(close).begin - copied));
 }
 
+/// Whether a variable or a parameter of the file is called so, wherever it stands.
+bool Complaints::is_declared(std::string_view name) const {
+    for (std::size_t i = 1; i < stream_.size(); ++i) {
+        if (file_.spelling(stream_.lexeme(i)) != name) continue;
+        switch (stream_.lexeme(i - 1).token) {
+            case Token::TypeName:
+            case Token::Auto:
+            case Token::CloseBracket:  // `length[] list`
+            case Token::Question:
+            case Token::And: return stream_.lexeme(i).token == Token::Identifier;
+            default: break;
+        }
+    }
+    return false;
+}
+
+/// `R1=5;`: a variable of a control, which exists without being declared.
+void Complaints::fix_control_variable(const Lexeme& word, DiagnosticBuilder& report) const {
+    report.fix("a variable is declared with its type and a name in small letters, once: `real " +
+               lower_ascii(file_.spelling(word)) + " = 0;`, `length depth = 5mm;`");
+}
+
+/// `length D;`
+void Complaints::fix_name_of_word(const Lexeme& word, DiagnosticBuilder& report) const {
+    const std::string name = lower_ascii(file_.spelling(word));
+    if (is_declared(name))
+        report.fix("choose another name: " + ('`' + name + '`') + " is one already");
+    else report.fix(file_.range(word), name, "write it in lower case");
+}
+
+/// `X=R1`, `a = X`: a word where a value stands.
+void Complaints::fix_value_of_word(const Lexeme& word, DiagnosticBuilder& report) const {
+    const std::string name = lower_ascii(file_.spelling(word));
+    const std::string letters = name.substr(0, name.find_first_of("+-.0123456789"));
+    const SourceRange address =
+        file_.range(word.begin, word.begin + static_cast<std::uint32_t>(letters.size()));
+    const bool has_sign = name.find_first_of("+-") == letters.size();
+    constexpr std::string_view kAxes = "xyzabcuvw";
+    if (is_declared(name)) {
+        report.fix(file_.range(word), name,
+                   "if a variable is meant: names of variables are not addresses");
+    } else if (has_sign && is_declared(letters)) {  // `X+5` is one word
+        report.fix(address, letters,
+                   "if a variable is meant: names of variables are not addresses");
+    } else if (letters.size() == 1 && kAxes.find(letters) != std::string_view::npos) {
+        report.fix("the place that is programmed is `position." + letters + "`, and `" +
+                   upper_ascii(letters) + "+=5mm` goes on from there");
+    } else {
+        fix_control_variable(word, report);
+    }
+}
+
 /// `X d`, `X-d`, `X(d)`, `X[d*2]`: the address with its value behind `=`.
 void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) const {
     const Token token = place.offending.token;
@@ -189,6 +241,9 @@ void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) c
         return;
     }
     const std::size_t close = matching(place.index);
+    // `R[1]=5`: a variable of a control.
+    if (stream_.lexeme(close + 1).token == Token::Assign)
+        return fix_control_variable(place.previous, report);
     const bool is_whole = ends_value(stream_.lexeme(close + 1).token);
     const std::string inside = round_brackets(place.index);
     report.fix(file_.range(place.previous.end, stream_.lexeme(close).end),
