@@ -129,6 +129,9 @@ class Checker {
     bool report_control_index(std::string_view name, const SourceRange& range);
     bool fix_lookalike(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     bool report_foreign_word(std::string_view name, const SourceRange& range);
+    bool report_word(std::string_view name, const SourceRange& range);
+    bool is_statement_at(const SourceRange& range) const;
+    bool fix_statement(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     /// Whether a mistake that is told already has taken this name away.
     bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;

@@ -241,6 +241,11 @@ Type Checker::resolve_type(syntax::TypeId id) {
             syntax::advise(builder, *habit, ref.range);
             return types::kError;
         }
+        const std::string upper = upper_ascii(name);
+        if (upper != name && is_numbered_word(upper)) {  // `g1 x=d;`
+            builder.fix("words of blocks are written in upper case: `" + upper + " X=…`");
+            return types::kError;
+        }
         std::vector<std::string_view> known = {"bool",   "int",     "real",    "length", "angle",
                                                "time",   "feed",    "speed",   "string", "point",
                                                "vector", "contour", "diameter"};

@@ -213,6 +213,49 @@ bool Checker::report_foreign_word(std::string_view name, const SourceRange& rang
     return true;
 }
 
+/// Whether a statement begins with the name at `range`.
+bool Checker::is_statement_at(const SourceRange& range) const {
+    const std::string_view before = sources_.text(range.file).substr(0, range.begin);
+    const std::size_t last = before.find_last_not_of(" \t\r\n");
+    return last == std::string_view::npos ||
+           std::string_view(";{}):").find(before[last]) != std::string_view::npos;
+}
+
+/// `GO` and `XO` where words stand: a letter for a digit.
+bool Checker::report_word(std::string_view name, const SourceRange& range) {
+    if (!(range == target_) && !is_statement_at(range)) return false;
+    const std::string word = syntax::word_with_digits(*modules_[module_].dialect, name);
+    if (word.empty()) return false;
+    report(diag::LetterForDigit, range).arg(name).arg(word).fix(range, word, "write digits");
+    return true;
+}
+
+/// A name that is a statement by itself, as only words of a language are: `BREAK;`, `E5;`, `L100;`.
+bool Checker::fix_statement(std::string_view name, const SourceRange& range,
+                            DiagnosticBuilder& builder) {
+    const std::string_view behind = sources_.text(range.file).substr(range.end);
+    const std::size_t next = behind.find_first_not_of(" \t");
+    const bool is_alone = next != std::string_view::npos && behind[next] == ';';
+    const std::string lower = syntax::lower_ascii(name);
+    if (!is_statement_at(range)) return false;
+    if (lower != name && syntax::is_keyword(lower)) {  // `RETURN -a;`: a difference to the parser
+        builder.fix(range, lower, "keywords are written in lower case");
+        return true;
+    }
+    const std::size_t letters = name.find_first_of("0123456789");
+    const bool is_word = letters != std::string_view::npos && letters > 0 &&
+                         name.find_first_not_of("0123456789", letters) == std::string_view::npos &&
+                         upper_ascii(name) == name;
+    if (!is_alone || !is_word) return false;
+    const std::string_view address = name.substr(0, letters);
+    if (address == "O")
+        builder.fix("a program that is called so has this number: `program " + std::string(name) +
+                    "() { … }`");
+    else if (address == "L" || address == "P") builder.fix(syntax::kCallByName);
+    else builder.fix(syntax::kForeignWord);
+    return true;
+}
+
 /// Letters of the address of a word that has its value without `=`, where words stand: 1 of
 /// `G0 Xd/2;` and of `Xd;`. 0: it is none.
 std::size_t Checker::glued_letters(std::string_view name, const SourceRange& range) {
@@ -297,7 +340,9 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         return;
     }
     if (report_unit(name, range) || report_foreign(name, range)) return;
-    if (report_foreign_word(name, range) || report_control_index(name, range)) return;
+    if (report_word(name, range) || report_foreign_word(name, range) ||
+        report_control_index(name, range))
+        return;
     auto builder = report(diag::UnknownName, range);
     builder.arg(name);
     if (name == declared_) {
@@ -323,6 +368,16 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     const std::vector<std::string_view> functions = known_names(true);
     if (std::binary_search(functions.begin(), functions.end(), name)) {
         builder.fix(range, std::string(name) + "()", "it is a function: call it");
+        return;
+    }
+    if (fix_statement(name, range, builder)) return;
+    // `G1 x-5`: an address in lower case.
+    const bool is_target = range.file == target_.file && range.begin == target_.begin;
+    const bool is_address =
+        name.size() == 1 && name != word &&
+        nc::word_kind(*modules_[module_].dialect, word) == nc::WordKind::Address;
+    if (is_target && is_address) {
+        builder.fix(range, word, "words of blocks are written in upper case");
         return;
     }
     // Every letter is near to every other.

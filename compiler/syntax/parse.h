@@ -14,8 +14,13 @@ namespace kadr::syntax {
 
 /// What to do about a word that the input dialect does not have.
 constexpr const char* kForeignWord =
-    "the words of blocks are those of the input dialect: `dialect fanuc;` at the head of the file "
-    "takes those of a FANUC, `raw` passes any text";
+    "the words of blocks are those of the input dialect, which `dialect fanuc;` or `dialect "
+    "sinumerik;` at the head of the file chooses; `raw` passes any text";
+
+/// What to do about the call of a subprogram: `M98 P100`, `L100`.
+constexpr const char* kCallByName =
+    "what is called is a cycle or a function of the file, `cycle name(length d) { … }`, by its "
+    "name: `name(5mm);`";
 
 /// What to do about a word whose value is an expression: `G0 Xd;`.
 constexpr const char* kValueBehindSign = "a value that is no plain number stands behind `=`";
@@ -23,6 +28,10 @@ constexpr const char* kValueBehindSign = "a value that is no plain number stands
 /// Letters of the address that a name begins with where a word with its value was meant: one of
 /// `Xd`, two of `CRr`; 0 if it does not look so.
 std::size_t glued_address(const nc::Dialect& dialect, std::string_view name);
+
+/// What a name would be with digits for the letters that look like them, where that is an address
+/// with its number: `G0` for `GO`, `X10` for `XlO`. Empty: it is none.
+std::string word_with_digits(const nc::Dialect& dialect, std::string_view name);
 
 /// Lexemes of the structural elements in one keyword language: "если" is `if`.
 struct KeywordTable {

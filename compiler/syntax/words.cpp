@@ -60,6 +60,24 @@ Spelling take_apart(std::string_view identifier) {
     return {identifier.substr(0, i), identifier.substr(i, j - i), identifier.substr(j)};
 }
 
+/// `G0` for `GO`: the letters that look like digits are digits behind the address. Empty: there are
+/// none, or no address stands before them.
+template <typename IsAddress>
+std::string with_digits(std::string_view name, const IsAddress& is_address) {
+    constexpr std::string_view kLetters = "OolI";
+    std::size_t begin = name.size();
+    while (begin > 0 &&
+           (is_digit(name[begin - 1]) || kLetters.find(name[begin - 1]) != std::string_view::npos))
+        --begin;
+    if (begin == 0 || !is_address(name.substr(0, begin))) return "";
+    std::string word(name);
+    for (std::size_t i = begin; i < word.size(); ++i) {
+        if (word[i] == 'O' || word[i] == 'o') word[i] = '0';
+        if (word[i] == 'l' || word[i] == 'I') word[i] = '1';
+    }
+    return word == name ? "" : word;
+}
+
 class Merging {
   public:
     Merging(const SourceFile& file, const std::vector<Lexeme>& in, const WordKindOf& kind_of)
@@ -74,6 +92,7 @@ class Merging {
     bool compact_words(std::string_view identifier);
     void word(Lexeme word, std::string_view number, std::string_view rest);
     bool lookalike(const Lexeme& identifier);
+    bool letter_for_digit(const Lexeme& identifier);
     bool lowercase_word(const Lexeme& identifier);
     bool is_lowercase_word(std::size_t i);
     bool is_lowercase_address(std::size_t i);
@@ -291,7 +310,7 @@ void Merging::identifier() {
     const Lexeme lexeme = in_[i_++];
     const std::string_view name = file_.spelling(lexeme);
     const bool is_member = !out_.empty() && out_.back().token == Token::Dot;
-    if (is_member || lookalike(lexeme) || lowercase_word(lexeme)) {
+    if (is_member || lookalike(lexeme) || letter_for_digit(lexeme) || lowercase_word(lexeme)) {
         if (is_member) out_.push_back(lexeme);
         return;
     }
@@ -453,6 +472,26 @@ bool Merging::lookalike(const Lexeme& identifier) {
     return true;
 }
 
+/// `GO X5;` with the letter O: no statement begins with a name in front of a word. Behind other
+/// words it may be a point.
+bool Merging::letter_for_digit(const Lexeme& identifier) {
+    const Lexeme& next = at(i_);
+    const bool is_before_word = is_start() && next.token == Token::Identifier &&
+                                is_word(file_.spelling(next)) &&
+                                !file_.crosses_line(identifier.end, next.begin);
+    if (!is_before_word) return false;
+    const std::string_view name = file_.spelling(identifier);
+    const std::string word = with_digits(
+        name, [&](std::string_view address) { return kind_of(address) == nc::WordKind::Address; });
+    if (word.empty()) return false;
+    file_.sink.report(diag::LetterForDigit, file_.range(identifier))
+        .arg(name)
+        .arg(word)
+        .fix(file_.range(identifier), word, "write digits");
+    finish_word(identifier, take_apart(word));
+    return true;
+}
+
 /// The word that an identifier would be if it were spelled as `spelling`.
 void Merging::finish_word(Lexeme made, const Spelling& spelling) {
     made.text = file_.texts.intern(spelling.address);
@@ -504,9 +543,12 @@ bool Merging::lowercase_word(const Lexeme& identifier) {
     const std::string upper = upper_ascii(file_.spelling(identifier));
     if (!is_lowercase_block_) {
         // `g1 z=5;` declares a variable of a type `g1`; a sign alone makes it a word.
-        const bool fits = is_start() && is_lowercase_word(own) &&
-                          (at(i_).token == Token::Semicolon || is_lowercase_word(i_) ||
-                           (is_lowercase_address(i_) && at(i_ + 1).token != Token::Assign));
+        const bool is_before_word =
+            at(i_).token == Token::Identifier && is_word(file_.spelling(at(i_)));  // `g1 X5;`
+        const bool fits =
+            is_start() && is_lowercase_word(own) &&
+            (at(i_).token == Token::Semicolon || is_lowercase_word(i_) || is_before_word ||
+             (is_lowercase_address(i_) && at(i_ + 1).token != Token::Assign));
         if (!fits) return false;
         is_lowercase_block_ = true;
         const auto [range, block] = upper_block(own);
@@ -533,6 +575,12 @@ std::size_t glued_address(const nc::Dialect& dialect, std::string_view name) {
         !address.empty() && address.size() < name.size() && !is_digit(name[address.size()]);
     if (!goes_on || nc::word_kind(dialect, address) != nc::WordKind::Address) return 0;
     return address.size();
+}
+
+std::string word_with_digits(const nc::Dialect& dialect, std::string_view name) {
+    return with_digits(name, [&](std::string_view address) {
+        return nc::word_kind(dialect, address) == nc::WordKind::Address;
+    });
 }
 
 Unit find_unit(std::string_view name, std::string_view per) {
