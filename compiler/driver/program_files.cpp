@@ -36,7 +36,7 @@ const std::vector<ProgramFolders::Entry>& ProgramFolders::entries(const std::str
 bool ProgramFolders::may_read(const std::string& file) {
     if (session_ == nullptr || session_->files().may_be_read(file)) return true;
     report_unread(session_->messages(), diag::FileUnreadable, {}, file,
-                  {ReadFault::Kind::Elsewhere, {}}, session_->files());
+                  session_->files().fault_elsewhere(file), session_->files());
     return false;
 }
 

@@ -99,8 +99,8 @@ bool Session::admit(std::size_t first, const std::string& beside, const SourceRa
         const std::string name(sources_.name(FileId{static_cast<std::uint32_t>(i)}));
         files_.note(name);
         if (name == beside || is_of_share(name) || files_.may_be_read(name, beside)) continue;
-        report_unread(messages_, diag::FileUnreadable, place, name,
-                      {ReadFault::Kind::Elsewhere, {}}, files_);
+        report_unread(messages_, diag::FileUnreadable, place, name, files_.fault_elsewhere(name),
+                      files_);
         return false;
     }
     return true;

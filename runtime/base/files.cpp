@@ -63,6 +63,21 @@ bool Files::may_be_read(const std::string& file, const std::string& beside) cons
     return !beside.empty() && is_below(real, home_of(beside));
 }
 
+ReadFault Files::fault_elsewhere(const std::string& file, const std::string& beside) const {
+    constexpr int kMostLinks = 40;  // as the kernel follows
+    fs::path at = file;
+    std::string folder;
+    for (int i = 0; i < kMostLinks; ++i) {
+        folder = at.has_parent_path() ? at.parent_path().string() : ".";
+        // Where a link leads that stands elsewhere, a program from somebody else must not learn.
+        std::error_code error;
+        if (!may_be_read(folder, beside) || !fs::is_symlink(at, error)) break;
+        const fs::path target = fs::read_symlink(at, error);
+        at = (fs::path(real_path(folder)) / target).lexically_normal();
+    }
+    return {ReadFault::Kind::Elsewhere, folder};
+}
+
 std::optional<Files::Identity> Files::identity_of(const std::string& file) {
     struct stat found {};
     const int failed = file == "-" ? ::fstat(STDIN_FILENO, &found) : ::stat(file.c_str(), &found);
@@ -112,7 +127,7 @@ Result<std::string, ReadFault> Files::read(const std::string& file) {
 Result<std::string, ReadFault> Files::read_named(const std::string& file,
                                                  const std::string& beside) {
     // Whether it exists is told of no file that may not be read.
-    if (!may_be_read(file, beside)) return ReadFault{ReadFault::Kind::Elsewhere, {}};
+    if (!may_be_read(file, beside)) return fault_elsewhere(file, beside);
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
@@ -172,14 +187,11 @@ void report_unread(DiagnosticSink& sink, const DiagnosticRow& row, const SourceR
                 .arg(bytes_text(files.most_bytes()))
                 .fix("if it is meant, raise the limit: `--max-input`");
             return;
-        case ReadFault::Kind::Elsewhere: {
-            const std::string folder = fs::path(file).parent_path().string();
+        case ReadFault::Kind::Elsewhere:
             sink.report(diag::FileElsewhere, place)
                 .arg(file)
-                .fix("if the program may read it, say so: `--allow-read " +
-                     (folder.empty() ? std::string(".") : folder) + '`');
+                .fix("if the program may read it, say so: `--allow-read " + fault.why + '`');
             return;
-        }
     }
 }
 

@@ -25,7 +25,8 @@ struct ReadFault {
     enum class Kind : std::uint8_t {
         Unreadable,  // it is missing, a folder, not ours; `why` says what
         TooLarge,    // more bytes than the limit
-        Elsewhere,   // outside of the folders that a program may read
+        Elsewhere,   // outside of the folders that a program may read; `why` is the folder that
+                     // would have to be among them
     };
     Kind kind = Kind::Unreadable;
     std::string why;
@@ -50,6 +51,10 @@ class Files {
     /// Whether a program may read this file, symbolic links followed. `beside` is the file that
     /// names it and was named by the user; below its home it may be, too. Empty: none.
     bool may_be_read(const std::string& file, const std::string& beside = {}) const;
+
+    /// What is wrong with a file that may not be read: `why` is its folder or, of a symbolic link
+    /// in a folder that may be read, that of what it leads to.
+    ReadFault fault_elsewhere(const std::string& file, const std::string& beside = {}) const;
 
     /// The whole of a file that the user named; `-` is standard input.
     Result<std::string, ReadFault> read(const std::string& file);

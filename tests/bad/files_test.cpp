@@ -88,6 +88,31 @@ TEST_F(Files, ElsewhereAreNotReadAndNotShown) {
         "K9032");
 }
 
+/// What is proposed lets the file be read: of a link the folder that it leads to.
+TEST_F(Files, ElsewhereAreReadAsTheFixSays) {
+    fs::create_directories(file("other"));
+    fs::create_symlink("../secret/rows.csv", file("parts/link.csv"));
+    fs::create_symlink(file("parts/link.csv"), file("parts/twice.csv"));
+    fs::create_directory_symlink(file("secret"), file("parts/folder"));
+    const std::string secret = file("secret");
+    for (const auto& [name, folder] : {std::pair{std::string("link.csv"), secret},
+                                       {std::string("twice.csv"), secret},
+                                       {std::string("folder/rows.csv"), file("parts/folder")},
+                                       {file("secret/rows.csv"), secret}}) {
+        SCOPED_TRACE(name);
+        const ProcessResult refused = expand(reading(name));
+        EXPECT_NE(refused.err.find("`--allow-read " + folder + "`"), std::string::npos)
+            << refused.err;
+        const ProcessResult read = expand(reading(name), {"--allow-read", folder});
+        EXPECT_EQ(read.status, 0) << read.err;
+        EXPECT_NE(read.out.find("X77777"), std::string::npos) << read.out;
+    }
+    // Where a link leads that stands elsewhere itself, is not told.
+    fs::create_symlink(file("secret/rows.csv"), file("other/link.csv"));
+    const ProcessResult refused = expand(reading("../other/link.csv"));
+    EXPECT_EQ(refused.err.find("secret"), std::string::npos) << refused.err;
+}
+
 TEST_F(Files, OfAFolderThatTheUserNamesAreRead) {
     const std::string program = reading("../secret/rows.csv");
     for (const std::vector<std::string>& options :
