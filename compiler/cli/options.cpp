@@ -27,11 +27,18 @@ constexpr const char* kEpilogue =
     "Exit status: 0 done, 1 the program has errors, 2 wrong usage or unreadable file,\n"
     "3 an alarm while running. `man kadr` says more.";
 
+/// The unit behind a number that ends at `end` in the text, blanks around it left out: `4 ms`.
+std::string_view unit_behind(const char* end, const std::string& text) {
+    std::string_view unit(end, text.data() + text.size());
+    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+    return unit.substr(0, unit.find_last_not_of(' ') + 1);
+}
+
 /// Seconds of `1ms`, `0.002s`, `500us`. A bare number could be either: it is none. Throws what
 /// CLI11 expects.
 double parse_time(const std::string& text, const char* option) {
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
-    const std::string_view unit(number.end, text.data() + text.size());
+    const std::string_view unit = unit_behind(number.end, text);
     const double factor = unit == "s"     ? 1.0
                           : unit == "ms"  ? 1e-3
                           : unit == "us"  ? 1e-6
@@ -62,7 +69,7 @@ std::uint64_t parse_size(const std::string& text, const char* option) {
                                                      {"M", 1048576.0},
                                                      {"G", 1073741824.0}}};
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
-    const std::string_view name(number.end, text.data() + text.size());
+    const std::string_view name = unit_behind(number.end, text);
     const auto unit = std::ranges::find(kUnits, name, &Unit::name);
     constexpr double kMost = 1e18;
     const double bytes = unit == kUnits.end() ? 0 : number.value * unit->bytes;
@@ -75,7 +82,7 @@ std::uint64_t parse_size(const std::string& text, const char* option) {
 /// Millimetres of `5um`, `0.003mm`, `0.0001in`.
 double parse_length(const std::string& text, const char* option) {
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
-    const std::string_view unit(number.end, text.data() + text.size());
+    const std::string_view unit = unit_behind(number.end, text);
     const double factor = unit == "mm" ? 1.0 : unit == "um" ? 1e-3 : unit == "in" ? 25.4 : 0.0;
     if (number.end == text.data() || factor == 0 || number.value <= 0) {
         throw CLI::ValidationError(option,
