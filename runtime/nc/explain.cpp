@@ -25,6 +25,7 @@ class Explainer {
         const std::string text =
             tables_.notation.ignores_case ? upper_ascii(word) : std::string(word);
         explain_text(text);
+        explain_program(text);
         explain_language(tables_.language, text, lines_);
         explain_mode(text);
         const std::string unsupported = tables_.unsupported_words(text);
@@ -126,6 +127,22 @@ class Explainer {
             std::string line =
                 "example: " + quoted(example.source) + " is written " + quoted(example.text);
             if (!example.meaning.empty()) line += ": " + example.meaning;
+            lines_.push_back(std::move(line));
+        }
+    }
+
+    /// The word in front of a program, with its number or name: `O`, `O1234`, `%`.
+    void explain_program(std::string_view text) {
+        const ProgramFrame& program = tables_.program;
+        const std::string_view word = text.substr(0, text.find_last_not_of("0123456789") + 1);
+        for (const std::string& header : program.header) {
+            const bool has_number = header.starts_with(std::string(word) + "{number");
+            if (word.empty() || (header != text && !has_number)) continue;
+            std::string line = quoted(header) + " stands in front of a program";
+            if (has_number && program.most_number > 0) {
+                line += ": its number, from " + std::to_string(program.least_number) + " to " +
+                        std::to_string(program.most_number);
+            }
             lines_.push_back(std::move(line));
         }
     }

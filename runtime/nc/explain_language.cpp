@@ -113,11 +113,20 @@ void explain_calls(const CallLanguage& calls, std::string_view word,
     }
 }
 
-/// Whether a word stands at the front of a statement, or further on in it (`TO`, `DEFAULT`).
+/// Whether a word stands at the front of a statement, or further on in it (`TO`, `DEFAULT`); `DO1`
+/// is the word `DO` with the number that stands behind it.
 bool has_word(const StatementForm& form, std::string_view word) {
-    return std::ranges::any_of(form.tokens, [word](const StatementToken& token) {
-        return token.kind == StatementToken::Kind::Word && token.text == word;
-    });
+    const std::string_view name = word.substr(0, word.find_last_not_of("0123456789") + 1);
+    for (std::size_t i = 0; i < form.tokens.size(); ++i) {
+        if (form.tokens[i].kind != StatementToken::Kind::Word) continue;
+        const StatementToken::Hole next =
+            i + 1 < form.tokens.size() ? form.tokens[i + 1].hole : StatementToken::Hole{};
+        const bool takes_number =
+            next == StatementToken::Hole::Loop || next == StatementToken::Hole::Target;
+        if (form.tokens[i].text == word || (takes_number && form.tokens[i].text == name))
+            return true;
+    }
+    return false;
 }
 
 bool is_among(const std::vector<std::string>& words, std::string_view word) {

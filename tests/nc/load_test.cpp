@@ -372,6 +372,29 @@ TEST(Load, ExplainsWhatIsNotRead) {
               "`SONS` (punching and nibbling) is a word of the control; Kadr does not read it");
 }
 
+TEST(Load, ExplainsWordsWithTheirNumber) {
+    struct Row {
+        const char* dialect;
+        const char* word;
+        const char* line;
+    };
+    for (const Row& row : {
+             Row{"fanuc", "DO1", "`DO{loop}` is loop"},
+             Row{"fanuc", "END1", "`END{loop}` is end_loop"},
+             Row{"fanuc", "GOTO10", "`GOTO{target}` is jump"},
+             Row{"fanuc", "O", "its number, from 1 to 9999"},
+             Row{"fanuc-lathe", "O0012", "its number, from 1 to 9999"},
+             Row{"fanuc", "%", "`%` stands in front of a program"},
+         }) {
+        std::string all;
+        for (const std::string& line : explain(testing::shipped(row.dialect), row.word))
+            all += line + '\n';
+        EXPECT_NE(all.find(row.line), std::string::npos) << row.word << ": " << all;
+    }
+    for (const char* word : {"1", "WHILE1", "THEN7", "END1X", "Q1234567"})
+        EXPECT_TRUE(explain(testing::shipped("sinumerik"), word).empty()) << word;
+}
+
 // Whatever is read can be explained, words of the language as well.
 TEST(Load, ExplainsWordsOfTheLanguage) {
     for (const char* word : {"AC", "IC", "DC", "ACP", "ACN", "REAL", "AXIS", "SAVE", "VAR", "TO",
