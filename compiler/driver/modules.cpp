@@ -9,6 +9,7 @@
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "driver/file_text.h"
+#include "nc/command_names.h"
 
 namespace kadr::driver {
 
@@ -176,16 +177,37 @@ std::optional<std::string> Modules::library_module_of(std::string_view function)
     return std::nullopt;
 }
 
-std::optional<sema::ModuleLoader::ControlCycle> Modules::cycle_of_control(std::string_view word) {
+/// The dialects that ship, but for the common core.
+std::vector<const nc::Dialect*> Modules::controls() {
     if (!controls_) controls_ = nc::list_dialects(session_.share().dialects);
+    std::vector<const nc::Dialect*> all;
     for (const nc::DialectSummary& summary : *controls_) {
         const bool is_sound = nc::can_be_loaded(summary.name, session_.share().dialects);
         const nc::Dialect* dialect = is_sound ? session_.dialect(summary.name) : nullptr;
-        if (dialect == nullptr || dialect->is_core()) continue;
+        if (dialect != nullptr && !dialect->is_core()) all.push_back(dialect);
+    }
+    return all;
+}
+
+std::optional<sema::ModuleLoader::ControlCycle> Modules::cycle_of_control(std::string_view word) {
+    for (const nc::Dialect* dialect : controls()) {
         const auto cycle = nc::cycle_of_word(*dialect, word);
         if (!cycle || !nc::can_be_source(*dialect, *cycle)) continue;
         const nc::CycleInfo& info = dialect->cycles()[*cycle];
-        return ControlCycle{std::string(info.name), std::string(info.module), summary.name};
+        return ControlCycle{std::string(info.name), std::string(info.module),
+                            std::string(dialect->name())};
+    }
+    return std::nullopt;
+}
+
+std::optional<sema::ModuleLoader::ControlCommand> Modules::command_of_control(
+    std::string_view word) {
+    for (const nc::Dialect* dialect : controls()) {
+        const auto command = nc::command_of_word(*dialect, word);
+        if (!command) continue;
+        const std::string_view name = command->is_call ? "" : nc::info(command->function).name;
+        const bool can_be_said = command->is_call || !nc::is_read_only(command->function);
+        if (can_be_said) return ControlCommand{std::string(name), std::string(dialect->name())};
     }
     return std::nullopt;
 }

@@ -33,6 +33,7 @@ class Modules final : public sema::ModuleLoader {
 
     std::optional<std::string> library_module_of(std::string_view function) override;
     std::optional<ControlCycle> cycle_of_control(std::string_view word) override;
+    std::optional<ControlCommand> command_of_control(std::string_view word) override;
 
     /// Parses a text that is already among the sources, as the main file.
     Module parse(FileId file);
@@ -49,6 +50,8 @@ class Modules final : public sema::ModuleLoader {
     std::vector<std::string> folders_for(FileId from) const;
     void report_missing(std::string_view import, const std::string& relative, FileId from,
                         const SourceRange& place);
+
+    std::vector<const nc::Dialect*> controls();
 
     Session& session_;
     std::map<std::string, Parsed> by_path_;

@@ -11,6 +11,7 @@
 #include "nc/lost_words.h"
 #include "nc/tables.h"
 #include "sema/checker.h"
+#include "syntax/parse.h"
 
 namespace kadr::sema {
 
@@ -82,8 +83,13 @@ std::optional<nc::BlockPlan> Checker::plan_source(const nc::Dialect& dialect,
     DiagnosticList said;
     std::optional<nc::BlockPlan> plan = nc::plan_block(dialect, source, said);
     for (Diagnostic diagnostic : said.all()) {
-        const bool is_code = diagnostic.row == &diag::BlockWordCodeUnknown;
-        const std::string hint = is_code ? hint_of_cycle(diagnostic.arguments[0]) : "";
+        std::string hint;
+        if (diagnostic.row == &diag::BlockWordCodeUnknown) {
+            hint = hint_of_cycle(diagnostic.arguments[0]);
+            if (hint.empty()) hint = hint_of_command(diagnostic.arguments[0]);
+        } else if (diagnostic.row == &diag::BlockWordUnused) {
+            hint = hint_of_call(source);
+        }
         if (!hint.empty()) diagnostic.fixes.push_back({{}, {}, hint});
         sink_.take(std::move(diagnostic));
     }
@@ -98,6 +104,29 @@ std::string Checker::hint_of_cycle(std::string_view word) {
     return "this cycle is `" + cycle->function + "(…)` for every control, `import " +
            cycle->module + ";` brings it in; `dialect " + cycle->dialect +
            ";` at the head of the file takes " + quoted(word);
+}
+
+/// What to write for a word of another control that begins no cycle, `G68` or `G65`; empty: no
+/// control has it.
+std::string Checker::hint_of_command(std::string_view word) {
+    if (!may_propose()) return "";
+    const auto command = loader_.command_of_control(word);
+    if (!command) return "";
+    if (command->function.empty()) return syntax::kCallByName;
+    return "this is `" + command->function + "(…)` for every control; `dialect " +
+           command->dialect + ";` at the head of the file takes " + quoted(word);
+}
+
+/// `M98 P100`: to the common core an M function of the machine's builder, with a word too many.
+std::string Checker::hint_of_call(std::span<const nc::SourceWord> source) {
+    for (const nc::SourceWord& word : source) {
+        if (word.value != nc::SourceWord::Value::Literal || !may_propose()) continue;
+        std::string text(word.address);
+        append_shortest(text, word.number);
+        const auto command = loader_.command_of_control(text);
+        if (command && command->function.empty()) return syntax::kCallByName;
+    }
+    return "";
 }
 
 /// `M97 P1` in a source of a FANUC: beside a code of another kind P is no word of the modal cycle.

@@ -43,6 +43,14 @@ class ModuleLoader {
     virtual std::optional<ControlCycle> cycle_of_control(std::string_view /*word*/) {
         return std::nullopt;
     }
+    /// The command for a word of some control that begins no cycle (`G68`); for messages.
+    struct ControlCommand {
+        std::string function;  // "rotate"; empty: the word calls a subprogram (`M98`, `G65`)
+        std::string dialect;   // "fanuc"
+    };
+    virtual std::optional<ControlCommand> command_of_control(std::string_view /*word*/) {
+        return std::nullopt;
+    }
 };
 
 /// A value for a parameter of the program, from the command line: `width=100mm`.

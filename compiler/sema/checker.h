@@ -126,6 +126,8 @@ class Checker {
                                              std::span<const nc::SourceWord> source);
     std::string name_in_library(std::string_view name);
     std::string hint_of_cycle(std::string_view word);
+    std::string hint_of_command(std::string_view word);
+    std::string hint_of_call(std::span<const nc::SourceWord> source);
     bool report_control_index(std::string_view name, const SourceRange& range);
     bool fix_lookalike(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     bool report_foreign_word(std::string_view name, const SourceRange& range);

@@ -209,7 +209,12 @@ void BlockWriter::check_arc_words(const Block& block) {
         }
         return;
     } else if (!has_centre && !block.has(Slot::Radius)) {
-        if (is_new_message(block, "no centre")) sink_.report(diag::ArcSaidNowhere, place(block));
+        if (is_new_message(block, "no centre")) {
+            sink_.report(diag::ArcSaidNowhere, place(block))
+                .fix(
+                    "say its centre by `I`, `J`, `K` or its radius by `CR=`, in a FANUC's source "
+                    "`R`; a straight line begins with `G1`");
+        }
         return;
     }
     if (has_centre && block.has(Slot::Radius) && is_new_message(block, "centre and radius"))

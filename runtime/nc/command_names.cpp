@@ -1,6 +1,7 @@
 #include "nc/command_names.h"
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "nc/tables.h"
@@ -26,6 +27,28 @@ std::vector<std::string> command_names(const Dialect& dialect) {
     for (const auto& [name, meaning] : rows)
         lines.push_back(name + std::string(width + 2 - name.size(), ' ') + meaning);
     return lines;
+}
+
+std::optional<CommandMeaning> command_of_word(const Dialect& dialect, std::string_view word) {
+    const DialectTables& tables = dialect.tables();
+    for (const CallForm& call : tables.language.calls.calls) {
+        if (call.code == word) return CommandMeaning{true, Function::None};
+    }
+    const std::size_t digits = std::min(word.find_first_of("0123456789"), word.size());
+    const AddressId address = tables.find_address(word.substr(0, digits));
+    double number = 0;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data() + digits, end, number);
+    if (address == kNoAddress || read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    const Code* code = tables.find_code(address, number);
+    if (code == nullptr) return std::nullopt;
+    for (const FormId id : code->forms) {
+        const Form& form = tables.forms[id];
+        if (form.function == Function::Cycle) return std::nullopt;
+        const bool is_builders = form.function == Function::MachineFunction;  // of any number
+        if (form.is_written && !is_builders) return CommandMeaning{false, form.function};
+    }
+    return std::nullopt;
 }
 
 }  // namespace kadr::nc
