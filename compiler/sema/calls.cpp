@@ -77,6 +77,7 @@ Value Checker::call(ExprId id, Reg hint) {
         syntax::advise(builder, *habit, callee.range);
         return error_value();
     }
+    if (fix_statement(name, callee.range, builder)) return error_value();  // `RETURN (x);`
     const std::vector<std::string_view> names = known_names(true);
     if (const auto near = nearest_name(name, names.data(), names.size())) {
         builder.fix(callee.range, std::string(*near), "did you mean " + quoted(*near) + "?");

@@ -133,6 +133,8 @@ class Checker {
     bool report_foreign_word(std::string_view name, const SourceRange& range);
     bool report_word(std::string_view name, const SourceRange& range);
     bool is_statement_at(const SourceRange& range) const;
+    bool fix_next_word(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
+    bool fix_loop_variable(const SourceRange& range, DiagnosticBuilder& builder);
     bool fix_statement(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     /// Whether a mistake that is told already has taken this name away.
     bool is_lost(std::string_view name);

@@ -76,7 +76,8 @@ void Checker::check_new_name(std::string_view name, const SourceRange& range) {
 }
 
 Symbol& Checker::add_symbol(const Symbol& symbol) {
-    check_new_name(symbol.name, symbol.range);
+    // `RETURN n;` declares nothing: what its type is, is told.
+    if (kind(symbol.type) != Kind::Error) check_new_name(symbol.name, symbol.range);
     visible_[symbol.name].push_back(static_cast<std::int32_t>(symbols_.size()));
     const bool varies =
         symbol.is_parameter || symbol.may_be_unset || type_info(symbol.type).is_optional;
@@ -230,6 +231,35 @@ bool Checker::report_word(std::string_view name, const SourceRange& range) {
     return true;
 }
 
+/// `G1 X=dY5`: a variable with the next word right behind it.
+bool Checker::fix_next_word(std::string_view name, const SourceRange& range,
+                            DiagnosticBuilder& builder) {
+    for (std::size_t i = 1; i < name.size(); ++i) {
+        if (!is_numbered_word(name.substr(i))) continue;
+        const Found value = find(name.substr(0, i));
+        if (value.symbol < 0) continue;
+        const std::uint32_t at = range.begin + static_cast<std::uint32_t>(i);
+        builder.fix({range.file, at, at}, " ", "a blank ends the name in front of the next word");
+        return true;
+    }
+    return false;
+}
+
+/// `for (k = 0; k < 5; k++)`: a loop declares its variable.
+bool Checker::fix_loop_variable(const SourceRange& range, DiagnosticBuilder& builder) {
+    const std::string_view source = sources_.text(range.file);
+    std::string_view before = source.substr(0, range.begin);
+    before = before.substr(0, before.find_last_not_of(" \t") + 1);
+    if (!before.ends_with('(')) return false;
+    before.remove_suffix(1);
+    before = before.substr(0, before.find_last_not_of(" \t") + 1);
+    const std::size_t behind = source.find_first_not_of(" \t", range.end);
+    const bool is_assigned = behind != std::string_view::npos && source[behind] == '=';
+    if (!before.ends_with("for") || !is_assigned) return false;
+    builder.fix({range.file, range.begin, range.begin}, "int ", "a loop declares its variable");
+    return true;
+}
+
 /// A name that is a statement by itself, as only words of a language are: `BREAK;`, `E5;`, `L100;`.
 bool Checker::fix_statement(std::string_view name, const SourceRange& range,
                             DiagnosticBuilder& builder) {
@@ -351,7 +381,8 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     }
     // R1 is a variable of a control, and no word of a block.
     const std::string word = upper_ascii(name);
-    const bool is_parameter = is_numbered_word(word) && word[0] == 'R';
+    const bool is_parameter = word.size() > 1 && word[0] == 'R' &&
+                              word.find_first_not_of("0123456789", 1) == std::string::npos;
     if (is_numbered_word(word) && !is_parameter) {
         builder.fix(range, word, "words of blocks are written in upper case");
         return;
@@ -370,6 +401,11 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         builder.fix(range, std::string(name) + "()", "it is a function: call it");
         return;
     }
+    const std::string lower = syntax::lower_ascii(name);
+    if (is_statement_at(range) && std::binary_search(functions.begin(), functions.end(), lower)) {
+        builder.fix(range, lower + "()", "it is a function: call it");  // `STOP;`
+        return;
+    }
     if (fix_statement(name, range, builder)) return;
     // `G1 x-5`: an address in lower case.
     const bool is_target = range.file == target_.file && range.begin == target_.begin;
@@ -380,6 +416,7 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         builder.fix(range, word, "words of blocks are written in upper case");
         return;
     }
+    if (fix_next_word(name, range, builder) || fix_loop_variable(range, builder)) return;
     // Every letter is near to every other.
     if (count_code_points(name) == 1 || is_parameter) {
         builder.fix("declare it first, with its type");

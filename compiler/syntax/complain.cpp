@@ -115,7 +115,10 @@ void Complaints::explain(const Place& place) {
     } else {
         auto report = file_.sink.report(diag::Unexpected, range);
         report.arg(quoted(place.offending)).arg(quoted(place.previous));
-        if (!fix_sign(place, report)) fix_operator(place, report);
+        if (!fix_sign(place, report)) {
+            fix_operator(place, report);
+            fix_call(place, report);
+        }
     }
 }
 
@@ -138,6 +141,13 @@ bool Complaints::explain_number(const Place& place) {
     }
     if (offending.token != Token::Identifier || previous.unit != Unit::None) return false;
     const std::string_view name = file_.spelling(offending);
+    if (const std::string_view meant = unit_meant(name); !meant.empty()) {  // `5 MM`
+        file_.sink.report(diag::UnitApart, file_.range(offending))
+            .arg(meant)
+            .fix(file_.range(previous.begin, offending.end), spelled + std::string(meant),
+                 "write it right behind the number");
+        return true;
+    }
     const auto& per = stream_.lexeme(std::min(place.index + 2, stream_.size() - 1));
     const bool is_quotient = next.token == Token::Slash && per.token == Token::Identifier &&
                              find_unit(name, file_.spelling(per)) != Unit::None;
@@ -206,15 +216,22 @@ bool Complaints::explain_habit(const Place& place) {
 bool Complaints::explain_program_number(const Place& place) {
     if (place.head_index + 2 != place.index) return false;
     const Lexeme& head = stream_.lexeme(place.head_index);
-    const std::string_view spelled = file_.spelling(head);
-    const bool is_number = spelled.size() > 1 && spelled[0] == 'O' &&
-                           spelled.find_first_not_of("0123456789", 1) == std::string_view::npos;
-    if (!is_number) return false;
-    file_.sink.report(diag::StatementOutside, file_.range(head))
-        .arg(quoted(head))
-        .fix("a program that is called so has this number: `program " + std::string(spelled) +
-             "() { … }`");
+    if (!is_program_number(head)) return false;
+    auto message = file_.sink.report(diag::StatementOutside, file_.range(head));
+    message.arg(quoted(head));
+    fix_program_number(head, message);
     return true;
+}
+
+bool Complaints::is_program_number(const Lexeme& lexeme) const {
+    const std::string_view spelled = file_.spelling(lexeme);
+    return spelled.size() > 1 && spelled[0] == 'O' &&
+           spelled.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+void Complaints::fix_program_number(const Lexeme& lexeme, DiagnosticBuilder& report) const {
+    report.fix("a program that is called so has this number: `program " +
+               std::string(file_.spelling(lexeme)) + "() { … }`");
 }
 
 /// The head of a `for`: which of its two kinds it is shows only at its third token.
@@ -283,6 +300,7 @@ bool Complaints::explain_sign(const Place& place) {
         auto message = file_.sink.report(diag::SignMissing, gap);
         message.arg(";").arg(quoted(place.previous));
         if (is_for && place.offending.token == Token::Comma) fix_comma_of_loop(place, message);
+        else if (is_for) fix_counting(place, message);
         return true;
     }
     const bool is_name_first = place.previous.token == Token::Identifier;
@@ -498,6 +516,18 @@ bool Complaints::explain_assignment(const Place& place) {
             .fix(kForeignWord);
         return true;
     }
+    if (place.previous.token == Token::Identifier && is_word(place.head)) {
+        // `Y=dZ=5`: the next word right behind a name.
+        const std::string_view name = file_.spelling(place.previous);
+        const std::size_t end = name.find_last_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") + 1;
+        const bool is_address = nc::word_kind(dialect_, name.substr(end)) == nc::WordKind::Address;
+        if (end > 0 && end < name.size() && is_address && is_declared(name.substr(0, end))) {
+            const std::uint32_t at = place.previous.begin + static_cast<std::uint32_t>(end);
+            file_.sink.report(diag::AssignmentInValue, range)
+                .fix(file_.range(at, at), " ", "a blank ends the name in front of the next word");
+            return true;
+        }
+    }
     const auto token_before = [&](std::size_t distance) {
         return place.index < distance ? Token::EndOfFile
                                       : stream_.lexeme(place.index - distance).token;
@@ -579,8 +609,11 @@ void Complaints::explain_start(antlr4::Parser& parser) {
         auto message = file_.sink.report(diag::StatementOutside, range);
         message.arg(quoted(lexeme));
         // A control's text begins with a word of it.
-        if (index == 0 && (is_word(lexeme.token) || lexeme.token == Token::Percent))
+        const bool begins_text =
+            is_word(lexeme.token) || lexeme.token == Token::Percent || lexeme.token == Token::Colon;
+        if (index == 0 && begins_text)
             message.fix("the text of a control has another ending: `part.nc` is read with `-d`");
+        else if (is_program_number(lexeme)) fix_program_number(lexeme, message);
     } else if (lexeme.token == Token::Else) {
         file_.sink.report(diag::ElseWithoutIf, range);
     } else if (lexeme.token == Token::Case || lexeme.token == Token::Default) {

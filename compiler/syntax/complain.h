@@ -111,6 +111,11 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     std::string form_of_control(std::string_view keyword, std::size_t head) const;
     bool explain_program_number(const Place& place);
     bool explain_habit(const Place& place);
+    bool is_program_number(const Lexeme& lexeme) const;
+    void fix_program_number(const Lexeme& lexeme, DiagnosticBuilder& report) const;
+    void fix_call(const Place& place, DiagnosticBuilder& report) const;
+    std::size_t word_to(std::size_t first) const;
+    void fix_counting(const Place& place, DiagnosticBuilder& report) const;
     bool is_cast(const Place& place) const;
     bool fix_sign(const Place& place, DiagnosticBuilder& report) const;
     void fix_operator(const Place& place, DiagnosticBuilder& report) const;

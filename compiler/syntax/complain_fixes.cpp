@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "syntax/complaint_place.h"
 #include "syntax/habits.h"
+#include "syntax/keyword.h"
 #include "syntax/parse.h"
 #include "syntax/token_kinds.h"
 #include "syntax/words.h"
@@ -55,7 +56,18 @@ bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
     } else if (offending.token == Token::Colon && place.head_index + 1 == place.index) {
         report.fix("there are no labels and no jumps: `while` and `for` repeat");
     } else if (offending.token == Token::Comma && is_word(place.head)) {
-        report.fix(file_.range(offending), "", "the words of a block have no commas between them");
+        const bool is_corner = !is_joined && next.begin == offending.end &&  // `G1 X5 ,R2`
+                               next.token == Token::LiteralWord && next.end - next.begin > 1 &&
+                               (file_.spelling(next)[0] == 'R' || file_.spelling(next)[0] == 'C');
+        if (is_corner) {
+            report.fix(
+                "roundings and chamfers `,R` and `,C` are words of a source with `dialect "
+                "fanuc;` at its head");
+            return true;
+        }
+        const bool is_tight = is_joined && next.begin == offending.end;
+        report.fix(file_.range(offending), is_tight ? " " : "",
+                   "the words of a block have no commas between them");
     } else if (is_cast(place)) {
         report.fix("a value becomes a number of another kind by a call: `int(x)`, `round(x)`");
     } else {
@@ -67,10 +79,8 @@ bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
 /// `and`, `OR`, `not`: words of other languages.
 void Complaints::fix_operator(const Place& place, DiagnosticBuilder& report) const {
     constexpr std::pair<std::string_view, std::string_view> kWords[] = {
-        {"and", "&&"},
-        {"or", "||"},
-        {"mod", "%"},
-        {"div", "/"},
+        {"and", "&&"}, {"or", "||"}, {"mod", "%"}, {"eq", "=="}, {"ne", "!="},
+        {"lt", "<"},   {"le", "<="}, {"gt", ">"},  {"ge", ">="},
     };
     if (lower_ascii(file_.spelling(place.previous)) == "not") {
         report.fix("the operator is `!`, in front of parentheses: `!(n > 3)`");
@@ -78,11 +88,53 @@ void Complaints::fix_operator(const Place& place, DiagnosticBuilder& report) con
     }
     for (const Lexeme* lexeme : {&place.offending, &place.previous}) {
         const std::string word = lower_ascii(file_.spelling(*lexeme));
+        if (word == "div") return void(report.fix("a whole quotient is `trunc(a/b)`"));
         for (const auto& [name, sign] : kWords) {
             if (word != name || lexeme->token != Token::Identifier) continue;
             report.fix(file_.range(*lexeme), std::string(sign), "the operator has a sign");
             return;
         }
+    }
+}
+
+/// `message "hello";`, `tool 3;`: what is called without its parentheses.
+void Complaints::fix_call(const Place& place, DiagnosticBuilder& report) const {
+    const Token token = place.offending.token;
+    const bool is_call = place.head == Token::Identifier && place.index == place.head_index + 1 &&
+                         (token == Token::Number || token == Token::Text) && !place.is_new_line &&
+                         stream_.lexeme(place.index + 1).token == Token::Semicolon;
+    if (!is_call) return;
+    const std::string small = lower_ascii(file_.spelling(place.previous));
+    if (small != file_.spelling(place.previous) && find_keyword(small) != nullptr) {  // `NOTE "a";`
+        report.fix(file_.range(place.previous), small, "keywords are written in lower case");
+        return;
+    }
+    report.fix(file_.range(place.previous.end, place.offending.end),
+               '(' + std::string(file_.spelling(place.offending)) + ')',
+               "the arguments of a call stand in parentheses");
+}
+
+/// `for n = 1 to 5`: the lexeme `to` of the head that begins at `first`; 0: there is none.
+std::size_t Complaints::word_to(std::size_t first) const {
+    if (stream_.lexeme(first + 1).token != Token::Assign) return 0;
+    for (std::size_t i = first + 2; !ends_line(i); ++i) {
+        const Lexeme& lexeme = stream_.lexeme(i);
+        if (lexeme.token == Token::OpenBrace || lexeme.token == Token::Semicolon) return 0;
+        if (lexeme.token == Token::Identifier && lower_ascii(file_.spelling(lexeme)) == "to")
+            return i;
+    }
+    return 0;
+}
+
+/// `for (int k = 1 to 5)`: `k : 1..5`.
+void Complaints::fix_counting(const Place& place, DiagnosticBuilder& report) const {
+    for (std::size_t i = place.index; i-- > place.head_index;) {
+        if (stream_.lexeme(i).token != Token::Assign || word_to(i - 1) != place.index) continue;
+        const std::uint32_t begin = stream_.lexeme(i + 1).begin;
+        const std::string first(file_.text.substr(begin, place.previous.end - begin));
+        const Lexeme& last = stream_.lexeme(place.index + 1);
+        return void(report.fix(file_.range(stream_.lexeme(i).begin, last.begin),
+                               ": " + first + "..", "a loop over a range counts"));
     }
 }
 
@@ -143,6 +195,18 @@ void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) 
         report.fix(range,
                    '(' + type + std::string(file_.spelling(place.offending)) + " : " + list + ')',
                    "a loop over a list");
+        return;
+    }
+    if (const std::size_t to = word_to(place.index);
+        place.previous.token == Token::For && to > 0 && to + 1 < end) {
+        const auto part = [&](std::size_t from, std::size_t last) {
+            const std::uint32_t begin = stream_.lexeme(from).begin;
+            return std::string(file_.text.substr(begin, stream_.lexeme(last).end - begin));
+        };
+        report.fix(range,
+                   "(int " + part(place.index, place.index) + " : " +
+                       part(place.index + 2, to - 1) + ".." + part(to + 1, end - 1) + ')',
+                   "a loop over a range counts");
         return;
     }
     const std::string inside(file_.text.substr(range.begin, range.end - range.begin));

@@ -197,7 +197,8 @@ bool Statements::may_be_element() const {
 
 /// The statement of a control that begins here: it is told, and left out to the end of its line.
 bool Statements::leave_out() {
-    if (!is_first_of_line() || may_be_element()) return false;
+    // `n = 2; ENDIF`: a word alone behind another statement as well.
+    if ((!is_first_of_line() && !ends_line(i_)) || may_be_element()) return false;
     const Lexeme& first = in_[i_];
     const std::size_t last = line_end(i_);
     if (const Keyword* keyword = form_of_control()) {
@@ -227,18 +228,21 @@ bool Statements::leave_out() {
     return true;
 }
 
-/// `IF [#1 EQ 5] GOTO 10`, `WHILE [n LT 7] DO1;`, and a line `FOR n=1 TO 5` without `;`: the
-/// keyword. Null: it may be something else.
+/// `IF [#1 EQ 5] GOTO 10`, `WHILE [n LT 7] DO1;`, and a line without `;` and body, `FOR n=1 TO 5`
+/// or `IF (n > 3) THEN`: the keyword. Null: it may be something else.
 const Keyword* Statements::form_of_control() const {
     const Keyword* keyword = keyword_in_capitals();
-    if (keyword == nullptr || form_of_statement(keyword->name, false).empty()) return nullptr;
-    if (at(i_ + 1).token == Token::OpenBracket) {
-        const std::string behind = lower(mate(i_ + 1) + 1);
-        for (const std::string_view word : {"goto", "then", "do"}) {
-            if (behind.starts_with(word)) return keyword;
-        }
-    }
-    return at(i_ + 1).token != Token::OpenParen && is_unended() ? keyword : nullptr;
+    if (keyword == nullptr) return nullptr;
+    if (keyword->token == Token::Else && ends_line(i_) && is_unended()) return find_keyword("if");
+    if (form_of_statement(keyword->name, false).empty()) return nullptr;
+    if (!opens(at(i_ + 1).token)) return is_unended() ? keyword : nullptr;
+    const std::size_t close = mate(i_ + 1);
+    const std::string behind = lower(close + 1);
+    const bool is_bracket = at(i_ + 1).token == Token::OpenBracket;
+    if (behind.starts_with("goto")) return keyword;
+    if (is_bracket && (behind.starts_with("then") || behind.starts_with("do"))) return keyword;
+    const bool is_head = ends_line(close) || (behind == "then" && ends_line(close + 1));
+    return is_head && is_unended() ? keyword : nullptr;
 }
 
 /// Whether the statement has no `;` and cannot go on in the next line.

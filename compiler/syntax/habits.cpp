@@ -100,6 +100,7 @@ constexpr Habit kHabits[] = {
     {"int64_t", "int", kInt},
     {"int8_t", "int", kInt},
     {"integer", "int", kInt},
+    {"jump", "", kJump, true},
     {"lambda", "", kFunction, true},
     {"len", "", "a list has as many elements as `list.count`, a text as many letters"},
     {"let", "auto", kAuto, true},

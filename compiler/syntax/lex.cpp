@@ -106,6 +106,7 @@ class Lexing {
     void raw_text(std::uint32_t begin, Reading& reading);
     void unknown(std::uint32_t begin, std::uint32_t end, Reading& reading);
     bool control_variable(std::uint32_t begin, std::uint32_t end, Reading& reading);
+    bool system_variable(std::uint32_t begin, std::uint32_t end, Reading& reading);
     bool directive(std::uint32_t begin, std::uint32_t end, Reading& reading);
     bool is_raw(const Lexeme& lexeme) const;
     void push(Token token, std::uint32_t begin, std::uint32_t end, TextId content = {});
@@ -326,6 +327,26 @@ bool Lexing::control_variable(std::uint32_t begin, std::uint32_t end, Reading& r
     return true;
 }
 
+/// `$AA_IM[X]`, a variable of a control: its name and its index are part of it.
+bool Lexing::system_variable(std::uint32_t begin, std::uint32_t end, Reading& reading) {
+    constexpr std::string_view kName = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+    std::size_t past = std::min(file_.text.find_first_not_of(kName, end), file_.text.size());
+    if (past == end) return false;
+    if (past < reading.end && file_.text[past] == '[') {
+        const std::size_t close = file_.text.find_first_of("]\n", past);
+        if (close < reading.end && file_.text[close] == ']') past = close + 1;
+    }
+    const auto last = static_cast<std::uint32_t>(past);
+    file_.sink.report(diag::UnknownCharacter, file_.range(begin, last))
+        .arg(file_.text.substr(begin, 1))
+        .fix(
+            "variables of a control are not read here: a program knows `position.x` and "
+            "`state.tool`, and `raw` passes any text");
+    reading.go_on_at(last);
+    unknown_end_ = last;
+    return true;
+}
+
 void Lexing::unknown(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     // A run of them is one mistake.
     const bool continues = begin == unknown_end_;
@@ -338,6 +359,7 @@ void Lexing::unknown(std::uint32_t begin, std::uint32_t end, Reading& reading) {
         if (control_variable(begin, end, reading)) return;
         file_.sink.report(diag::HashSign, file_.range(begin, end));
     } else {
+        if (spelled == "$" && system_variable(begin, end, reading)) return;
         auto report = file_.sink.report(diag::UnknownCharacter, file_.range(begin, end));
         report.arg(spelled);
         const char* meant = sign_of_keyboard(spelled);

@@ -7,6 +7,7 @@
 #include "base/diagnostics/syntax.h"
 #include "base/unicode.h"
 #include "syntax/brackets.h"
+#include "syntax/habits.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
 
@@ -308,7 +309,8 @@ void Retyping::end_forgotten_statement() {
     // A statement at file level is a mistake as a whole, and behind a mended bracket one is told.
     const Token first = out_[statement_first_].token;
     const bool is_stray =
-        brackets_.is_file_level() && (first == Token::Identifier || is_word(first));
+        brackets_.is_file_level() && (first == Token::Identifier || is_word(first) ||
+                                      first == Token::Percent || first == Token::Colon);
     const bool is_told = is_stray || out_.back().is_repair;
     if (!is_told) {
         file_.sink.report(diag::SemicolonMissing, file_.range(semicolon))
@@ -362,14 +364,16 @@ std::optional<std::size_t> Retyping::line_comment() {
         if (is_code) return std::nullopt;
     }
     if (at(i_).token == Token::CloseBrace) return std::nullopt;
+    const Habit* habit = habit_of(file_.spelling(at(i_)));
+    if (last == i_ && habit != nullptr && habit->is_statement) return std::nullopt;  // `; ENDLOOP`
     const bool is_first = i_ < 2 || ends_line(i_ - 2);
     return is_first || is_of_names ? std::optional(last) : std::nullopt;
 }
 
 /// A comment as controls write it: it is told, and left out.
 bool Retyping::control_comment() {
-    if (!brackets_.is_statement_level() || out_.empty()) return false;
     const bool is_bracket = at(i_).token == Token::OpenParen;
+    if (!brackets_.is_statement_level() || (out_.empty() && !is_bracket)) return false;
     const bool is_behind_words =
         !at_start_ && head_ == Head::Words && ends_value(previous()) && !ends_line(i_ - 1);
     std::optional<std::size_t> last;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/diagnostics/syntax.h"
+#include "syntax/habits.h"
 
 namespace kadr::syntax {
 
@@ -304,7 +305,13 @@ TextId TreeBuilder::units(antlr4::tree::TerminalNode* unit) {
     const std::string_view text = file_.spelling(spelled);
     if (text == "mm" || text == "inch") return spelled.text;
     if (text == "in") return file_.texts.intern("inch");
-    file_.sink.report(diag::UnitsName, file_.range(spelled)).arg(text);
+    auto message = file_.sink.report(diag::UnitsName, file_.range(spelled));
+    message.arg(text);
+    const std::string lower = lower_ascii(text);
+    if (lower.starts_with("in") || lower.starts_with("imp"))
+        message.fix(file_.range(spelled), "inch", "the word is `inch`");
+    else if (lower.starts_with("m"))  // `MM`, `metric`, `millimeters`
+        message.fix(file_.range(spelled), "mm", "the word is `mm`");
     return file_.texts.intern("mm");
 }
 

@@ -99,6 +99,7 @@ class Merging {
     std::pair<SourceRange, std::string> upper_block(std::size_t first);
     void finish_word(Lexeme made, const Spelling& spelling);
     bool take_unit(Lexeme& number, std::string_view name, std::uint32_t end);
+    void report_unknown_unit(std::string_view unit, std::uint32_t end) const;
     bool take_sign_and_number(Lexeme& word, std::string& number);
     void take_fraction(Lexeme& word, std::string& number);
     double value_of(std::string_view spelled, const SourceRange& range);
@@ -241,7 +242,7 @@ void Merging::number() {
         } else {
             lexeme.end = next.end;
             lexeme.is_repair = true;
-            file_.sink.report(diag::UnknownUnit, file_.range(next)).arg(name);
+            report_unknown_unit(name, next.end);
         }
     } else if (next.token == Token::Percent && adjoins(i_, lexeme.end)) {
         const Token after = at(i_ + 1).token;
@@ -287,6 +288,19 @@ bool Merging::take_unit(Lexeme& number, std::string_view name, std::uint32_t end
     number.unit = unit;
     number.end = end;
     return true;
+}
+
+/// `end`: of the unit, in the source.
+void Merging::report_unknown_unit(std::string_view unit, std::uint32_t end) const {
+    const SourceRange range = file_.range(end - static_cast<std::uint32_t>(unit.size()), end);
+    auto message = file_.sink.report(diag::UnknownUnit, range);
+    message.arg(unit);
+    const std::string digits = with_digits('X' + std::string(unit), [](std::string_view before) {
+        return before == "X";  // `1O`: nothing but letters that look like digits
+    });
+    if (!digits.empty()) message.fix(range, digits.substr(1), "write digits");
+    else if (const std::string_view meant = unit_meant(unit); !meant.empty())
+        message.fix(range, std::string(meant), "the unit is spelled so");
 }
 
 nc::WordKind Merging::kind_of(std::string_view name) {
@@ -345,7 +359,13 @@ void Merging::identifier() {
         }
         if (compact_words(name)) return;
     }
-    out_.push_back(lexeme);
+    // `G1 X5. E5.`: the point belongs to the number of a word that the dialect does not have.
+    const bool is_foreign = !s.address.empty() && !s.digits.empty() && s.rest.empty();
+    if (is_foreign && at(i_).token == Token::Dot && adjoins(i_, lexeme.end) &&
+        at(i_ + 1).token != Token::Identifier) {
+        made.end = at(i_++).end;
+    }
+    out_.push_back(made);
 }
 
 /// `,C2.` and `,R2.`: addresses that begin with a comma, behind other words.
@@ -408,10 +428,7 @@ void Merging::word(Lexeme word, std::string_view number, std::string_view rest) 
     word.number = value_of(spelled, file_.range(word));
     if (!unit.empty() && !take_unit(word, unit, end)) {
         word.end = end;
-        file_.sink
-            .report(diag::UnknownUnit,
-                    file_.range(end - static_cast<std::uint32_t>(unit.size()), end))
-            .arg(unit);
+        report_unknown_unit(unit, end);
     }
     out_.push_back(word);
 }
@@ -575,6 +592,26 @@ std::size_t glued_address(const nc::Dialect& dialect, std::string_view name) {
         !address.empty() && address.size() < name.size() && !is_digit(name[address.size()]);
     if (!goes_on || nc::word_kind(dialect, address) != nc::WordKind::Address) return 0;
     return address.size();
+}
+
+std::string_view unit_meant(std::string_view name) {
+    constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+        {"sec", "s"},    {"seconds", "s"},   {"minutes", "min"}, {"grd", "deg"},
+        {"grad", "deg"}, {"degrees", "deg"}, {"inch", "in"},
+    };
+    if (find_unit(name, "") != Unit::None) return "";
+    std::string lower(name);
+    for (char& c : lower) {
+        if (is_upper(c)) c = static_cast<char>(c + ('a' - 'A'));
+    }
+    for (const auto& [other, unit] : kNames) {
+        if (other == lower) return unit;
+    }
+    // Capitals decide between `M` of a program and metres.
+    for (const UnitRow& row : kUnits) {
+        if (row.per.empty() && row.name.size() > 1 && row.name == lower) return row.name;
+    }
+    return "";
 }
 
 std::string word_with_digits(const nc::Dialect& dialect, std::string_view name) {

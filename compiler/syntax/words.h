@@ -21,4 +21,7 @@ std::vector<Lexeme> merge_words(const SourceFile& file, const std::vector<Lexeme
 /// behind a `/`, or empty.
 Unit find_unit(std::string_view name, std::string_view per);
 
+/// The unit that is meant by a name that is none: `mm` by `MM`, `s` by `sec`; empty: none is.
+std::string_view unit_meant(std::string_view name);
+
 }  // namespace kadr::syntax
