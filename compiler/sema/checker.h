@@ -133,6 +133,8 @@ class Checker {
     bool report_foreign_word(std::string_view name, const SourceRange& range);
     bool report_word(std::string_view name, const SourceRange& range);
     bool is_statement_at(const SourceRange& range) const;
+    bool fix_as_word(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
+    void report_unknown_type(std::string_view name, const SourceRange& range);
     bool fix_next_word(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     bool fix_loop_variable(const SourceRange& range, DiagnosticBuilder& builder);
     bool fix_statement(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);

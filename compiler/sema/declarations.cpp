@@ -216,6 +216,37 @@ std::optional<Type> Checker::builtin_type(std::string_view name) const {
     return std::nullopt;
 }
 
+void Checker::report_unknown_type(std::string_view name, const SourceRange& range) {
+    auto builder = report(diag::UnknownType, range);
+    builder.arg(name);
+    if (const std::size_t letters = glued_letters(name, range)) {
+        fix_glued(letters, range, builder);
+        return;
+    }
+    if (const syntax::Habit* habit = syntax::habit_of(name)) {
+        syntax::advise(builder, *habit, range);
+        return;
+    }
+    const std::string upper = upper_ascii(name);
+    if (upper != name && is_numbered_word(upper)) {  // `g1 x=d;`
+        builder.fix("words of blocks are written in upper case: `" + upper + " X=…`");
+        return;
+    }
+    std::vector<std::string_view> known = {"bool",   "int",     "real",    "length", "angle",
+                                           "time",   "feed",    "speed",   "string", "point",
+                                           "vector", "contour", "diameter"};
+    for (const auto& [other, entry] : modules_[module_].names) {
+        if (entry.what == Name::What::Type) known.push_back(other);
+    }
+    if (const auto near = nearest_name(name, known.data(), known.size())) {
+        builder.fix(range, std::string(*near), "did you mean `" + std::string(*near) + "`?");
+        return;
+    }
+    const std::string lower = syntax::lower_ascii(name);
+    if (lower != name && syntax::is_keyword(lower))
+        builder.fix(range, lower, "keywords are written in lower case");
+}
+
 Type Checker::resolve_type(syntax::TypeId id) {
     if (!id.is_valid()) return types::kError;
     const syntax::TypeRef ref = ast()[id];
@@ -231,35 +262,7 @@ Type Checker::resolve_type(syntax::TypeId id) {
         type = types::kElement;  // not reserved: a program may have its own
     } else if (!name.empty()) {
         if (is_lost(name) || report_foreign(name, ref.range)) return types::kError;
-        auto builder = report(diag::UnknownType, ref.range);
-        builder.arg(name);
-        if (const std::size_t letters = glued_letters(name, ref.range)) {
-            fix_glued(letters, ref.range, builder);
-            return types::kError;
-        }
-        if (const syntax::Habit* habit = syntax::habit_of(name)) {
-            syntax::advise(builder, *habit, ref.range);
-            return types::kError;
-        }
-        const std::string upper = upper_ascii(name);
-        if (upper != name && is_numbered_word(upper)) {  // `g1 x=d;`
-            builder.fix("words of blocks are written in upper case: `" + upper + " X=…`");
-            return types::kError;
-        }
-        std::vector<std::string_view> known = {"bool",   "int",     "real",    "length", "angle",
-                                               "time",   "feed",    "speed",   "string", "point",
-                                               "vector", "contour", "diameter"};
-        for (const auto& [other, entry] : modules_[module_].names) {
-            if (entry.what == Name::What::Type) known.push_back(other);
-        }
-        if (const auto near = nearest_name(name, known.data(), known.size())) {
-            builder.fix(ref.range, std::string(*near),
-                        "did you mean `" + std::string(*near) + "`?");
-            return types::kError;
-        }
-        const std::string lower = syntax::lower_ascii(name);
-        if (lower != name && syntax::is_keyword(lower))
-            builder.fix(ref.range, lower, "keywords are written in lower case");
+        report_unknown_type(name, ref.range);
         return types::kError;
     }
     if (ref.is_optional && ref.array == syntax::TypeRef::Array::None) type = types_.optional(type);

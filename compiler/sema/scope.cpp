@@ -222,9 +222,23 @@ bool Checker::is_statement_at(const SourceRange& range) const {
            std::string_view(";{}):").find(before[last]) != std::string_view::npos;
 }
 
-/// `GO` and `XO` where words stand: a letter for a digit.
+namespace {
+
+/// R1: a variable of a control, and no word of a block.
+bool is_control_parameter(std::string_view word) {
+    return word.size() > 1 && word[0] == 'R' &&
+           word.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+}  // namespace
+
+/// `GO` and `XO` where words stand: a letter for a digit. Not `NO = 5;`, nor the loop `DO1;`.
 bool Checker::report_word(std::string_view name, const SourceRange& range) {
-    if (!(range == target_) && !is_statement_at(range)) return false;
+    const std::string_view behind = sources_.text(range.file).substr(range.end);
+    const std::size_t at = behind.find_first_not_of(" \t");
+    const char next = at == std::string_view::npos ? ';' : behind[at];
+    const bool is_lone = is_statement_at(range) && (next == ';' || (next >= 'A' && next <= 'Z'));
+    if ((!(range == target_) && !is_lone) || name.starts_with("DO")) return false;
     const std::string word = syntax::word_with_digits(*modules_[module_].dialect, name);
     if (word.empty()) return false;
     report(diag::LetterForDigit, range).arg(name).arg(word).fix(range, word, "write digits");
@@ -234,7 +248,10 @@ bool Checker::report_word(std::string_view name, const SourceRange& range) {
 /// `G1 X=dY5`: a variable with the next word right behind it.
 bool Checker::fix_next_word(std::string_view name, const SourceRange& range,
                             DiagnosticBuilder& builder) {
-    for (std::size_t i = 1; i < name.size(); ++i) {
+    constexpr std::size_t kMostLetters = 8;  // of an address
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    const std::size_t first = digits > kMostLetters ? digits - kMostLetters : 1;
+    for (std::size_t i = first; i < digits; ++i) {
         if (!is_numbered_word(name.substr(i))) continue;
         const Found value = find(name.substr(0, i));
         if (value.symbol < 0) continue;
@@ -281,6 +298,7 @@ bool Checker::fix_statement(std::string_view name, const SourceRange& range,
     if (address == "O")
         builder.fix("a program that is called so has this number: `program " + std::string(name) +
                     "() { … }`");
+    else if (address == "DO") builder.fix("a loop is `while (…) { … }`, its body stands in braces");
     else if (address == "L" || address == "P") builder.fix(syntax::kCallByName);
     else builder.fix(syntax::kForeignWord);
     return true;
@@ -379,46 +397,25 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         builder.note(range, "it is used in its own value, before it has one");
         return;
     }
-    // R1 is a variable of a control, and no word of a block.
-    const std::string word = upper_ascii(name);
-    const bool is_parameter = word.size() > 1 && word[0] == 'R' &&
-                              word.find_first_not_of("0123456789", 1) == std::string::npos;
-    if (is_numbered_word(word) && !is_parameter) {
-        builder.fix(range, word, "words of blocks are written in upper case");
-        return;
-    }
-    if (const std::size_t letters = glued_letters(name, range)) {
-        fix_glued(letters, range, builder);
-        return;
-    }
+    if (fix_as_word(name, range, builder)) return;
     if (const syntax::Habit* habit = syntax::habit_of(name)) {
         syntax::advise(builder, *habit, range);
         return;
     }
     if (!may_propose() || fix_lookalike(name, range, builder)) return;
     const std::vector<std::string_view> functions = known_names(true);
-    if (std::binary_search(functions.begin(), functions.end(), name)) {
-        builder.fix(range, std::string(name) + "()", "it is a function: call it");
-        return;
-    }
     const std::string lower = syntax::lower_ascii(name);
-    if (is_statement_at(range) && std::binary_search(functions.begin(), functions.end(), lower)) {
-        builder.fix(range, lower + "()", "it is a function: call it");  // `STOP;`
+    for (const std::string_view function : {name, std::string_view(lower)}) {
+        const bool is_it = std::binary_search(functions.begin(), functions.end(), function);
+        if (!is_it || (function != name && !is_statement_at(range))) continue;
+        builder.fix(range, std::string(function) + "()", "it is a function: call it");
         return;
     }
-    if (fix_statement(name, range, builder)) return;
-    // `G1 x-5`: an address in lower case.
-    const bool is_target = range.file == target_.file && range.begin == target_.begin;
-    const bool is_address =
-        name.size() == 1 && name != word &&
-        nc::word_kind(*modules_[module_].dialect, word) == nc::WordKind::Address;
-    if (is_target && is_address) {
-        builder.fix(range, word, "words of blocks are written in upper case");
+    if (fix_statement(name, range, builder) || fix_next_word(name, range, builder) ||
+        fix_loop_variable(range, builder))
         return;
-    }
-    if (fix_next_word(name, range, builder) || fix_loop_variable(range, builder)) return;
     // Every letter is near to every other.
-    if (count_code_points(name) == 1 || is_parameter) {
+    if (count_code_points(name) == 1 || is_control_parameter(upper_ascii(name))) {
         builder.fix("declare it first, with its type");
         return;
     }
@@ -426,6 +423,24 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     if (const auto near = nearest_name(name, names.data(), names.size())) {
         builder.fix(range, std::string(*near), "did you mean " + quoted(*near) + "?");
     }
+}
+
+/// `G1 x10 y-5 Zd`: words in lower case, and one that has its value without `=`.
+bool Checker::fix_as_word(std::string_view name, const SourceRange& range,
+                          DiagnosticBuilder& builder) {
+    const std::string word = upper_ascii(name);
+    const bool is_target = range.file == target_.file && range.begin == target_.begin;
+    const bool is_address =
+        name.size() == 1 && name != word &&
+        nc::word_kind(*modules_[module_].dialect, word) == nc::WordKind::Address;
+    const bool is_number = is_numbered_word(word) && !is_control_parameter(word);
+    if (is_number || (is_target && is_address)) {
+        builder.fix(range, word, "words of blocks are written in upper case");
+        return true;
+    }
+    const std::size_t letters = glued_letters(name, range);
+    if (letters > 0) fix_glued(letters, range, builder);
+    return letters > 0;
 }
 
 // Only of what can be without a value: at each branch, all variables would be looked at.

@@ -1,5 +1,6 @@
 #include "syntax/foreign_statements.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,10 @@
 namespace kadr::syntax {
 
 namespace {
+
+/// Lexemes that are looked at for the other bracket of one: more would cost their square where none
+/// is closed, and statements of controls are short.
+constexpr std::size_t kMostBetween = 10'000;
 
 class Statements {
   public:
@@ -107,10 +112,10 @@ std::size_t Statements::line_end(std::size_t i) const {
     return i;
 }
 
-/// The bracket that closes the one at `open`; the end of the file if none does.
+/// The bracket that closes the one at `open`; the end of the file if none near does.
 std::size_t Statements::mate(std::size_t open) const {
     std::size_t depth = 0;
-    for (std::size_t i = open; i < in_.size(); ++i) {
+    for (std::size_t i = open; i < std::min(in_.size(), open + kMostBetween); ++i) {
         if (opens(at(i).token)) ++depth;
         if (closes(at(i).token) && --depth == 0) return i;
     }
@@ -159,7 +164,8 @@ bool Statements::has_body() const {
 bool Statements::is_loop_head() const {
     if (at(i_ + 1).token != Token::OpenParen) return false;
     std::size_t depth = 0;
-    for (std::size_t i = i_ + 1; i < in_.size() && at(i).token != Token::OpenBrace; ++i) {
+    const std::size_t end = std::min(in_.size(), i_ + kMostBetween);
+    for (std::size_t i = i_ + 1; i < end && at(i).token != Token::OpenBrace; ++i) {
         if (opens(at(i).token)) ++depth;
         if (closes(at(i).token) && --depth == 0) return false;
         const bool is_list =
@@ -174,7 +180,8 @@ bool Statements::ends_do() const {
     const bool follows_brace = !out_.empty() && out_.back().token == Token::CloseBrace;
     if (at(i_ + 1).token != Token::OpenParen || !follows_brace) return false;
     std::size_t depth = 0;
-    for (std::size_t i = out_.size(); i-- > 0;) {
+    const std::size_t first = out_.size() - std::min(out_.size(), kMostBetween);
+    for (std::size_t i = out_.size(); i-- > first;) {
         if (closes(out_[i].token)) ++depth;
         if (!opens(out_[i].token) || --depth > 0) continue;
         if (i == 0 || out_[i - 1].token != Token::Identifier) return false;

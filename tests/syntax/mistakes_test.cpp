@@ -296,6 +296,8 @@ TEST(Mistakes, WordsOfOtherLanguages) {
 
 TEST(Mistakes, StatementsOfControls) {
     expect_messages({
+        {"cycle a() { GO X5; NO = 5; x = GO; }",
+         "1:13 K1220 `GO` has a letter for a digit; the word is `G0`"},
         {R"(cycle a() {
     IF [n EQ 5] GOTO 10
     ENDWHILE
