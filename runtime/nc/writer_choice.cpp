@@ -118,6 +118,21 @@ bool BlockWriter::holds(const Form& form, const Block& block, Function asked,
     return is_fine(form.function) && std::ranges::all_of(form.sets, is_fine);
 }
 
+/// `M98`, `M99`: what a source has in the place of the control's calls. False: the code is none.
+static bool say_call(DiagnosticBuilder& builder, const std::string& text,
+                     const DialectTables& tables) {
+    const auto& calls = tables.language.calls.calls;
+    const auto call = std::ranges::find(calls, text, &CallForm::code);
+    if (call == calls.end()) return false;
+    const bool is_end =
+        call->kind == CallForm::Kind::Return || call->kind == CallForm::Kind::EndModal;
+    builder.note("`" + text + "` " + (is_end ? "ends a call" : "calls a program") +
+                 " on this control");
+    builder.fix(is_end ? "a cycle or a function ends with its `}`, and `return;` leaves it"
+                       : "what is called is a cycle or a function, by its name: `name(5mm);`");
+    return true;
+}
+
 /// What the control has for a code that a program wants for the builder's, and how a dialect gives
 /// it to him.
 static void say_whose(DiagnosticBuilder& builder, double number, const DialectTables& tables,
@@ -125,9 +140,14 @@ static void say_whose(DiagnosticBuilder& builder, double number, const DialectTa
     const FormWord& word = tables.forms[any].words[0];
     const Code* code = tables.find_code(word.address, number);
     const std::string text = "M" + std::to_string(std::llround(number));
+    if (say_call(builder, text, tables)) return;
     std::string file = "`extends=\"" + tables.name + "\"`";
     if (code != nullptr && !code->forms.empty()) {
         const std::string own(info(tables.forms[code->forms.front()].function).name);
+        if (own.empty()) {  // `M97`: read, and without effect on what is executed
+            builder.note("`" + text + "` has a meaning of its own on this control");
+            return;
+        }
         builder.note("`" + text + "` is `" + own + "` on this control");
         file += ", takes it away with `<remove commands=\"" + own + "\"/>`";
     }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <regex>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -299,6 +300,18 @@ TEST_F(Warnings, DoNotMeetTheMFunctionsOfTheBuilder) {
     const std::string err = run_process({KADR_BINARY, "expand", "part.kadr", "-d", "fanuc"}).err;
     EXPECT_NE(err.find("`M29` is `tap_rigid` on this control"), std::string::npos) << err;
     EXPECT_NE(err.find("<remove commands=\"tap_rigid\"/>"), std::string::npos) << err;
+    for (const auto& [number, note, fix] :
+         {std::tuple{"98", "`M98` calls a program on this control", "by its name: `name(5mm);`"},
+          {"99", "`M99` ends a call on this control", "`return;` leaves it"},
+          {"97", "`M97` has a meaning of its own on this control", ""}}) {
+        EXPECT_EQ(said("part.kadr", of(number), {"expand", "part.kadr", "-d", "fanuc"}),
+                  "1:15 K4201");
+        const std::string calls =
+            run_process({KADR_BINARY, "expand", "part.kadr", "-d", "fanuc"}).err;
+        EXPECT_NE(calls.find(note), std::string::npos) << calls;
+        EXPECT_NE(calls.find(fix), std::string::npos) << calls;
+        EXPECT_EQ(calls.find("machine builder's"), std::string::npos) << calls;
+    }
 }
 
 }  // namespace
