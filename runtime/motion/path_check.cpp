@@ -11,10 +11,12 @@
 
 #include "machine/kinematics.h"
 #include "motion/axis_table.h"
+#include "motion/plain_way.h"
 #include "motion/programmed_path.h"
 #include "motion/standing.h"
 #include "motion/transformed.h"
 #include "path/cubic.h"
+#include "path/steady.h"
 
 namespace kadr::motion {
 
@@ -57,40 +59,17 @@ double lean_of(const path::Blending& blending) {
     return leans ? blending.orientation : 0;
 }
 
-/// A straight motion on which nothing but X, Y and Z moves: what most of a program is, judged in
-/// some nanoseconds.
-struct StraightWay {
-    path::Line line{};
-    Vec3 carrier = Vec3::Zero();
-    std::array<double, kFollowers> standing{};  // beside X, Y and Z, in the order of the machine
-
-    /// Whether the setpoint surely is on it, not much before a place; then its foot, and its tip.
-    bool has(const Setpoint& setpoint, double tolerance, std::size_t followers, double place,
-             double& foot, Vec3& tip) const {
-        for (std::size_t i = 0; i < followers; ++i)
-            if (setpoint.axis[i + 3] != standing[i]) return false;
-        const Vec3 at = Vec3(setpoint.axis[0], setpoint.axis[1], setpoint.axis[2]) - carrier;
-        const double along = (at - line.start).dot(line.direction);
-        const double from = std::max(0.0, place - 2 * tolerance);
-        foot = std::clamp(along, std::min(from, line.length), line.length);
-        if (!((at - line.start - line.direction * foot).squaredNorm() <= tolerance * tolerance))
-            return false;
-        tip = at;
-        return true;
-    }
-};
-
 /// A motion that waits for its setpoints, and the command that it is of.
 struct Waiting {
     SourceId source;
     std::uint32_t line = 0;
     std::uint32_t system = 0;
-    double length = 0;
+    double length = 0;  // mm; without `motion` never too small
     double tolerance = 0;
     double lean = 0;
     double pole = 0;
-    bool is_straight = false;
-    StraightWay straight;                      // if it is
+    bool is_plain = false;
+    PlainWay plain;                            // if it is
     std::unique_ptr<ProgrammedMotion> motion;  // else, or once it is asked for
 };
 
@@ -135,16 +114,17 @@ class Layer {
         return out.length > 0;
     }
 
-    /// What other motions need that are not told as straight ones.
+    /// What a closer look needs of a plain motion.
     void complete(Waiting& waiting) const {
         if (waiting.motion) return;
         waiting.motion = std::make_unique<ProgrammedMotion>();
         ProgrammedMotion& motion = *waiting.motion;
-        motion.way.curve = waiting.straight.line;
-        motion.way.carrier = waiting.straight.carrier;
+        motion.way.curve = curve_of(waiting.plain);
+        motion.way.carrier = waiting.plain.carrier;
         for (std::size_t i = 0; i < followers_; ++i)
             motion.way.follower_start[index(machine_.axes[i + 3].axis) - 3] =
-                waiting.straight.standing[i];
+                waiting.plain.standing[i];
+        waiting.length = path::length(motion.way.curve);
         motion.length = waiting.length;
         motion.system = waiting.system;
         motion.tolerance = waiting.tolerance;
@@ -157,11 +137,8 @@ class Layer {
 
   private:
     void lay_way(const Command& command, const Standing::Target& target, Waiting& out) const {
-        const bool is_line = command.op == path::Op::Line || command.op == path::Op::Rapid;
-        out.is_straight = is_plain_ && is_line && command.turning == path::Turning::None &&
-                          !command.virtual_axes.is_on() &&
-                          target.followers == standing_.followers();
-        if (!out.is_straight) {
+        lay_plain(command, target, out);
+        if (!out.is_plain) {
             out.motion = std::make_unique<ProgrammedMotion>();
             Segment& way = out.motion->way;
             way = standing_.still();
@@ -172,15 +149,33 @@ class Layer {
             return;
         }
         out.system = 2 * system_;
-        out.length = (target.tip - standing_.tip()).norm();
-        if (!(out.length > kStill)) {
-            out.length = 0;
+        out.length = out.plain.length;
+        out.plain.carrier = standing_.held();
+        for (std::size_t i = 0; i < followers_; ++i)
+            out.plain.standing[i] = standing_.followers()[index(machine_.axes[i + 3].axis) - 3];
+    }
+
+    /// A line, or a span that goes on towards its end, on which nothing else moves. A line without
+    /// length is one as well.
+    void lay_plain(const Command& command, const Standing::Target& target, Waiting& out) const {
+        const bool is_line = command.op == path::Op::Line || command.op == path::Op::Rapid;
+        const bool may_be = is_plain_ && (is_line || command.op == path::Op::Spline) &&
+                            command.turning == path::Turning::None &&
+                            !command.virtual_axes.is_on() &&
+                            target.followers == standing_.followers();
+        if (!may_be) return;
+        const Vec3& from = standing_.tip();
+        const bool goes = (target.tip - from).norm() > kStill;
+        if (is_line) {
+            out.is_plain = true;
+            if (goes) out.plain = plain_way(path::make_line(from, target.tip));
             return;
         }
-        out.straight.line = path::make_line(standing_.tip(), target.tip);
-        out.straight.carrier = standing_.held();
-        for (std::size_t i = 0; i < followers_; ++i)
-            out.straight.standing[i] = standing_.followers()[index(machine_.axes[i + 3].axis) - 3];
+        if (!goes) return;
+        if (const auto cubic = path::steady_cubic(from, target.tip, command.spline)) {
+            out.is_plain = true;
+            out.plain = plain_way(*cubic);
+        }
     }
 
     /// Of curves around both of its corners, and of one that takes the place of lines.
@@ -234,7 +229,8 @@ struct PathCheck::State {
     };
 
     bool follow(const Setpoint& setpoint);
-    bool is_on_straight();
+    bool is_on_plain();
+    bool is_next(std::size_t at, const Vec3& tip, double come) const;
     const ProgrammedMotion& motion_at(std::size_t i);
     bool go_on();
     bool search();
@@ -310,9 +306,11 @@ void PathCheck::State::stay(double at, const Vec3& tip_now) {
 
 /// The tip goes on to a later motion; the next one is the first then.
 void PathCheck::State::leave(std::size_t at, double there) {
-    double gone = there;
-    for (std::size_t k = 1; k < at; ++k) gone += motions[k].length;
-    aside = std::max(0.0, aside - gone);
+    if (aside > 0) {
+        double gone = there;
+        for (std::size_t k = 1; k < at; ++k) gone += motion_at(k).length;
+        aside = std::max(0.0, aside - gone);
+    }
     motions.erase(motions.begin(), motions.begin() + static_cast<std::ptrdiff_t>(at));
     place = there;
 }
@@ -335,7 +333,7 @@ bool PathCheck::State::follow(const Setpoint& next) {
     time = next.time;
     is_tool_known = false;
     if (motions.empty()) return true;  // nothing has moved yet
-    if (is_on_straight()) return true;
+    if (is_on_plain()) return true;
     if (!go_on()) return false;
     const ProgrammedMotion& here = motion_at(0);
     before = tool_for(here).tip;
@@ -345,31 +343,30 @@ bool PathCheck::State::follow(const Setpoint& next) {
     return true;
 }
 
-/// On the motion on which the tip was, or one of the next, as far as these are straight; false:
-/// that is not known.
-bool PathCheck::State::is_on_straight() {
+/// On the motion on which the tip was, or one of the next, as far as these are plain; false: that
+/// is not known.
+bool PathCheck::State::is_on_plain() {
+    using Side = PlainLook::Side;
     if (motions.size() >= kMostWaiting) return false;
     const std::size_t followers = layer.followers();
     const double come = std::max(setpoint->feed, feed_before) * tick + in_a_tick;
-    const double behind = kBehind * motions[0].tolerance + kLonger * aside;
+    const double ahead = kLonger * come + kBehind * motions[0].tolerance + kLonger * aside;
     double passed = 0;
-    double foot = 0;
-    Vec3 tip;
     for (std::size_t i = 0; i < motions.size(); ++i) {
         const Waiting& here = motions[i];
-        if (!here.is_straight || here.system != motions[0].system) return false;
+        if (!here.is_plain || here.system != motions[0].system) return false;
         const double there = i == 0 ? place : 0;
-        if (here.straight.has(*setpoint, here.tolerance, followers, there, foot, tip)) {
-            double widest = 0;
-            for (std::size_t k = 0; k < i; ++k) {
-                widest = std::max(widest, motions[k].tolerance);
-                if (widest > kSureEnd) break;
-                const double allowed = 3 * widest + come / 2;
-                const Vec3& end = motions[k].straight.line.end;
-                if (!has_begun || path::distance_to_line(end, before, tip) > allowed) return false;
-            }
-            if (i == 0) stay(foot, tip);
-            else leave(i, foot);
+        const Vec3 tip = tip_of(here.plain, *setpoint);
+        const PlainLook look =
+            stands(here.plain, *setpoint, followers)
+                ? look_at(here.plain, tip, here.tolerance, there)
+                : PlainLook{is_line(here.plain) ? Side::Beside : Side::Unknown, there};
+        if (look.side == Side::Unknown) return false;
+        if (look.side == Side::On) {
+            if (i == 0) stay(look.place, tip);
+            else if (is_next(i, tip, come) && way_bound(here.plain, look.place) <= ahead - passed)
+                leave(i, look.place);
+            else return false;
             before = tip;
             system_before = motions.front().system;
             feed_before = setpoint->feed;
@@ -377,9 +374,23 @@ bool PathCheck::State::is_on_straight() {
             return true;
         }
         if (i > 0) passed += here.length;
-        if (passed > kLonger * come + behind) return false;
+        if (passed > ahead) return false;
     }
     return false;
+}
+/// Whether the ends before a plain motion are between the setpoint and the one before.
+///
+/// tip, come  of the setpoint, and how far the tip goes in a tick, mm
+bool PathCheck::State::is_next(std::size_t at, const Vec3& tip, double come) const {
+    double widest = 0;
+    for (std::size_t k = 0; k < at; ++k) {
+        widest = std::max(widest, motions[k].tolerance);
+        if (widest > kSureEnd) break;
+        const double allowed = 3 * widest + come / 2;
+        const Vec3& end = end_of(motions[k].plain);
+        if (!has_begun || path::distance_to_line(end, before, tip) > allowed) return false;
+    }
+    return true;
 }
 
 const ProgrammedMotion& PathCheck::State::motion_at(std::size_t i) {
@@ -498,6 +509,7 @@ bool PathCheck::finish() {
     if (state.motions.empty()) return true;
     Waiting& last = state.motions.back();
     if (!state.has_begun) {
+        state.layer.complete(last);
         state.deviation = state.deviation_of(PathFault::End, last, last.length, 0);
         return false;
     }

@@ -26,19 +26,25 @@ struct Integral {
 };
 
 /// Halves the interval until the halves say the same as the whole, within `tolerance`.
+///
+/// whole  what `gauss` says of all of it
 template <typename Function>
-Integral integrate(const Function& f, double from, double to, double tolerance, int depth = 0) {
+Integral integrate(const Function& f, double from, double to, double tolerance, double whole,
+                   int depth = 0) {
     // A kink, as the speed has in a cusp, halves the error with the width; there it ends.
     constexpr int kDeepest = 30;
     const double middle = 0.5 * (from + to);
-    const double whole = gauss(f, from, to);
     const double left = gauss(f, from, middle);
     const double right = gauss(f, middle, to);
     const double error = std::fabs(left + right - whole);
     if (error <= tolerance || depth >= kDeepest) return {left + right, error};
-    const Integral a = integrate(f, from, middle, tolerance / 2, depth + 1);
-    const Integral b = integrate(f, middle, to, tolerance / 2, depth + 1);
+    const Integral a = integrate(f, from, middle, tolerance / 2, left, depth + 1);
+    const Integral b = integrate(f, middle, to, tolerance / 2, right, depth + 1);
     return {a.value + b.value, a.error + b.error};
+}
+template <typename Function>
+Integral integrate(const Function& f, double from, double to, double tolerance) {
+    return integrate(f, from, to, tolerance, gauss(f, from, to));
 }
 
 }  // namespace kadr::path

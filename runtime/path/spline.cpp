@@ -9,6 +9,7 @@
 #include "path/homogeneous.h"
 #include "path/parameter_point.h"
 #include "path/quadrature.h"
+#include "path/steady.h"
 
 namespace kadr::path {
 
@@ -55,9 +56,13 @@ double speed(const CubicSpan& spline, double u) {
 template <std::size_t N>
 std::array<double, 2> slow_places(const Bezier<N>& spline) {
     constexpr int kSteps = 32;
-    constexpr double kFarBelow = 0.1;
     constexpr double kEnd = 1e-6;  // a curve that ends where it stands does not turn back
     std::array<double, 2> found = {1, 1};
+    if (!spline.is_rational) {
+        std::array<Vec3, N> points;
+        for (std::size_t i = 0; i < N; ++i) points[i] = spline.poles[i].template head<3>();
+        if (is_steady(points)) return found;
+    }
     std::array<double, kSteps + 1> rate{};
     double mean = 0;
     for (int i = 0; i <= kSteps; ++i) {
@@ -84,7 +89,7 @@ std::array<double, 2> slow_places(const Bezier<N>& spline) {
         }
         const double place = 0.5 * (lower + upper);
         const bool is_inside = place > kEnd && place < 1 - kEnd;
-        if (is_inside && speed(spline, place) < kFarBelow * mean) found[count++] = place;
+        if (is_inside && speed(spline, place) < kNearlyStands * mean) found[count++] = place;
     }
     return found;
 }
@@ -114,12 +119,15 @@ template <std::size_t N>
 void measure(Bezier<N>& spline) {
     const auto rate = [&](double u) { return speed(spline, u); };
     spline.slow = slow_places(spline);
-    spline.is_smooth = spline.slow[0] == 1;
+    const bool is_slow = spline.slow[0] < 1;
+    spline.is_smooth = !is_slow;
     spline.length = 0;
     for (std::size_t i = 0; i < CubicSpan::kParts; ++i) {
         const double from = kShare * static_cast<double>(i);
-        const double part = careful_length(spline, from, from + kShare);
         const double quick = gauss(rate, from, from + kShare);
+        const double part =
+            is_slow ? careful_length(spline, from, from + kShare)
+                    : integrate(rate, from, from + kShare, 0.1 * kArcLengthTolerance, quick).value;
         spline.is_smooth &= std::fabs(quick - part) <= kArcLengthTolerance;
         spline.length += part;
         spline.reached[i] = spline.length;
@@ -152,20 +160,11 @@ Pole pole_of(const Vec3& point, double weight) {
 CubicSpan make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape) {
     KADR_ASSERT(shape.degree >= 1 && shape.degree <= 3, "a span of degree one to three");
     const auto last = static_cast<std::size_t>(shape.degree);
-    const Pole first = pole_of(start, shape.weights[0]);
-    const Pole final = pole_of(end, shape.weights[last]);
-    const Pole inner = pole_of(shape.inner[0], shape.weights[1]);
-    switch (shape.degree) {
-        case 1:
-            return of_poles<4>({first, (2 * first + final) / 3, (first + 2 * final) / 3, final},
-                               start, end);
-        case 2:
-            return of_poles<4>({first, (first + 2 * inner) / 3, (2 * inner + final) / 3, final},
-                               start, end);
-        default:
-            return of_poles<4>({first, inner, pole_of(shape.inner[1], shape.weights[2]), final},
-                               start, end);
-    }
+    return of_poles<4>(raised_to_cubic<Pole>(shape.degree, pole_of(start, shape.weights[0]),
+                                             {pole_of(shape.inner[0], shape.weights[1]),
+                                              pole_of(shape.inner[1], shape.weights[2])},
+                                             pole_of(end, shape.weights[last])),
+                       start, end);
 }
 
 QuinticSpan make_quintic(const Vec3& start, const Vec3& end, const SplineShape& shape) {

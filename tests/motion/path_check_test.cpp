@@ -2,6 +2,7 @@
 // whatever the program, and everything that leaves the path is found.
 #include "motion/path_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -11,6 +12,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "motion/plain_way.h"
+#include "path/steady.h"
 #include "tests/common/test_curves.h"
 #include "tests/motion/any_program.h"
 #include "tests/motion/support.h"
@@ -241,6 +244,98 @@ RC_GTEST_PROP(PathCheck, FollowsSplinesThatTurnBack, ()) {
     Setpoint& off = setpoints[*rc::gen::inRange<std::size_t>(50, setpoints.size() - 50)];
     off.tip[2] = off.axis[2] = wish.size + 0.01;
     RC_ASSERT(deviation_of(machine, program, setpoints).has_value());
+}
+
+/// A wavy curve by cubics of half a millimetre, with the slopes of the wave.
+std::vector<Command> dense_spline(int count, const path::Blending& wish) {
+    const auto point = [](double x) { return Vec3(x, 3 * std::sin(x / 2), 0.2 * std::cos(x)); };
+    const auto slope = [](double x) { return Vec3(1, 1.5 * std::cos(x / 2), -0.2 * std::sin(x)); };
+    constexpr double kStep = 0.5;
+    std::vector<Command> program = {rapid_to(point(0))};
+    for (int i = 0; i < count; ++i) {
+        const double from = kStep * i, to = from + kStep;
+        program.push_back(spline_to(point(to), point(from) + kStep / 3 * slope(from),
+                                    point(to) - kStep / 3 * slope(to), 3000));
+        program.back().blending = wish;
+    }
+    return numbered(program);
+}
+
+// Spans that go on towards their end are judged as plain motions, to the same tolerance as others.
+TEST(PathCheck, HoldsDenseSplinesToTheirTolerance) {
+    const machine::Machine machine = machine_of({.jerk = {1e5, 1e5, 8e4}});
+    for (const path::Blending& wish : {path::Blending{}, by_distance(0.2), within(0.01)}) {
+        const std::vector<Command> program = dense_spline(200, wish);
+        const std::vector<Setpoint> right = sample(machine, program);
+        for (const double part : {0.1, 0.3, 0.5, 0.77}) {
+            const auto place = static_cast<std::size_t>(part * static_cast<double>(right.size()));
+            const Vec3 way = right[place + 1].tip - right[place - 1].tip;
+            const Vec3 aside = way.cross(Vec3::UnitX()).normalized();
+            for (const double beyond : {-5e-7, 5e-7}) {
+                std::vector<Setpoint> moved = right;
+                for (std::size_t i = 0; i < 3; ++i)
+                    moved[place].axis[i] +=
+                        (wish.size + 1e-6 + beyond) * aside[static_cast<long>(i)];
+                const auto found = deviation_of(machine, program, moved);
+                EXPECT_EQ(found.has_value(), beyond > 0) << part;
+            }
+        }
+    }
+}
+
+// … and none of them may be cut short, or be missing at the end.
+TEST(PathCheck, FindsDenseSpansThatAreLeftOut) {
+    const machine::Machine machine = machine_of({.jerk = {1e5, 1e5, 8e4}});
+    const std::vector<Command> program = dense_spline(200, {});
+    const std::vector<Setpoint> right = sample(machine, program);
+    const auto fault_of = [&](const std::vector<Setpoint>& wrong) {
+        const auto found = deviation_of(machine, program, wrong);
+        return found ? std::optional(found->fault) : std::nullopt;
+    };
+    std::vector<Setpoint> cut = right;
+    const auto [from, to] = range_of(cut, 50);
+    for (std::size_t i = from; i < to; ++i) {
+        const double share = static_cast<double>(i - from + 1) / static_cast<double>(to - from + 1);
+        for (std::size_t k = 0; k < 3; ++k)
+            cut[i].axis[k] = right[from - 1].axis[k] * (1 - share) + right[to].axis[k] * share;
+    }
+    EXPECT_EQ(fault_of(cut), PathFault::Tip);
+    std::vector<Setpoint> too_short = right;
+    too_short.resize(range_of(right, 180).first);
+    EXPECT_EQ(fault_of(too_short), PathFault::End);
+}
+
+// What a plain cubic says of a tip is what looking everywhere says; where it knows nothing it says
+// so.
+RC_GTEST_PROP(PathCheck, SaysOfPlainCubicsWhatIsSure, ()) {
+    const auto any = [](double reach) { return *rc::gen::inRange(-1000, 1001) * 0.001 * reach; };
+    const Vec3 end(3, 0, 0);
+    const auto cubic = path::steady_cubic(
+        Vec3::Zero(), end,
+        {3,
+         {Vec3(1 + any(0.8), any(1.5), any(1.5)), Vec3(2 + any(0.8), any(1.5), any(1.5))},
+         {1, 1, 1, 1}});
+    if (!cubic) return;
+    const PlainWay way = plain_way(*cubic);
+    const double tolerance = *rc::gen::element(1e-6, 1e-3, 0.1);
+    const double u = *rc::gen::inRange(0, 1001) * 0.001;
+    const double from = std::max(0.0, u - *rc::gen::inRange(0, 300) * 0.001);
+    const double aside = tolerance * *rc::gen::inRange(0, 3000) * 0.001;
+    const Vec3 tip =
+        path::evaluate(*cubic, u).position + aside * Vec3(any(1), any(1), 1).normalized();
+    const PlainLook look = look_at(way, tip, tolerance, from);
+    double least = 1e9;
+    for (int i = 0; i <= 20000; ++i)
+        least = std::min(least, (path::evaluate(*cubic, i / 20000.0).position - tip).norm());
+    least = std::min(least, (path::evaluate(*cubic, u).position - tip).norm());
+    if (look.side == PlainLook::Side::On) {
+        RC_ASSERT((path::evaluate(*cubic, look.place).position - tip).norm() <=
+                  tolerance * (1 + 1e-9));
+        RC_ASSERT(look.place >= from - 2 * tolerance / way.length && look.place <= 1);
+    }
+    if (look.side == PlainLook::Side::Beside) RC_ASSERT(least > tolerance * (1 - 1e-9));
+    if (aside == 0) RC_ASSERT(look.side == PlainLook::Side::On);
+    RC_ASSERT(way_bound(way, u) >= (path::evaluate(*cubic, u).position).norm() - 1e-12);
 }
 
 // One tick is as long as three lines: the corners between two setpoints are held against the way

@@ -12,6 +12,7 @@
 #include "path/curve.h"
 #include "path/nurbs.h"
 #include "path/spline_fit.h"
+#include "path/steady.h"
 #include "tests/path/oracle_arcs.h"
 
 namespace kadr::path {
@@ -204,6 +205,47 @@ TEST(Spline, ItsLengthIsExactWhereItTurnsBackBesideItsEnd) {
     const auto [before, behind] = split(spline, *slow_place(spline));
     EXPECT_FALSE(slow_place(before).has_value());
     EXPECT_FALSE(slow_place(behind).has_value());
+}
+
+/// Whose control points say that it goes on towards its end does, and is never slow.
+RC_GTEST_PROP(Spline, SteadyOnesGoOn, ()) {
+    const auto any = [](int reach) { return *rc::gen::inRange(-1000, 1001) * 0.001 * reach; };
+    const Vec3 end(10, 0, 0);
+    Cubic points{Vec3::Zero(), Vec3(2.5 + any(5), any(8), any(8)),
+                 Vec3(7.5 + any(5), any(8), any(8)), end};
+    const SplineShape shape{3, {points[1], points[2]}, {2, 2, 2, 2}};
+    const auto steady = steady_cubic(points[0], end, shape);
+    RC_CLASSIFY(steady.has_value());
+    if (!steady) return;
+    const CubicSpan span = make_spline(points[0], end, shape);
+    double least = 1e9, sum = 0;
+    constexpr int kPlaces = 1000;
+    for (int i = 0; i <= kPlaces; ++i) {
+        const SplinePoint at = point_at(span, static_cast<double>(i) / kPlaces);
+        RC_ASSERT(
+            (evaluate(*steady, static_cast<double>(i) / kPlaces).position - at.position).norm() <
+            1e-12);
+        RC_ASSERT(at.first.x() > 0);
+        least = std::min(least, at.first.norm());
+        sum += at.first.norm() / (kPlaces + 1);
+    }
+    RC_ASSERT(least >= kNearlyStands * sum);
+    RC_ASSERT(!slow_place(span).has_value());
+}
+
+// What lies close on a smooth curve is steady; weights, higher degrees and what turns back are not.
+TEST(Spline, DenseSpansAreSteady) {
+    const SplineShape quarter{2, {Vec3(10, 10, 0), Vec3::Zero()}, {1, 1, 1, 0}};
+    EXPECT_TRUE(steady_cubic(Vec3(10, 0, 0), Vec3(0, 10, 0), quarter).has_value());
+    SplineShape heavy = quarter;
+    heavy.weights[1] = 2;
+    EXPECT_FALSE(steady_cubic(Vec3(10, 0, 0), Vec3(0, 10, 0), heavy).has_value());
+    const SplineShape line{1, {}, {1, 1, 0, 0}};
+    EXPECT_TRUE(steady_cubic(Vec3(10, 0, 0), Vec3(0, 10, 0), line).has_value());
+    EXPECT_FALSE(steady_cubic(Vec3(10, 0, 0), Vec3(10, 0, 0), line).has_value());
+    const SplineShape back{2, {Vec3(50, 0, 0), Vec3::Zero()}, {1, 1, 1, 0}};
+    EXPECT_FALSE(steady_cubic(Vec3::Zero(), Vec3(40, 0, 0), back).has_value());
+    EXPECT_FALSE(steady_cubic(Vec3::Zero(), Vec3(40, 0, 0), {5, {}, {}}).has_value());
 }
 
 // x(u) = −150·u + 180·u², least −31.25 at u = 5/12; and a loop as high as 3/4 of its control

@@ -1,0 +1,92 @@
+// plain_way.h — a motion on which nothing but X, Y and Z moves, as the program says it, where a
+// setpoint is judged in some nanoseconds.
+//
+// What most of a program is: lines, and spans of splines that go on towards their end. Who asks
+// gets a sure answer or none; then programmed_path.h has to look.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <variant>
+
+#include "motion/pipeline.h"
+#include "motion/segment.h"
+#include "path/cubic.h"
+#include "path/curve.h"
+
+namespace kadr::motion {
+
+/// Where a setpoint is, as far as a plain way tells.
+struct PlainLook {
+    enum class Side : std::uint8_t {
+        On,       // within the tolerance of it
+        Beside,   // not, nor on any place that the tip may have come to from there
+        Unknown,  // perhaps
+    };
+    Side side = Side::Unknown;
+    double place = 0;  // On: the foot, in the way's own parameter
+};
+
+struct PlainWay {
+    /// A line, whose places are told in mm; or a steady cubic (path/steady.h), by its parameter.
+    std::variant<path::Line, path::Cubic> curve;
+    double length = 0;                          // mm: of a cubic, a bound that is never too small
+    path::Vec3 carrier = path::Vec3::Zero();    // from the tip to what X, Y and Z carry, mm
+    std::array<double, kFollowers> standing{};  // beside X, Y and Z, in the order of the machine
+};
+
+/// The way along a curve, for the caller to complete.
+PlainWay plain_way(const path::Line& line);
+PlainWay plain_way(const path::Cubic& steady);
+
+/// Its curve with all that a closer look needs; a cubic is measured for it.
+path::Curve curve_of(const PlainWay& way);
+const path::Vec3& end_of(const PlainWay& way);
+inline bool is_line(const PlainWay& way) { return std::holds_alternative<path::Line>(way.curve); }
+
+/// The tip of a setpoint, mm, of a machine with X, Y and Z in front.
+inline path::Vec3 tip_of(const PlainWay& way, const Setpoint& setpoint) {
+    return path::Vec3(setpoint.axis[0], setpoint.axis[1], setpoint.axis[2]) - way.carrier;
+}
+
+/// Whether the axes beside X, Y and Z stand where they should.
+///
+/// followers  how many the machine has
+inline bool stands(const PlainWay& way, const Setpoint& setpoint, std::size_t followers) {
+    for (std::size_t i = 0; i < followers; ++i)
+        if (setpoint.axis[i + 3] != way.standing[i]) return false;
+    return true;
+}
+
+PlainLook look_on_cubic(const PlainWay& way, const path::Vec3& tip, double tolerance, double place);
+
+inline PlainLook look_on_line(const path::Line& line, const path::Vec3& tip, double tolerance,
+                              double place) {
+    const path::Vec3 out = tip - line.start;
+    const double from = std::max(0.0, place - 2 * tolerance);
+    const double foot =
+        std::clamp(out.dot(line.direction), std::min(from, line.length), line.length);
+    const bool is_on = (out - line.direction * foot).squaredNorm() <= tolerance * tolerance;
+    return {is_on ? PlainLook::Side::On : PlainLook::Side::Beside, foot};
+}
+
+/// Whether a tip is on the way, not much before a place.
+///
+/// tolerance  mm
+/// place      in the way's own parameter, from which on the tip has come
+inline PlainLook look_at(const PlainWay& way, const path::Vec3& tip, double tolerance,
+                         double place) {
+    const auto* line = std::get_if<path::Line>(&way.curve);
+    return line != nullptr ? look_on_line(*line, tip, tolerance, place)
+                           : look_on_cubic(way, tip, tolerance, place);
+}
+
+double bound_on_cubic(const PlainWay& way, double place);
+
+/// How far along the way a place is, mm: of a cubic, a bound that is never too small.
+inline double way_bound(const PlainWay& way, double place) {
+    return is_line(way) ? place : bound_on_cubic(way, place);
+}
+
+}  // namespace kadr::motion
