@@ -32,6 +32,10 @@ struct Alternative {
     std::array<PathLimits, 2> limits;
 };
 
+/// Of two motions the longer one is at most so many times as long as the shorter one where halves
+/// of the shorter one say enough of both.
+constexpr double kEven = 2;
+
 /// Under a limit of the jerk a curve and what is beside it may become one stretch, which costs up
 /// to this part of the ramp to its speed (stretch.h).
 constexpr double kGathering = 0.1;
@@ -65,7 +69,8 @@ bool is_quicker_between_rests(const Alternative& curve) {
 }
 
 /// Whether the curve takes less time than the corner, which may be passed or be a stop, whatever
-/// becomes of it when its pieces are planned. Ramps end in the middles of both motions.
+/// becomes of it when its pieces are planned. Ramps end in the middles of both motions; beside a
+/// short one that says little of a long one, so both are looked at from rest to rest as well.
 bool saves_time(const Alternative& curve) {
     const double half = std::min(curve.lengths[0], curve.lengths[1]) / 2;
     double on_curve = 0;
@@ -86,7 +91,9 @@ bool saves_time(const Alternative& curve) {
         through_corner += time_over(half, curve.corner.speed, limits.speed, ramp);
     }
     if (on_curve + from_corner >= through_corner || on_curve + from_stop >= with_stop) return false;
-    return on_curve + from_stop < kSurelyQuicker * with_stop || is_quicker_between_rests(curve);
+    const bool is_even = std::max(curve.lengths[0], curve.lengths[1]) <= kEven * 2 * half;
+    return (is_even && on_curve + from_stop < kSurelyQuicker * with_stop) ||
+           is_quicker_between_rests(curve);
 }
 
 constexpr bool is_rounded(Op op) {
