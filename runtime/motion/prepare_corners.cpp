@@ -408,19 +408,39 @@ bool Preparer::State::rests_at_bend(const Piece& piece, double passed, double sh
     const double stopped = half(last, 0, 1) + half(piece, 0, 1);
     const double through = half(last, passed, share) + half(piece, passed, share);
     if (through > stopped) return true;
-    // Where both begin and end at rest, what the ramps lack counts the most.
-    const auto from_rest = [&](const auto& beside, double speed, double part) {
+    // Where the way behind ends at rest, what the ramps lack counts the most. Both meet at one
+    // speed, and a stop has to be reached from that at the other end.
+    const auto time_on = [&](const auto& beside, const SidesOfCorner& speeds, double part) {
         const RampLimits ramp = ramp_of(beside, part);
-        const double reached = std::min(speed, speed_from_rest(beside.length, ramp));
-        return time_from_rest(beside.length, reached,
-                              {beside.speed, ramp.acceleration, ramp.acceleration, ramp.jerk});
+        const double from = std::min(
+            {speeds.before, beside.speed, smooth_reach(speeds.behind, beside.length, ramp)});
+        const auto profile =
+            seven_phases(beside.length, from, speeds.behind,
+                         {beside.speed, ramp.acceleration, ramp.acceleration, ramp.jerk});
+        return profile ? profile->duration() : kInfinity;
     };
-    return from_rest(last, passed, share) + from_rest(piece, passed, share) >
-           from_rest(last, 0, 1) + from_rest(piece, 0, 1);
+    const double reached =
+        std::min({passed, smooth_reach(last.entry_speed, last.length, ramp_of(last, share)),
+                  smooth_reach(0, piece.length, ramp_of(piece, share))});
+    return time_on(last, {last.entry_speed, reached}, share) + time_on(piece, {0, reached}, share) >
+           time_on(last, {last.entry_speed, 0}, 1) + time_on(piece, {0, 0}, 1);
+}
+
+/// At most so fast the corner before a piece can be reached: from the last rest on, by what is
+/// behind. Jerk counts beside what is bent, where somebody asks (rests_at_bend).
+double Preparer::State::reached_before(const Piece& piece) const {
+    if (!axes.limits_jerk()) return 0;
+    const double most = std::min({piece.entry_limit, last.speed, piece.speed});
+    const double square = last.entry_speed * last.entry_speed + 2 * last.acceleration * last.length;
+    const bool is_bent = last.is_bent || !is_straight(piece.segment);
+    if (!is_bent || most == 0) return std::min(most, std::sqrt(square));
+    const double jerk = last.jerk * piece.jerk_before;
+    return std::min(most, smooth_reach(last.entry_speed, last.length, {last.acceleration, jerk}));
 }
 
 void Preparer::State::remember(const Piece& piece) {
     const Segment& segment = piece.segment;
+    last.entry_speed = reached_before(piece);
     last.is_bent = !is_straight(segment);
     last.can_be_cut = can_be_cut(segment);
     stays_sharp = false;

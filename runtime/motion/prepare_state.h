@@ -42,6 +42,7 @@ struct CornerMemory {
     bool is_bent = false;
     bool can_be_cut = true;  // into parts that are as exact as the whole
     bool must_stop = true;   // the path comes to rest behind it
+    double entry_speed = 0;  // mm/s, at most so fast it is where it begins (jerk limited)
     double exit_feed = std::numeric_limits<double>::infinity();  // of a course of the feed
     double feed_slope = 0;  // of it by the way, in parts of the feed, 1/mm
 };
@@ -215,6 +216,7 @@ struct Preparer::State {
     double corner_acceleration_limit(const AxisRates& in) const;
     void take_bend(Piece& piece) const;
     bool rests_at_bend(const Piece& piece, double passed, double share) const;
+    double reached_before(const Piece& piece) const;
     void remember(const Piece& piece);
     /// prepare_dynamics.cpp
     void follow_dynamics(const path::Command& command);

@@ -286,6 +286,35 @@ TEST(SmoothPlan, NoArcBehindAnArcIsSlowerThanAStop) {
     }
 }
 
+/// A short piece and a long one that go on in one direction: how fast the bend is says the short
+/// one. By a bend as fast as the long one alone would have it this took 7 % longer.
+TEST(SmoothPlan, NoShortArcBesideALongWayIsSlowerThanAStop) {
+    const auto machine = machine_of({.velocity = {500, 500, 400}, .jerk = {1e5, 1e5, 8e4}});
+    for (const double radius : {1.0, 6.0, 37.0}) {
+        for (const double part : {0.35, 0.43, 0.9, 1.8}) {
+            for (const double length : {2.0, 8.0, 30.0}) {
+                for (const bool is_arc_first : {true, false}) {
+                    const double sweep = part / radius;
+                    const Vec3 end = radius * Vec3(std::sin(sweep), 1 - std::cos(sweep), 0);
+                    const Vec3 out(std::cos(sweep), std::sin(sweep), 0);
+                    std::vector<Command> program = {arc_to(end, {0, radius, 0}, sweep, 15000),
+                                                    line_to(end + length * out, 15000)};
+                    if (!is_arc_first) {
+                        const Vec3 start(length, 0, 0);
+                        program = {line_to(start, 15000),
+                                   arc_to(start + end, start + Vec3(0, radius, 0), sweep, 15000)};
+                    }
+                    const double through = run(machine, program).totals.time;
+                    for (Command& command : program) command.exact_stop = true;
+                    EXPECT_LE(through, 1.005 * run(machine, program).totals.time)
+                        << "radius " << radius << ", " << part << " mm, " << length << " mm "
+                        << is_arc_first;
+                }
+            }
+        }
+    }
+}
+
 /// A short line and a long one with a curve around their corner: the short one keeps the curve
 /// slow, and the long one has the ramp of a stop all the same. This took up to 5 % longer.
 TEST(SmoothPlan, NoCurveAroundACornerIsSlowerThanAStop) {
