@@ -23,14 +23,9 @@ using path::Op;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A curve around a corner, and the corner as it is.
-struct Alternative {
-    double way = 0;       // mm of the curve on either side
-    double on_curve = 0;  // speed there
-    CornerPassage corner;
-    std::array<double, 2> lengths{};  // of both motions, mm
-    std::array<PathLimits, 2> limits;
-};
+/// Times and speeds that differ by less are the same where the tool alone is led around a corner,
+/// which the program asks for by itself: it is done where it costs nothing.
+constexpr double kAsQuick = 1.001;
 
 /// Of two motions the longer one is at most so many times as long as the shorter one where halves
 /// of the shorter one say enough of both.
@@ -43,6 +38,35 @@ constexpr double kGathering = 0.1;
 double gathering(double from, double to, const RampLimits& ramp) {
     return std::isfinite(ramp.jerk) ? kGathering * smooth_ramp_time(from, to, ramp) : 0;
 }
+
+/// A curve around a corner, and the corner as it is.
+struct Alternative {
+    double way = 0;       // mm of the curve on either side
+    double on_curve = 0;  // speed there
+    CornerPassage corner;
+    std::array<double, 2> lengths{};  // of both motions, mm
+    std::array<PathLimits, 2> limits;
+    /// Where the tip keeps its corner in the middle of the curve, the speed there.
+    double in_middle = kInfinity;
+    /// Of the tool alone: the program asks for it by itself.
+    bool is_asked = false;
+
+    /// Whether nothing is lost but on ramps beside a corner that the tip has anyway.
+    bool is_as_fast() const {
+        return is_asked && on_curve >= std::min(limits[0].speed, limits[1].speed) / kAsQuick;
+    }
+    /// It has to take less than so many times the time of the corner.
+    double allowed() const { return is_as_fast() ? kAsQuick : 1; }
+    /// What gathering may cost a ramp from the corner.
+    double gathering_from(double corner_speed, double to, const RampLimits& ramp) const {
+        const bool ramps_anyway = std::isfinite(in_middle) && is_as_fast();
+        return ramps_anyway ? 0 : gathering(std::min(corner_speed, to), to, ramp);
+    }
+    /// Over one side of the curve, which is left at a speed.
+    double time_on_curve(double speed, const RampLimits& ramp) const {
+        return in_middle < speed ? time_over(way, in_middle, speed, ramp) : way / speed;
+    }
+};
 
 /// Whether the curve takes less time than a stop where the motions begin and end at rest: there it
 /// is worth the least, for the slower a motion is anyway, the more a stop at its end costs.
@@ -61,16 +85,17 @@ bool is_quicker_between_rests(const Alternative& curve) {
         const ProfileLimits most{limits.speed, limits.acceleration, limits.acceleration,
                                  limits.jerk};
         const double length = curve.lengths[i];
-        on_curve += curve.way / speed + time_from_rest(length - curve.way, speed, most) +
-                    gathering(0, speed, ramp);
+        on_curve += curve.time_on_curve(speed, ramp) +
+                    time_from_rest(length - curve.way, speed, most) +
+                    curve.gathering_from(0, speed, ramp);
         with_stop += time_from_rest(length, 0, most);
     }
-    return on_curve < with_stop;
+    return on_curve < curve.allowed() * with_stop;
 }
 
 /// Whether the curve takes less time than the corner, which may be passed or be a stop, whatever
 /// becomes of it when its pieces are planned. Ramps end in the middles of both motions; beside a
-/// short one that says little of a long one, so both are looked at from rest to rest as well.
+/// short one that says little of the long one, so both are looked at from rest to rest as well.
 bool saves_time(const Alternative& curve) {
     const double half = std::min(curve.lengths[0], curve.lengths[1]) / 2;
     double on_curve = 0;
@@ -80,17 +105,21 @@ bool saves_time(const Alternative& curve) {
     double with_stop = 0;
     for (const PathLimits& limits : curve.limits) {
         RampLimits ramp{limits.acceleration, limits.jerk};
-        on_curve += curve.way / curve.on_curve +
+        on_curve += curve.time_on_curve(curve.on_curve, ramp) +
                     time_over(half - curve.way, curve.on_curve, limits.speed, ramp);
-        from_corner +=
-            gathering(std::min(curve.corner.speed, curve.on_curve), curve.on_curve, ramp);
-        from_stop += gathering(0, curve.on_curve, ramp);
+        from_corner += curve.gathering_from(curve.corner.speed, curve.on_curve, ramp);
+        from_stop += curve.gathering_from(0, curve.on_curve, ramp);
         with_stop += time_over(half, 0, limits.speed, ramp);
         ramp.acceleration *= curve.corner.ramp;
         ramp.jerk *= curve.corner.jerk_share;
         through_corner += time_over(half, curve.corner.speed, limits.speed, ramp);
     }
-    if (on_curve + from_corner >= through_corner || on_curve + from_stop >= with_stop) return false;
+    // Gathering costs less than the pieces take by themselves.
+    from_corner = std::min(from_corner, on_curve);
+    from_stop = std::min(from_stop, on_curve);
+    if (on_curve + from_corner >= curve.allowed() * through_corner ||
+        on_curve + from_stop >= curve.allowed() * with_stop)
+        return false;
     const bool is_even = std::max(curve.lengths[0], curve.lengths[1]) <= kEven * 2 * half;
     return (is_even && on_curve + from_stop < kSurelyQuicker * with_stop) ||
            is_quicker_between_rests(curve);
@@ -199,6 +228,67 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     return found->way;
 }
 
+/// Time along ways under the transformation: where the axes keep one below its feed, by the parts
+/// that one speed suits.
+double Preparer::State::time_along(std::span<const Segment> ways, const Command& command) const {
+    double time = 0;
+    for (const Segment& way : ways) {
+        const double length = way.turn.length;
+        const double wanted = feed_of(command, way, length).value_or(kInfinity);
+        const auto speed_on = [&](const Segment& part) {
+            return axes.limits(part, axes.start_rates(part), wanted).speed;
+        };
+        if (const double speed = speed_on(way); speed >= wanted) {
+            time += length / speed;
+            continue;
+        }
+        for (const Segment& part :
+             even_parts(axes.chain(), way, axes.bounds(), {wanted, tick, false})) {
+            time += part.turn.length / speed_on(part);
+        }
+    }
+    return time;
+}
+
+/// Whether the way around a corner takes less time than the corner as it is, or than a stop there.
+bool Preparer::State::is_quicker(const TurnedRounding& around, const Command& command,
+                                 const TurningWay& before, const TurningWay& behind,
+                                 CornerAsItIs as_it_is) {
+    const double way = around.way;
+    const Segment tail = before.part(held.length - way, held.length);
+    const Segment head = behind.part(0, way);
+    Alternative curve;
+    curve.way = way;
+    curve.lengths = {held.length, behind.whole().turn.length};
+    curve.limits = {limits_on(held.command, tail, way), limits_on(command, head, way)};
+    curve.on_curve = std::min(curve.limits[0].speed, curve.limits[1].speed);
+    const std::span<const Segment> four(around.pieces);
+    for (const Segment& piece : four) {
+        curve.on_curve = std::min(
+            curve.on_curve, axes.limits(piece, axes.start_rates(piece), curve.on_curve).speed);
+    }
+    if (as_it_is != CornerAsItIs::Stop) {
+        curve.corner = corner_between({tail, curve.lengths[0], curve.limits[0]},
+                                      {head, curve.lengths[1], curve.limits[1]});
+    }
+    if (as_it_is != CornerAsItIs::OfTheTip) return saves_time(curve);
+    curve.is_asked = true;
+    if (RoundedCorner(four[1].curve, four[2].curve).is_corner(false)) {
+        curve.in_middle = corner_between({four[1], four[1].turn.length, curve.limits[0]},
+                                         {four[2], four[2].turn.length, curve.limits[1]})
+                              .speed;
+    }
+    // The least speed may be that of a short part.
+    curve.limits[0].speed = way / time_along({&tail, 1}, held.command);
+    curve.limits[1].speed = way / time_along({&head, 1}, command);
+    if (saves_time(curve)) return true;
+    // Between its parts the ramps lie between that and the mean: half way, in time.
+    const double at_mean =
+        time_along(four.first(2), held.command) + time_along(four.last(2), command);
+    curve.on_curve = 2 * way / ((at_mean + 2 * way / curve.on_curve) / 2);
+    return saves_time(curve);
+}
+
 /// The way of tip and tool around the corner between two motions, if the program asks for one and
 /// it takes less time than the corner. Under a limit of the jerk the corner is a stop then: small
 /// turns of the tool at a corner of the tip would let the rotary axes jump, which costs no time.
@@ -208,22 +298,24 @@ TurnAtCorner Preparer::State::rounded_turn(const Command& command, const Turning
     if (wish.kind == path::BlendKind::None || !(wish.size > 0)) return {};
     auto found = turned_rounding(axes.chain(), before, wish, behind, command.blending);
     if (!found) return {};
-    const Segment tail = before.part(held.length - found->way, held.length);
-    const Segment head = behind.part(0, found->way);
-    const std::array<PathLimits, 2> beside = {limits_on(held.command, tail, found->way),
-                                              limits_on(command, head, found->way)};
-    double on_curve = std::min(beside[0].speed, beside[1].speed);
-    for (const Segment& piece : found->pieces)
-        on_curve = std::min(on_curve, axes.limits(piece, axes.start_rates(piece), on_curve).speed);
-    const double length = behind.whole().turn.length;
     const bool rests = axes.limits_jerk();
-    const CornerPassage corner =
-        rests ? CornerPassage{}
-              : corner_between({tail, held.length, beside[0]}, {head, length, beside[1]});
-    const bool is_quicker =
-        saves_time({found->way, on_curve, corner, {held.length, length}, beside});
-    if (!is_quicker) found.reset();
-    return {std::move(found), rests && !is_quicker};
+    if (is_quicker(*found, command, before, behind,
+                   rests ? CornerAsItIs::Stop : CornerAsItIs::Passed))
+        return {std::move(found), false};
+    return {std::nullopt, rests};
+}
+
+/// The way of the tool alone, while the tip stays on its path: likewise. Else the corner stays as
+/// it would be without.
+std::optional<TurnedRounding> Preparer::State::smoothed_way(const Command& command,
+                                                            const TurningWay& before,
+                                                            const TurningWay& behind) {
+    const path::Blending& wish = held.command.blending;
+    if (!wish.smooths_turns) return std::nullopt;
+    auto found = smoothed_turn(axes.chain(), before, behind, wish.orientation);
+    if (found && !is_quicker(*found, command, before, behind, CornerAsItIs::OfTheTip))
+        found.reset();
+    return found;
 }
 
 /// The same on which the tool turns: its way is rounded, too, or it alone.
@@ -233,9 +325,7 @@ double Preparer::State::round_turned_corner(const Command& command, const Segmen
     const TurningWay before(axes.chain(), held.segment);
     const TurningWay behind(axes.chain(), segment);
     auto [found, rests] = rounded_turn(command, before, behind);
-    const path::Blending& wish = held.command.blending;
-    if (!found && wish.smooths_turns)
-        found = smoothed_turn(axes.chain(), before, behind, wish.orientation);
+    if (!found) found = smoothed_way(command, before, behind);
     if (!found) {
         release();
         if (rests) last.must_stop = true;

@@ -108,6 +108,13 @@ struct SidesOfCorner {
     double behind = 0;
 };
 
+/// What a corner at which the tool turns is without the way around it.
+enum class CornerAsItIs : std::uint8_t {
+    Stop,
+    Passed,    // or a stop, by the rules of all corners
+    OfTheTip,  // likewise, and the way around it keeps the corner of the tip
+};
+
 /// What becomes of a corner at which the tool turns.
 struct TurnAtCorner {
     std::optional<TurnedRounding> around;  // nothing: it stays
@@ -254,8 +261,13 @@ struct Preparer::State {
     double round_corner(const path::Command& command, const Segment& segment,
                         const Arrival& arrival);
     double round_turned_corner(const path::Command& command, const Segment& segment, double length);
+    double time_along(std::span<const Segment> ways, const path::Command& command) const;
+    bool is_quicker(const TurnedRounding& around, const path::Command& command,
+                    const TurningWay& before, const TurningWay& behind, CornerAsItIs as_it_is);
     TurnAtCorner rounded_turn(const path::Command& command, const TurningWay& before,
                               const TurningWay& behind);
+    std::optional<TurnedRounding> smoothed_way(const path::Command& command,
+                                               const TurningWay& before, const TurningWay& behind);
     void emit_rest(const path::Command& command, const Segment& whole, double length, double from);
     bool is_one_way(const Segment& whole, const path::Vec3& to) const;  // prepare_transformed.cpp
     PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;
