@@ -206,7 +206,8 @@ std::optional<sema::ModuleLoader::ControlCommand> Modules::command_of_control(
         const auto command = nc::command_of_word(*dialect, word);
         if (!command) continue;
         const std::string_view name = command->is_call ? "" : nc::info(command->function).name;
-        const bool can_be_said = command->is_call || !nc::is_read_only(command->function);
+        const bool can_be_said =
+            command->is_call || !nc::has_fact(command->function, nc::Fact::ReadOnly);
         if (can_be_said) return ControlCommand{std::string(name), std::string(dialect->name())};
     }
     return std::nullopt;

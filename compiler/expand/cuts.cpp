@@ -39,7 +39,7 @@ bool Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) 
 
 /// Each of the compensated blocks was worked out for the radius of one tool.
 bool Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
-    if (!ModalState::compensates(modal[Group::RadiusComp]) ||
+    if (!nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide) ||
         (block.find(Function::Tool) == nullptr && block.find(Function::ToolChange) == nullptr))
         return true;
     auto builder = fault(diag::ToolUnderCompensation, at);
@@ -57,7 +57,7 @@ bool Expander::State::check_lead(const Block& block, std::uint32_t at) {
     const bool is_arc = nc::is_arc(modal[Group::Motion]) &&
                         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
     if (!is_arc || !recordings.empty()) return true;
-    const bool begins = ModalState::compensates(modal[Group::RadiusComp]);
+    const bool begins = nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide);
     auto builder = fault(diag::CompensationOnArc, at);
     builder.arg(begins ? "begins" : "ends");
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
@@ -104,8 +104,7 @@ void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
 
 bool Expander::State::check_cut(const Block& block, std::uint32_t at) {
     const Function motion = modal[Group::Motion];
-    const bool is_cut =
-        motion == Function::Line || motion == Function::Spline || nc::is_arc(motion);
+    const bool is_cut = nc::has_fact(motion, nc::Fact::Cut);
     const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 ||
                        (block.function_count != 0 && block.find(Function::ToolVector) != nullptr);
     if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return true;

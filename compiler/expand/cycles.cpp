@@ -41,18 +41,6 @@ bool is_given(const SaidCycle& cycle, std::optional<std::size_t> parameter) {
     return parameter && (cycle.given >> *parameter & 1u) != 0;
 }
 
-/// Functions that move, or move the coordinates, and can be no place of a cycle.
-bool is_apart(Function function) {
-    switch (function) {
-        case Function::MachineCoordinates:
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn:
-        case Function::SetPosition:
-        case Function::Probe: return true;
-        default: return false;
-    }
-}
-
 bool has(const sema::Plan& plan, Function function) {
     return std::ranges::find(plan.functions, function, &nc::Invocation::function) !=
            plan.functions.end();
@@ -72,7 +60,7 @@ bool Expander::State::cycle_active(std::string_view what, std::uint32_t at) {
 bool Expander::State::may_stand_between(const sema::Plan& plan, const Instruction& instruction,
                                         std::uint32_t at) {
     for (const nc::Invocation& invocation : plan.functions) {
-        if (is_apart(invocation.function))
+        if (nc::has_fact(invocation.function, nc::Fact::CycleApart))
             return cycle_active('`' + std::string(nc::info(invocation.function).name) + '`', at);
     }
     if ((plan.customs & custom::kPlaces) != 0) return true;

@@ -47,7 +47,7 @@ bool says_offset_with_tool(const nc::DialectTables& tables) {
 bool is_cycle_word(Function function) {
     const Group group = nc::info(function).group;
     return group == Group::CycleMode || group == Group::CycleReturn ||
-           function == Function::TapRigid || function == Function::CycleWords;
+           nc::has_fact(function, nc::Fact::CycleWord);
 }
 
 }  // namespace

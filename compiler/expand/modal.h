@@ -111,11 +111,8 @@ struct ModalState {
     bool is_compensation_due() const {
         const nc::Function wanted = (*this)[nc::Group::RadiusComp];
         return moved_under != nc::Function::None && wanted != nc::Function::None &&
-               compensates(moved_under) != compensates(wanted);
-    }
-    static bool compensates(nc::Function function) {
-        return function == nc::Function::RadiusCompLeft ||
-               function == nc::Function::RadiusCompRight;
+               nc::has_fact(moved_under, nc::Fact::CompSide) !=
+                   nc::has_fact(wanted, nc::Fact::CompSide);
     }
     void switch_spindle(nc::Function member, SourceId source);
     /// Text of unknown meaning: nothing is known any more.

@@ -104,7 +104,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         return true;
     }
     const Function compensation = modal[Group::RadiusComp];
-    if (compensation == Function::RadiusCompLeft || compensation == Function::RadiusCompRight) {
+    if (nc::has_fact(compensation, nc::Fact::CompSide)) {
         compensated_cycle(*frame.function);
         return true;
     }

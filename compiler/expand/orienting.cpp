@@ -37,52 +37,6 @@ constexpr double kRounding = 1e-12;
 
 constexpr AxisMask kRotary = bit(Axis::A) | bit(Axis::B) | bit(Axis::C);
 
-/// What ends or moves the system under tool centre point control, on every control.
-bool is_outside_tcp(Function function) {
-    switch (function) {
-        case Function::Tool:
-        case Function::ToolChange:
-        case Function::MachineCoordinates:
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn:
-        case Function::Tilt:
-        case Function::TiltEuler:
-        case Function::TiltAlign:
-        case Function::TiltOff: return true;
-        default: return false;
-    }
-}
-
-/// … and what a control refuses besides to which it is a kind of tool length.
-///
-/// source       F 4.7: PS5421
-bool is_outside_length(Function function) {
-    switch (function) {
-        case Function::RadiusCompLeft:
-        case Function::RadiusCompRight:
-        case Function::WorkOffset:
-        case Function::WorkOffsetData:
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::Rotate:
-        case Function::RotateOff:
-        case Function::Scale:
-        case Function::ScaleOff:
-        case Function::Mirror:
-        case Function::MirrorOff:
-        case Function::SetPosition:
-        case Function::LengthCompOn:
-        case Function::LengthCompOff:
-        case Function::LengthOffset:
-        case Function::ToolEdge:
-        case Function::Probe:
-        case Function::Cycle: return true;
-        default: return false;
-    }
-}
-
-bool is_straight(Function motion) { return motion == Function::Rapid || motion == Function::Line; }
-
 bool names_rotary(const sema::Plan& plan) {
     const auto is_rotary = [](std::size_t slot) {
         return slot < kAxes && (kRotary >> slot & 1u) != 0;
@@ -154,7 +108,8 @@ std::optional<bool> Expander::State::take_tool(const sema::Plan& plan,
         }
         const bool is_outside =
             modal.tcp != Tcp::Off &&
-            (is_outside_tcp(function) || (modal.tcp == Tcp::Length && is_outside_length(function)));
+            (nc::has_fact(function, nc::Fact::OutsideTcp) ||
+             (modal.tcp == Tcp::Length && nc::has_fact(function, nc::Fact::OutsideTcpLength)));
         if (is_outside) return refuse_under_tcp(nc::info(function).name, at);
     }
     if (modal.tcp == Tcp::Length && names_rotary(plan))
@@ -176,7 +131,7 @@ bool Expander::State::refuse_under_tcp(std::string_view what, std::uint32_t at) 
 /// Why tool centre point control cannot begin here; empty: it can.
 std::string Expander::State::tcp_hindrance() const {
     if (modal.tilt != ModalState::Tilt::None) return "inside of a tilted plane";
-    if (ModalState::compensates(modal[Group::RadiusComp]))
+    if (nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide))
         return "under cutter radius compensation";
     if (target.can_write(Function::TcpOn)) return "";
     // What follows is of controls to which it is a kind of tool length.
@@ -344,7 +299,7 @@ bool Expander::State::settle_direction(Block& block, std::uint32_t at) {
 /// Whether the motion of a block may stand under tool centre point control; false: it was reported.
 bool Expander::State::may_lead(const Block& block, std::uint32_t at) {
     const Function motion = modal[Group::Motion];
-    if (motion == Function::None || is_straight(motion)) return true;
+    if (motion == Function::None || nc::has_fact(motion, nc::Fact::Straight)) return true;
     const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
     if (!moves && block.find(Function::ToolVector) != nullptr) {
         fault(diag::OrientMotion, at).arg(nc::info(motion).name);

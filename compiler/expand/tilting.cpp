@@ -33,27 +33,6 @@ constexpr double kRounding = 1e-9;
 /// Angles of a resolved plane that differ from 0 by less are 0, deg.
 constexpr double kNoAngle = 1e-9;
 
-bool is_tilt(Function function) {
-    return function == Function::Tilt || function == Function::TiltOff;
-}
-
-/// What changes the system in which a plane was said.
-bool changes_frame(Function function) {
-    switch (function) {
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::Rotate:
-        case Function::RotateOff:
-        case Function::Scale:
-        case Function::ScaleOff:
-        case Function::Mirror:
-        case Function::MirrorOff:
-        case Function::WorkOffset:
-        case Function::SetPosition: return true;
-        default: return false;
-    }
-}
-
 double neat_angle(double angle_deg) { return std::fabs(angle_deg) < kNoAngle ? 0 : angle_deg; }
 
 }  // namespace
@@ -61,8 +40,10 @@ double neat_angle(double angle_deg) { return std::fabs(angle_deg) < kNoAngle ? 0
 /// Whether the plan says a tilted plane, or something that does not stand in one.
 bool Expander::State::is_about_tilt(const sema::Plan& plan) const {
     for (const nc::Invocation& invocation : plan.functions) {
-        if (is_tilt(invocation.function)) return true;
-        if (modal.tilt != ModalState::Tilt::None && changes_frame(invocation.function)) return true;
+        if (nc::has_fact(invocation.function, nc::Fact::TiltsOnce)) return true;
+        if (modal.tilt != ModalState::Tilt::None &&
+            nc::has_fact(invocation.function, nc::Fact::MovesSystem))
+            return true;
     }
     return false;
 }
@@ -70,7 +51,7 @@ bool Expander::State::is_about_tilt(const sema::Plan& plan) const {
 bool Expander::State::emit_tilt(const sema::Plan& plan, const Instruction& instruction,
                                 const Slot* registers, std::uint32_t at) {
     const Function function = plan.functions.front().function;
-    if (!is_tilt(function)) {
+    if (!nc::has_fact(function, nc::Fact::TiltsOnce)) {
         const bool may_change = modal.tilt == ModalState::Tilt::Own;
         if (may_change && function != Function::WorkOffset && function != Function::SetPosition)
             return plan_of_frame(plan, instruction, registers, at);

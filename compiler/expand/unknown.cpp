@@ -27,11 +27,6 @@ constexpr const char* kFrameFix = "`shift();` ends all frames";
 /// A center nearer to the start than this is the start, mm.
 constexpr double kNoRadius = 1e-9;
 
-/// Motions that need F; threads and taps follow the spindle.
-bool is_cut(Function motion) {
-    return motion == Function::Line || motion == Function::Spline || nc::is_arc(motion);
-}
-
 bool moves(const Block& block) {
     return (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
 }
@@ -186,7 +181,8 @@ bool Expander::State::knows_state(const Block& block, std::uint32_t at) {
         block.find(Function::Scale) != nullptr || block.find(Function::Mirror) != nullptr;
     if (needs_frame && (modal.lost & sema::kFrameBit) != 0)
         return state_lost("the frame", kFrameFix, at);
-    const bool needs_feed = moves(block) && is_cut(motion) && recordings.empty();
+    const bool needs_feed =
+        moves(block) && nc::has_fact(motion, nc::Fact::Cut) && recordings.empty();
     if (needs_feed && !block.has(nc::Slot::Feed) && (modal.lost & sema::kFeedBit) != 0)
         return state_lost("the feed", "give the block an F", at);
     return true;
@@ -300,7 +296,8 @@ void Expander::State::warn_of_radius(const Block& block, std::uint32_t at) {
 
 bool Expander::State::settle_unknown(Block& block, std::uint32_t at) {
     if (modal.lost != 0 && !knows_state(block, at)) return false;
-    if (!recordings.empty() || !moves(block) || !is_cut(modal[Group::Motion])) return true;
+    if (!recordings.empty() || !moves(block) || !nc::has_fact(modal[Group::Motion], nc::Fact::Cut))
+        return true;
     if (modal.restate != 0) say_again(block);
     if (modal.spindle_in_doubt) warn_of_choice(fault(diag::SpindleInDoubt, at));
     return true;

@@ -637,15 +637,6 @@ bool is_of_cycle(const nc::Block& block, const nc::Hole& hole) {
     return hole.is_argument && block.functions[hole.invocation].function == nc::Function::Cycle;
 }
 
-bool is_stop(nc::Function function) {
-    return function == nc::Function::SpindleStop || function == nc::Function::CoolantOff;
-}
-
-bool ends_program(nc::Function function) {
-    return function == nc::Function::Stop || function == nc::Function::OptionalStop ||
-           function == nc::Function::End || function == nc::Function::EndRewind;
-}
-
 /// `ROT`, `SCALE` and `MIRROR` of some controls delete the frame before they make their own: that
 /// is a block by itself.
 bool deletes_frame(const Plan& plan, const nc::Invocation& invocation) {
@@ -774,8 +765,9 @@ bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
     if (!deletion.functions.empty()) emit_plan(deletion, first, 0, range);
     Plan stops;
     if (moves) {
-        stops = take_functions(
-            plan, [](const nc::Invocation& invocation) { return is_stop(invocation.function); });
+        stops = take_functions(plan, [](const nc::Invocation& invocation) {
+            return nc::has_fact(invocation.function, nc::Fact::StopsMachine);
+        });
     }
     // … unless the source is written for a control on which they act before.
     const nc::Dialect& dialect = *modules_[module_].dialect;
@@ -784,7 +776,7 @@ bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
     if (has_stops && !is_before) {
         // Behind what the program stops or ends with nothing acts: it comes last.
         const Plan ends = take_functions(plan, [](const nc::Invocation& invocation) {
-            return ends_program(invocation.function);
+            return nc::has_fact(invocation.function, nc::Fact::StopsProgram);
         });
         stops.functions.insert(stops.functions.end(), ends.functions.begin(), ends.functions.end());
     }

@@ -39,7 +39,7 @@ Value Checker::call(ExprId id, Reg hint) {
     if (const std::optional<Value> value = builtin(name, expr, hint)) return *value;
     if (const std::optional<nc::Function> function = nc::find_function(name);
         function && *function != nc::Function::None && *function != nc::Function::Cycle &&
-        !nc::is_read_only(*function)) {
+        !nc::has_fact(*function, nc::Fact::ReadOnly)) {
         return call_vocabulary(nc::info(*function), expr);
     }
     if (found.symbol >= 0 || found.name != nullptr) {

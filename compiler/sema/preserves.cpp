@@ -83,7 +83,7 @@ class PreservesCheck {
     void set(Flow& flow, ModalMask bit, Setter setter) { flow.setters[bit] = {setter}; }
 
     void apply(Flow& flow, nc::Function function, const SourceRange& range) {
-        if (nc::changes_frame(function)) {
+        if (nc::has_fact(function, nc::Fact::ChangesFrame)) {
             set(flow, kFrameBit, {function, range});
             return;
         }

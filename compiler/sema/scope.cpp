@@ -121,7 +121,8 @@ std::vector<std::string_view> Checker::known_names(bool functions) const {
         names.insert(names.end(), builtins.begin(), builtins.end());
         for (const nc::FunctionInfo& info : nc::all_functions()) {
             const bool is_callable = info.function != nc::Function::Cycle &&
-                                     !nc::is_read_only(info.function) && !info.name.empty();
+                                     !nc::has_fact(info.function, nc::Fact::ReadOnly) &&
+                                     !info.name.empty();
             if (is_callable) names.push_back(info.name);
         }
     } else {

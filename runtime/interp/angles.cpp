@@ -36,8 +36,6 @@ Function said_of(const Block& block, Group group) {
     return Function::None;
 }
 
-bool is_straight(Function motion) { return motion == Function::Line || motion == Function::Rapid; }
-
 }  // namespace
 
 path::Plane Executor::plane_in(const Block& block) const {
@@ -68,7 +66,8 @@ void Executor::close_line(const Block& block) {
     const nc::Invocation* angle = block.find(Function::ContourAngle);
     const Function first_motion = first.motion != Function::None ? first.motion : modal_.motion;
     const Function motion = block.motion != Function::None ? block.motion : first_motion;
-    if (!is_straight(first_motion) || !is_straight(motion)) {
+    if (!nc::has_fact(first_motion, nc::Fact::Straight) ||
+        !nc::has_fact(motion, nc::Fact::Straight)) {
         report(diag::AngleMotion, block);
         return;
     }
@@ -124,7 +123,7 @@ bool Executor::is_open_distance(const Block& first, const Block& second, Slot sl
 const Block* Executor::with_angle(const Block& block, const nc::Invocation& angle) {
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_polar = (block.given & nc::kPolarSlots) != 0;
-    if (!is_straight(motion) || is_polar) {
+    if (!nc::has_fact(motion, nc::Fact::Straight) || is_polar) {
         report(diag::AngleMotion, block, Function::ContourAngle);
         return nullptr;
     }

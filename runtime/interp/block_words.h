@@ -46,35 +46,11 @@ inline bool is_running(path::SpindleMode mode) {
     return mode == path::SpindleMode::Cw || mode == path::SpindleMode::Ccw;
 }
 
-inline bool is_involute(nc::Function motion) {
-    return motion == nc::Function::InvoluteCw || motion == nc::Function::InvoluteCcw;
-}
-
 /// Whether the block measures on its way at rapid, `MEAS=1 G0 X10`.
 inline bool probes_at_rapid(const nc::Block& block) {
     if (block.function_count == 0) return false;
     const nc::Invocation* const call = block.find(nc::Function::Probe);
     return call != nullptr && (call->given & 4u) != 0 && block.argument(*call, 2) != 0;
-}
-
-/// Functions that tilt the plane in which the program works.
-inline bool is_tilt(nc::Function function) {
-    switch (function) {
-        case nc::Function::Tilt:
-        case nc::Function::TiltEuler:
-        case nc::Function::TiltPlane:
-        case nc::Function::TiltPoint:
-        case nc::Function::TiltVector:
-        case nc::Function::TurnInSpace:
-        case nc::Function::TiltAlongTool: return true;
-        default: return false;
-    }
-}
-
-/// Motions of which the words of an arc say something.
-inline bool is_circle(nc::Function motion) {
-    return is_arc(motion) || is_involute(motion) || motion == nc::Function::ArcThrough ||
-           motion == nc::Function::ArcTangent;
 }
 
 /// X, Y, Z of a frame function, from its parameter `first` on, or more axes.

@@ -5,7 +5,6 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
-#include "interp/contour_words.h"
 #include "interp/executor.h"
 
 namespace kadr::interp {
@@ -18,25 +17,6 @@ using path::Vec2;
 
 namespace {
 
-/// What moves places, changes planes, or is no block of a contour at all.
-bool is_out_of_contour(Function function) {
-    if (leaves_contour(function)) return true;
-    if (nc::info(function).group == nc::Group::Transformation) return true;
-    switch (function) {
-        case Function::RadiusCompLeft:
-        case Function::RadiusCompRight:
-        case Function::SideCompLeft:
-        case Function::SideCompRight:
-        case Function::SoftApproach:
-        case Function::SoftRetract: return true;
-        default: return false;
-    }
-}
-
-bool is_end(Function function) {
-    return function == Function::End || function == Function::EndRewind;
-}
-
 std::optional<path::Plane> plane_of(Function function) {
     switch (function) {
         case Function::PlaneXy: return path::Plane::Xy;
@@ -44,11 +24,6 @@ std::optional<path::Plane> plane_of(Function function) {
         case Function::PlaneYz: return path::Plane::Yz;
         default: return std::nullopt;
     }
-}
-
-bool is_contour_motion(Function motion) {
-    return motion == Function::None || motion == Function::Rapid || motion == Function::Line ||
-           nc::is_arc(motion) || motion == Function::ArcThrough || motion == Function::ArcTangent;
 }
 
 /// The digit of how the blocks join.
@@ -93,17 +68,19 @@ bool Executor::check_contour_block(const Block& block) {
         report(row, block, function).arg(word_of(block, function));
         return false;
     };
-    if (!is_contour_motion(block.motion)) return refuse(diag::ContourMotion, block.motion);
+    if (!nc::has_fact(block.motion, nc::Fact::ContourElement))
+        return refuse(diag::ContourMotion, block.motion);
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
-        if (is_end(function)) {
+        if (nc::has_fact(function, nc::Fact::EndsProgram)) {
             report(diag::ContourUnfinished, block, function);
             return false;
         }
         const auto plane = plane_of(function);
         const bool changes_units = (function == Function::Inch && units_ != Function::Inch) ||
                                    (function == Function::Metric && units_ == Function::Inch);
-        if (is_out_of_contour(function) || changes_units || (plane && *plane != modal_.plane))
+        if (nc::has_fact(function, nc::Fact::EndsContour) || changes_units ||
+            (plane && *plane != modal_.plane))
             return refuse(diag::ContourBlockWrong, function);
     }
     return true;

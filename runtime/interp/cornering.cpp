@@ -86,8 +86,7 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
     CornerWish wish;
     if (actions.corner != nullptr) {
         const Invocation& said = *actions.corner;
-        const bool begins = actions.radius_comp == Function::RadiusCompLeft ||
-                            actions.radius_comp == Function::RadiusCompRight;
+        const bool begins = nc::has_fact(actions.radius_comp, nc::Fact::CompSide);
         if (rules_.corner_strict && begins) {
             report(diag::CornerAtCompStart, block, said.function);
             return;

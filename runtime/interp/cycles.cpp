@@ -168,7 +168,8 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
 
 /// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
 void Executor::call_behind_motion(const Block& block) {
-    const bool is_circle_said = (block.given & nc::kArcSlots) != 0 && is_circle(modal_.motion);
+    const bool is_circle_said =
+        (block.given & nc::kArcSlots) != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
     // An axis that moves by itself goes along no path.
     const bool is_path = ((block.given & nc::kTargetSlots) != 0 || is_circle_said) &&
                          block.find(Function::RapidOnce) == nullptr;

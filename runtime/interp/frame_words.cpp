@@ -16,24 +16,7 @@ using nc::Function;
 using nc::Invocation;
 using path::Op;
 
-namespace {
-
-/// Before these the control takes the cutter off the contour, and puts it back with the next line,
-/// where the compensation lies within the frames.
-bool lets_comp_go(Function function) {
-    switch (function) {
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::ShiftAxes:
-        case Function::ShiftAxesAdd:
-        case Function::SetPosition:
-        case Function::SetPositionAxes:
-        case Function::PositionReset: return true;
-        default: return false;
-    }
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void Executor::select_work_offset(const Block& block, std::int64_t number) {
     if (number < 0 || number > rules_.work_offsets) {
@@ -55,7 +38,8 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         return;
     }
     const bool is_compensated = comp_.side != Function::RadiusCompOff && rules_.comp_is_innermost;
-    if (is_compensated && lets_comp_go(invocation.function) && !cycle_.blocks) {
+    if (is_compensated && nc::has_fact(invocation.function, nc::Fact::LetsCompGo) &&
+        !cycle_.blocks) {
         send_comp({CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base, {}, {}});
         if (ended_) return;
     }

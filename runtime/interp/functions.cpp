@@ -20,27 +20,6 @@ using path::Op;
 using path::Plane;
 using path::SpindleMode;
 
-namespace {
-
-/// What a control fixes before a tilted plane.
-bool is_before_tilt(Function function) {
-    switch (function) {
-        case Function::WorkOffset:
-        case Function::Shift:
-        case Function::ShiftAxes:
-        case Function::SetPositionAxes:
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn:
-        case Function::ReferenceCheck:
-        case Function::ReferenceLeave:
-        case Function::PositionReset:
-        case Function::SetPosition: return true;
-        default: return false;
-    }
-}
-
-}  // namespace
-
 Actions Executor::apply_functions(const Block& block) {
     Actions actions;
     const auto apply = [&](bool is_plane) {
@@ -65,29 +44,10 @@ Actions Executor::apply_functions(const Block& block) {
 /// Whether the function would change, inside a rotation, what the control fixes before it.
 bool Executor::is_too_late(Function function) const {
     if (!rules_.rotation_is_innermost) return false;
-    if (tilting_.is_on && is_before_tilt(function)) return true;
-    const bool is_mirror = function == Function::Mirror || function == Function::MirrorOff;
-    if (is_mirror && frames_.is_scaled()) return true;
+    if (tilting_.is_on && nc::has_fact(function, nc::Fact::BeforeTilt)) return true;
+    if (nc::has_fact(function, nc::Fact::Mirrors) && frames_.is_scaled()) return true;
     if (!frames_.is_rotated()) return false;
-    switch (function) {
-        case Function::WorkOffset:
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::ShiftAxes:
-        case Function::ShiftAxesAdd:
-        case Function::SetPositionAxes:
-        case Function::Mirror:
-        case Function::MirrorOff:
-        case Function::Scale:
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn:
-        case Function::ReferenceCheck:
-        case Function::ReferenceLeave:
-        case Function::MachineCoordinates:
-        case Function::PositionReset:
-        case Function::SetPosition: return true;
-        default: return is_tilt(function) || is_other_plane(function);
-    }
+    return nc::has_fact(function, nc::Fact::BeforeRotation) || is_other_plane(function);
 }
 
 bool Executor::is_other_plane(Function function) const {
@@ -104,22 +64,9 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
     const bool acts =
         comp_.side != Function::RadiusCompOff && block.find(Function::RadiusCompOff) == nullptr;
     if (!rules_.comp_is_innermost || !acts || cycle_.blocks) return false;
-    switch (function) {
-        case Function::Rotate:
-        case Function::ReferenceCheck:
-        case Function::ReferenceLeave: return true;
-        // Before them, or on the way there, the compensation is taken back; it begins anew behind.
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::ShiftAxes:
-        case Function::ShiftAxesAdd:
-        case Function::SetPositionAxes:
-        case Function::PositionReset:
-        case Function::SetPosition:
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn: return comp_.acting != Function::CompInPlane;
-        default: return false;
-    }
+    if (nc::has_fact(function, nc::Fact::NeedsCompOff)) return true;
+    // It begins anew behind, which it can in a plane alone.
+    return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != Function::CompInPlane;
 }
 
 void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {

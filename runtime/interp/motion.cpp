@@ -25,14 +25,6 @@ namespace {
 
 constexpr SlotMask kArcSlots = nc::kArcSlots | nc::kThroughSlots | bit(Slot::Opening);
 
-/// Motions on which the tool may turn as its words say.
-bool takes_tool_words(Function motion) {
-    return motion == Function::Rapid || motion == Function::Line || is_arc(motion) ||
-           motion == Function::ArcThrough || motion == Function::ArcTangent ||
-           motion == Function::Spline || motion == Function::AkimaSpline ||
-           motion == Function::CubicSpline || motion == Function::Polynomial;
-}
-
 path::Curve straight_way(const Vec3& from, const Vec3& to) {
     constexpr double kStill = 1e-9;  // mm: the rounding of frames
     if ((to - from).norm() <= kStill) return path::Point{from};
@@ -63,7 +55,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     SlotMask arc_words = block.given & kArcSlots;
-    const bool has_arc = arc_words != 0 && is_circle(modal_.motion);
+    const bool has_arc = arc_words != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
     const bool may_move = targets != 0 || actions.tool.turns() || has_arc;
     if (may_move && refuses_point_to_point(block, actions)) return;
     // They have told where the compensation ends.
@@ -100,7 +92,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (!check_rigid_tap(block, targets)) return;
     if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);
     const bool is_elsewhere = actions.machine_coordinates && !frames_off_;
-    if (actions.tool.is_any() && !takes_tool_words(modal_.motion)) {
+    if (actions.tool.is_any() && !nc::has_fact(modal_.motion, nc::Fact::TurnsTool)) {
         report(diag::IsoNotSupported, block).arg("a tool that turns beside a thread");
         return;
     }
@@ -114,7 +106,8 @@ void Executor::move(const Block& block, const Actions& actions) {
     const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
     if (modal_.motion == Function::Polynomial && !is_elsewhere && has_polynomial)
         return polynomial(block, actions.tool, stops_exactly(actions.exact_stop));
-    if (targets == 0 && !actions.tool.turns() && (arc_words == 0 || !is_circle(modal_.motion))) {
+    if (targets == 0 && !actions.tool.turns() &&
+        (arc_words == 0 || !nc::has_fact(modal_.motion, nc::Fact::Circle))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
         if (actions.switches_length) return move_behind_switch(block);
         if (actions.length_changed) move_length_alone(block);
@@ -166,10 +159,11 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.probes && arc_words != 0) warn_arc_word(block, arc_words);
     if (actions.probes)
         return line(block, target, probes_at_rapid(block) ? Op::Rapid : Op::Probe, true);
-    if (modal_.motion == Function::Thread || is_varying_thread(modal_.motion))
+    if (modal_.motion == Function::Thread || nc::has_fact(modal_.motion, nc::Fact::VaryingThread))
         return thread(block, target, actions);
-    if (is_arc_thread(modal_.motion)) return thread_along_arc(block, target, actions);
-    if (is_involute(modal_.motion)) return involute(block, target, exact_stop);
+    if (nc::has_fact(modal_.motion, nc::Fact::ArcThread))
+        return thread_along_arc(block, target, actions);
+    if (nc::has_fact(modal_.motion, nc::Fact::Involute)) return involute(block, target, exact_stop);
     if (is_tapping(modal_.motion)) return tap(block, target);
     if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
     if (modal_.motion == Function::ArcThrough) return arc_over_point(block, target, exact_stop);

@@ -297,7 +297,7 @@ bool Executor::refuses_under_tcp(const Block& block, Function function) {
         case Function::PolarOn:
         case Function::Cycle: break;
         default:
-            if (!is_tilt(function)) return false;
+            if (!nc::has_fact(function, nc::Fact::TiltsPlane)) return false;
     }
     report(diag::TcpForbidden, block, function).arg(word_of(block, function));
     return true;

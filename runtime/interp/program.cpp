@@ -396,7 +396,7 @@ void Program::State::deliver(Block& block, std::string_view text_of_line, std::u
 /// controls it is a return.
 void Program::State::end_after(Block& block) {
     const auto is_end = [](const nc::Invocation& invocation) {
-        return invocation.function == Function::End || invocation.function == Function::EndRewind;
+        return nc::has_fact(invocation.function, nc::Fact::EndsProgram);
     };
     const auto functions = std::span(block.functions).first(block.function_count);
     const auto found = std::find_if(functions.begin(), functions.end(), is_end);

@@ -29,7 +29,9 @@ bool moves(const Block& block) {
     if ((block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0) return true;
     // A full circle names no end, and an arc may say the angle that it goes.
     const bool is_arc_said = (block.given & (nc::kArcSlots | bit(nc::Slot::Opening))) != 0;
-    if (is_arc_said && (block.motion == Function::None || is_circle(block.motion))) return true;
+    if (is_arc_said &&
+        (block.motion == Function::None || nc::has_fact(block.motion, nc::Fact::Circle)))
+        return true;
     return block.find(Function::ReferenceReturn) != nullptr ||
            block.find(Function::ReferencePoint) != nullptr;
 }

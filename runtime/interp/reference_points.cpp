@@ -16,14 +16,7 @@ using nc::SlotMask;
 using path::Command;
 using path::Op;
 
-namespace {
-
-bool is_spline(Function motion) {
-    return motion == Function::Spline || motion == Function::AkimaSpline ||
-           motion == Function::CubicSpline;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 // ------------------------------------------------------------------------------ without frames
 
@@ -44,7 +37,7 @@ bool Executor::take_frames_off(const Block& block) {
         return false;
     }
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
-    if (is_spline(motion)) {
+    if (nc::has_fact(motion, nc::Fact::SplineMotion)) {
         report(diag::IsoNotSupported, block, Function::MachineCoordinates)
             .arg("a spline in machine coordinates");
         return false;
@@ -218,7 +211,7 @@ bool Executor::offset_ways(const Block& block, double times, Target& target) {
         report(diag::WayOffsetCompensated, block, Function::WayOffset);
         return false;
     }
-    if (is_circle(modal_.motion)) {
+    if (nc::has_fact(modal_.motion, nc::Fact::Circle)) {
         report(diag::IsoNotSupported, block, Function::WayOffset)
             .arg("an arc whose ends are moved by an offset");
         return false;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
-#include "interp/contour_words.h"
 #include "interp/executor.h"
 #include "interp/named_shape.h"
 
@@ -18,30 +17,10 @@ using path::Vec2;
 
 namespace {
 
-/// What is not the way along a shape, and cannot be a part of it.
-bool is_foreign(Function function) {
-    if (leaves_contour(function)) return true;
-    switch (function) {
-        case Function::End:
-        case Function::EndRewind:
-        case Function::PlaneXy:
-        case Function::PlaneYz:
-        case Function::Inch:
-        case Function::Metric:
-        case Function::Dwell: return true;
-        default: return false;
-    }
-}
-
 /// Whether the function chooses the plane that acts already.
 bool is_plane(Function function, path::Plane plane) {
     return (function == Function::PlaneXy && plane == path::Plane::Xy) ||
            (function == Function::PlaneYz && plane == path::Plane::Yz);
-}
-
-bool is_shape_motion(Function motion) {
-    return motion == Function::None || motion == Function::Rapid || motion == Function::Line ||
-           is_arc(motion);
 }
 
 }  // namespace
@@ -79,13 +58,13 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
 bool Executor::check_shape_block(const Block& block) {
     if (block.kind != Block::Kind::Nc || is_behind_shape(block)) return true;
     for (std::size_t i = 0; i < block.function_count; ++i) {
-        if (!is_foreign(block.functions[i].function)) continue;
+        if (!nc::has_fact(block.functions[i].function, nc::Fact::EndsShape)) continue;
         if (is_plane(block.functions[i].function, modal_.plane)) continue;
         report(diag::ShapeBlockWrong, block, block.functions[i].function)
             .arg(word_of(block, block.functions[i].function));
         return false;
     }
-    if (!is_shape_motion(block.motion)) {
+    if (!nc::has_fact(block.motion, nc::Fact::ShapeElement)) {
         report(diag::ShapeBlockWrong, block, block.motion).arg(word_of(block, block.motion));
         return false;
     }
@@ -99,7 +78,7 @@ bool Executor::check_shape_block(const Block& block) {
     shape_->has_begun = true;
     const bool goes_on = shape_->is_named && block.motion == Function::None;
     const Function motion = goes_on ? modal_.motion : block.motion;
-    if (motion == Function::Rapid || motion == Function::Line) {
+    if (nc::has_fact(motion, nc::Fact::Straight)) {
         shape_->approach = motion;
         shape_->approach_axes = block.given & nc::kTargetSlots;
         return true;

@@ -71,13 +71,14 @@ std::optional<Vec3> Executor::way_into(const Block& block) {
         return course ? std::optional(start_of(course->poles)) : std::nullopt;
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (targets == 0 && !is_arc(motion) && !is_involute(motion)) return std::nullopt;
+    if (targets == 0 && !is_arc(motion) && !nc::has_fact(motion, nc::Fact::Involute))
+        return std::nullopt;
     if (!check_axes(block, targets)) return std::nullopt;
     Target target = target_of(block, targets);
     const Vec3 start = linear(position_.here);
     const Vec3 way = linear(target.here) - start;
     if (is_arc(motion)) return way_into_arc(block, target);
-    if (is_involute(motion)) {
+    if (nc::has_fact(motion, nc::Fact::Involute)) {
         const auto words = involute_words(block);
         if (!words) return std::nullopt;
         if (block.has(Slot::Opening) && !take_involute_end(block, *words, target))
@@ -111,21 +112,7 @@ std::optional<Vec3> Executor::way_into_arc(const Block& block, Target target) {
 /// Whether the block changes where places are: its direction is not known before it is executed.
 bool Executor::frames_change_in(const Block& block) const {
     for (std::size_t i = 0; i < block.function_count; ++i) {
-        switch (block.functions[i].function) {
-            case Function::WorkOffset:
-            case Function::MachineCoordinates:
-            case Function::Shift:
-            case Function::ShiftAdd:
-            case Function::Rotate:
-            case Function::Scale:
-            case Function::Mirror:
-            case Function::PlaneXy:
-            case Function::PlaneZx:
-            case Function::PlaneYz:
-            case Function::DiameterOn:
-            case Function::DiameterOff: return true;
-            default: break;
-        }
+        if (nc::has_fact(block.functions[i].function, nc::Fact::MovesPlaces)) return true;
     }
     return false;
 }

@@ -36,9 +36,6 @@ struct PoleBlock {
     OrientModes modes = {};                        // … understood like this
 };
 
-/// Whether a word says how the tool stands or turns: it may stand in the blocks of a spline.
-bool is_tool_word(nc::Function function);
-
 /// A span, and the block that completed it.
 struct SplineStep {
     path::SplineSpan span;

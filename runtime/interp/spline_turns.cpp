@@ -27,24 +27,6 @@ constexpr double kNoDirection = 1e-3;
 
 }  // namespace
 
-/// Whether a word says how the tool stands or turns: it may stand in the blocks of a spline.
-bool is_tool_word(Function function) {
-    switch (function) {
-        case Function::ToolVector:
-        case Function::ToolAngle:
-        case Function::ToolLead:
-        case Function::ToolSpin:
-        case Function::ToolBetween:
-        case Function::ToolPoint:
-        case Function::ConeAxis:
-        case Function::ConeOpening:
-        case Function::SurfaceNormal:
-        case Function::LeanLead:
-        case Function::LeanTilt: return true;
-        default: return false;
-    }
-}
-
 /// Whether the tool may turn as it is said beside a spline or a polynomial; if not, it was
 /// reported.
 bool Executor::may_turn_along(const Block& block, const ToolWords& tool) {

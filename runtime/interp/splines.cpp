@@ -25,11 +25,6 @@ namespace {
 /// The first pole of a spline by knots is where the tool is, as far as texts can say it, mm.
 constexpr double kSamePlace = 0.002;
 
-bool is_spline_word(Function function) {
-    return function == Function::SplineDegree || function == Function::SplineWeight ||
-           function == Function::SplineInterval || function == Function::SplineKnot;
-}
-
 std::string_view words_of(NurbsFault fault) {
     switch (fault) {
         case NurbsFault::Decreasing: return "are decreasing";
@@ -59,9 +54,10 @@ bool Executor::continues_spline(const Block& block) const {
     bool has_knot = false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
-        if (is_tool_word(function)) continue;
+        if (nc::has_fact(function, nc::Fact::ToolWord)) continue;
         has_knot |= function == Function::SplineKnot;
-        if (is_spline_word(function) && function != Function::SplineDegree) continue;
+        if (nc::has_fact(function, nc::Fact::SplineWord) && function != Function::SplineDegree)
+            continue;
         if (spline_->is_by_knots() || !leaves_spline_open(block, block.functions[i])) return false;
     }
     return has_knot || (block.given & nc::kTargetSlots) != 0;
@@ -163,53 +159,8 @@ bool Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& t
 /// ends it, and what makes the path stop; what moves places or the tool ends it as well.
 /// source: SINUMERIK reference 4.4
 bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invocation) const {
+    if (nc::has_fact(invocation.function, nc::Fact::InSpline)) return true;
     switch (invocation.function) {
-        case Function::Inch:
-        case Function::Metric:
-        case Function::Absolute:
-        case Function::Incremental:
-        case Function::DiameterOn:
-        case Function::DiameterOff:
-        case Function::DiameterAbsolute:
-        case Function::FeedPerMinute:
-        case Function::FeedPerRevolution:
-        case Function::FeedInverseTime:
-        case Function::FeedOnce:
-        case Function::ToothFeed:
-        case Function::FeedAxes:
-        case Function::FeedRadius:
-        case Function::FeedOverride:
-        case Function::RapidOverride:
-        case Function::AxisVelocity:
-        case Function::AxisAcceleration:
-        case Function::AxisJerk:
-        case Function::AxisSpeed:
-        case Function::AxisFeed:
-        case Function::AxisOverride:
-        case Function::CuttingSpeedOn:
-        case Function::CuttingSpeedOff:
-        case Function::SpeedLimit:
-        case Function::SpindleSpeed:
-        case Function::SpindleLimit:
-        case Function::ExactStop:
-        case Function::ExactStopOnce:
-        case Function::ContinuousPath:
-        case Function::TappingMode:
-        case Function::BlendDistance:
-        case Function::BlendTolerance:
-        case Function::BlendSmooth:
-        case Function::BlendFeedDistance:
-        case Function::BlendRapidDistance:
-        case Function::PathTolerance:
-        case Function::OrientTolerance:
-        case Function::OrientSmooth:
-        case Function::OrientSmoothOff:
-        case Function::CompressOn:
-        case Function::CompressOff:
-        case Function::FeedCourse:
-        case Function::PathMoves:
-        case Function::PointRapids:
-        case Function::Message: return true;
         case Function::CompFeed:
         case Function::CompDepth:
         case Function::CompCornerPointed: return !is_any_comp_on();

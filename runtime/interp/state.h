@@ -144,14 +144,13 @@ struct RadiusCompState {
     double depth = 0;          // in space: of the contour above the tip, mm
 
     nc::Function chosen() const { return is_by_side_code ? nc::Function::CompBySide : system; }
-    static bool is_on_faces(nc::Function system) {
-        return system != nc::Function::CompInPlane && system != nc::Function::CompBySide;
-    }
     bool acts_on_faces() const {
-        return side != nc::Function::RadiusCompOff && is_on_faces(acting);
+        return side != nc::Function::RadiusCompOff && nc::has_fact(acting, nc::Fact::OnFaces);
     }
     /// Whether the surface normals of blocks are the cutter's matter.
-    bool takes_faces() const { return acts_on_faces() || is_on_faces(chosen()); }
+    bool takes_faces() const {
+        return acts_on_faces() || nc::has_fact(chosen(), nc::Fact::OnFaces);
+    }
 };
 
 /// What the program has chosen for soft approaches and retracts.

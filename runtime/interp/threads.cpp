@@ -94,7 +94,7 @@ bool Executor::check_thread_spindle(const Block& block) {
 /// By how much the pitch changes in a turn; 0 of an even thread. In a turn the tool goes by the
 /// pitch, so its square changes by twice the change times the way: it must not come to zero.
 std::optional<double> Executor::thread_change(const Block& block, double pitch, double way) {
-    if (!is_varying_thread(modal_.motion)) return 0;
+    if (!nc::has_fact(modal_.motion, nc::Fact::VaryingThread)) return 0;
     const nc::Invocation* const word = block.find(Function::ThreadChange);
     if (word == nullptr) {
         report(diag::ThreadChangeMissing, block);

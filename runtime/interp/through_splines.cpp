@@ -46,7 +46,7 @@ bool Executor::continues_through(const Block& block) {
     if (only_turns(block)) return false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
-        if (is_tool_word(function)) continue;
+        if (nc::has_fact(function, nc::Fact::ToolWord)) continue;
         if (function == Function::SplineStart || function == Function::SplineEnd) continue;
         if (!leaves_spline_open(block, block.functions[i])) return false;
     }
@@ -58,7 +58,7 @@ bool Executor::continues_through(const Block& block) {
 bool Executor::only_turns(const Block& block) {
     bool is_turned = false;
     for (std::size_t i = 0; i < block.function_count; ++i)
-        is_turned = is_turned || is_tool_word(block.functions[i].function);
+        is_turned = is_turned || nc::has_fact(block.functions[i].function, nc::Fact::ToolWord);
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (!is_turned || targets == 0 || (block.given & nc::kPolarSlots) != 0) return false;
     const Target target = target_in(block, targets);

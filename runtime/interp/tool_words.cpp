@@ -25,11 +25,6 @@ constexpr double kMostLean = 90;
 /// … and a cone opens by no more, deg; a sign says another form of the same.
 constexpr double kMostOpening = 180;
 
-bool is_cone(Function turning) {
-    return turning == Function::TurnConeCw || turning == Function::TurnConeCcw ||
-           turning == Function::TurnConeOver || turning == Function::TurnConeOn;
-}
-
 /// A count that a form of the dialect says; what is none is beyond all of them.
 std::size_t count_of(const Block& block, const nc::Invocation& invocation, std::size_t place) {
     constexpr double kMost = 9;
@@ -188,8 +183,8 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
             .arg(spelling_of(turning));
         return true;
     }
-    if (is_cone(turning) && !tool.says_direction() && tool.is_any() && !tool.spin &&
-        !tool.spin_by) {
+    if (nc::has_fact(turning, nc::Fact::ConeTurning) && !tool.says_direction() && tool.is_any() &&
+        !tool.spin && !tool.spin_by) {
         report(diag::ConeEndMissing, block);
         return true;
     }

@@ -81,42 +81,8 @@ std::optional<Plane> plane_said_by(Function function) {
 
 /// F 3.6: what a control takes that takes little there.
 bool stands_there(Function function, VirtualKind kind) {
+    if (nc::has_fact(function, nc::Fact::InVirtual)) return true;
     switch (function) {
-        case Function::Line:
-        case Function::ArcCw:
-        case Function::ArcCcw:
-        case Function::Dwell:
-        case Function::ExactStop:
-        case Function::ExactStopOnce:
-        case Function::ContinuousPath:
-        case Function::TappingMode:
-        case Function::RadiusCompOff:
-        case Function::RadiusCompLeft:
-        case Function::RadiusCompRight:
-        case Function::RadiusOffset:
-        case Function::CornerChamfer:
-        case Function::CornerRound:
-        case Function::Absolute:
-        case Function::Incremental:
-        case Function::FeedPerMinute:
-        case Function::FeedPerRevolution:
-        case Function::CycleOff:
-        case Function::Tool:
-        case Function::ToolSelect:
-        case Function::ToolChange:
-        case Function::LengthOffset:
-        case Function::SpindleCw:
-        case Function::SpindleCcw:
-        case Function::SpindleStop:
-        case Function::CoolantFlood:
-        case Function::CoolantMist:
-        case Function::CoolantOff:
-        case Function::MachineFunction:
-        case Function::Message:
-        case Function::Stop:
-        case Function::OptionalStop:
-        case Function::End:
-        case Function::EndRewind: return true;
         case Function::TcpOff: return kind == VirtualKind::Face;
         case Function::CylinderOn: return kind == VirtualKind::Cylinder;
         default: return kind == VirtualKind::Cylinder && plane_said_by(function).has_value();

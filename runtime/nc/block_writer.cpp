@@ -196,7 +196,7 @@ void BlockWriter::check_arc_words(const Block& block) {
     const Function motion =
         block.find(Function::Cycle) != nullptr ? Function::Cycle : effective_motion(block);
     const bool has_centre = (block.given & kCenterSlots) != 0;
-    if (motion == Function::None || takes_pitch(motion)) {
+    if (motion == Function::None || has_fact(motion, Fact::Pitch)) {
         // After raw text the author knows; beside a motion of threads the centre word is the pitch.
     } else if (!is_arc(motion)) {
         for (std::size_t i = 0; i < kSlots; ++i) {
@@ -278,7 +278,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         place_helix_feed(block, start, targets);
     } else if (motion == Function::None) {
         place_arc_as_given(block, start, targets);
-    } else if (takes_pitch(motion)) {
+    } else if (has_fact(motion, Fact::Pitch)) {
         for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
             if (!block.has(slot)) continue;
             targets.written |= bit(slot);

@@ -244,7 +244,7 @@ class BlockWriter {
                      std::string& out);
     bool is_compensated() const {
         const Function side = modal_.text_of(Group::RadiusComp);
-        return side == Function::RadiusCompLeft || side == Function::RadiusCompRight;
+        return has_fact(side, Fact::CompSide);
     }
     bool straighten(const Block& block, std::string& out);
     bool vanishes(const Block& block) const;

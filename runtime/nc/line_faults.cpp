@@ -19,15 +19,6 @@ namespace kadr::nc {
 
 namespace {
 
-bool writes_data(Function function) {
-    return function == Function::WorkOffsetData || function == Function::ToolOffsetData;
-}
-
-bool is_tool_offset(Function function) {
-    return function == Function::LengthOffset || function == Function::LengthCompOn ||
-           function == Function::RadiusOffset;
-}
-
 /// The pattern as a manual writes it: `G10 L2 P_ X_`; arguments of a call keep their names.
 std::string shown_pattern(std::string_view pattern) {
     std::string out;
@@ -339,7 +330,8 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             if (is_polynomial(fault.form) &&
                 modal_[static_cast<std::size_t>(Group::Motion)] != Function::Polynomial)
                 out.row = &diag::PolynomialAlone, out.arguments = {word};
-            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
+            if (fault.form != kNoForm &&
+                has_fact(tables_.forms[fault.form].function, Fact::WritesOffset))
                 out.row = &diag::OffsetDataFormat;
             break;
         case Kind::Value:
@@ -347,9 +339,11 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             if (fault.argument >= 0) take_argument_fault(fault, out);
             if (fault.form != kNoForm && tables_.forms[fault.form].function == Function::WorkOffset)
                 out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
-            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
+            if (fault.form != kNoForm &&
+                has_fact(tables_.forms[fault.form].function, Fact::WritesOffset))
                 out.row = &diag::OffsetDataNumber, out.arguments = {other + ' ' + word};
-            if (fault.form != kNoForm && is_tool_offset(tables_.forms[fault.form].function))
+            if (fault.form != kNoForm &&
+                has_fact(tables_.forms[fault.form].function, Fact::CallsOffset))
                 out.row = &diag::IsoToolOffset, out.arguments = {word};
             break;
         case Kind::Conflict:

@@ -674,7 +674,8 @@ bool LineReader::is_pitch(const Claim& claim, const Block& block) const {
     if (static_cast<Slot>(claim.place) != Slot::Feed || !feed_is_pitch_) return false;
     const Function modal = modal_[static_cast<std::size_t>(Group::Motion)];
     const Function motion = block.motion != Function::None ? block.motion : modal;
-    return motion == Function::Thread || is_varying_thread(motion) || is_arc_thread(motion);
+    return motion == Function::Thread || has_fact(motion, Fact::VaryingThread) ||
+           has_fact(motion, Fact::ArcThread);
 }
 
 /// A whole number that counts increments, or holds two parameters.

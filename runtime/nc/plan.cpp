@@ -168,7 +168,7 @@ class Planner {
             const Form& form = tables_.forms[match.forms[i]];
             plan_.feed_stays_metric = plan_.feed_stays_metric || form.feed_stays_metric;
             const bool is_cycle = form.function == Function::Cycle;
-            if (is_read_only(form.function) && form.function != Function::PolarOff) {
+            if (has_fact(form.function, Fact::ReadOnly) && form.function != Function::PolarOff) {
                 report_read_only(head_of(form));
                 return true;
             }
@@ -263,7 +263,7 @@ class Planner {
     /// Words of arcs beside a motion that is none, as far as the block itself says its motion.
     bool check_arc_words(std::span<const Claim> claims) {
         const Function motion = plan_.block.motion;
-        const bool is_straight = motion == Function::Rapid || motion == Function::Line;
+        const bool is_straight = has_fact(motion, Fact::Straight);
         const auto slot_of = [](const Claim& claim) { return static_cast<Slot>(claim.place); };
         const Claim* radius = nullptr;
         const Claim* center = nullptr;

@@ -50,11 +50,17 @@ struct Row {
 };
 
 constexpr std::array<Row, kFunctions> kRows = {{
-#define KADR_FUNCTION(id, name, group, parameters, meaning) \
+#define KADR_FUNCTION(id, name, group, facts, parameters, meaning) \
     {Function::id, name, Group::group, parameters, meaning},
 #include "nc/vocabulary.def"
 #undef KADR_FUNCTION
 }};
+
+constexpr FactInfo kFactInfos[] = {
+#define KADR_FACT(name, meaning) {#name, meaning},
+#include "nc/facts.def"
+#undef KADR_FACT
+};
 
 constexpr std::size_t kParameters = [] {
     std::size_t count = 0;
@@ -120,5 +126,7 @@ std::optional<Dimension> find_dimension(std::string_view name) {
     if (found == kDimensionNames.end()) return std::nullopt;
     return static_cast<Dimension>(found - kDimensionNames.begin());
 }
+
+std::span<const FactInfo> all_facts() { return kFactInfos; }
 
 }  // namespace kadr::nc

@@ -3,6 +3,8 @@
 // The table is vocabulary.def; enum, names, parameters and documentation are made from it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,13 +13,13 @@
 namespace kadr::nc {
 
 enum class Function : std::uint16_t {
-#define KADR_FUNCTION(id, name, group, parameters, meaning) id,
+#define KADR_FUNCTION(id, name, group, facts, parameters, meaning) id,
 #include "nc/vocabulary.def"
 #undef KADR_FUNCTION
 };
 
 inline constexpr std::size_t kFunctions = 0
-#define KADR_FUNCTION(id, name, group, parameters, meaning) +1
+#define KADR_FUNCTION(id, name, group, facts, parameters, meaning) +1
 #include "nc/vocabulary.def"
 #undef KADR_FUNCTION
     ;
@@ -55,6 +57,54 @@ enum class Group : std::uint8_t {
 };
 inline constexpr std::size_t kGroups = 28;
 
+/// What is so of a function whatever the program says: the columns of the table.
+enum class Fact : std::uint8_t {
+#define KADR_FACT(name, meaning) name,
+#include "nc/facts.def"
+#undef KADR_FACT
+};
+
+/// Some facts: `Fact::Straight | Fact::Cut`.
+class Facts {
+  public:
+    constexpr Facts() = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): one fact is some facts
+    constexpr Facts(Fact fact) : bits_(std::uint64_t{1} << static_cast<unsigned>(fact)) {}
+    constexpr bool has(Fact fact) const { return (bits_ >> static_cast<unsigned>(fact) & 1u) != 0; }
+    constexpr Facts with(Facts other) const {
+        Facts both;
+        both.bits_ = bits_ | other.bits_;
+        return both;
+    }
+
+  private:
+    std::uint64_t bits_ = 0;
+};
+constexpr Facts operator|(Fact a, Fact b) { return Facts(a).with(b); }
+constexpr Facts operator|(Facts a, Fact b) { return a.with(b); }
+
+inline constexpr std::array<Facts, kFunctions> kFacts = [] {
+    using enum Fact;
+    constexpr Facts Plain;  // NOLINT(readability-identifier-naming): a word of the table
+    return std::array<Facts, kFunctions>{{
+#define KADR_FUNCTION(id, name, group, facts, parameters, meaning) facts,
+#include "nc/vocabulary.def"
+#undef KADR_FUNCTION
+    }};
+}();
+
+constexpr bool has_fact(Function function, Fact fact) {
+    return kFacts[static_cast<std::size_t>(function)].has(fact);
+}
+
+/// Name and meaning of a fact, for documentation and tests.
+struct FactInfo {
+    std::string_view name;
+    std::string_view meaning;
+};
+/// In the order of Fact.
+std::span<const FactInfo> all_facts();
+
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {
     Number,
@@ -91,20 +141,7 @@ std::optional<Group> find_group(std::string_view name);
 std::string_view dimension_name(Dimension dimension);
 std::optional<Dimension> find_dimension(std::string_view name);
 
-constexpr bool is_tapping(Function f) { return f == Function::TapIn || f == Function::TapOut; }
-/// Threads whose pitch changes along them.
-constexpr bool is_varying_thread(Function f) {
-    return f == Function::ThreadIncreasing || f == Function::ThreadDecreasing;
-}
-/// Motions whose centre word is a pitch.
-constexpr bool takes_pitch(Function f) {
-    return is_tapping(f) || f == Function::Thread || is_varying_thread(f);
-}
-constexpr bool is_arc_thread(Function f) {
-    return f == Function::ThreadArcCw || f == Function::ThreadArcCcw;
-}
-constexpr bool is_arc(Function f) { return f == Function::ArcCw || f == Function::ArcCcw; }
-/// Functions that are read and executed, and neither written nor said in a source.
-constexpr bool is_read_only(Function f) { return f >= Function::ArcThrough; }
+constexpr bool is_tapping(Function f) { return has_fact(f, Fact::Tapping); }
+constexpr bool is_arc(Function f) { return has_fact(f, Fact::Arc); }
 
 }  // namespace kadr::nc

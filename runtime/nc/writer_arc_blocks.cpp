@@ -20,7 +20,8 @@ void keep_functions_of_part(const Block& block, bool is_first, bool is_last, Blo
     part.function_count = 0;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
-        const bool is_behind = stops_program(function) || function == Function::ExactStopOnce;
+        const bool is_behind =
+            has_fact(function, Fact::StopsProgram) || function == Function::ExactStopOnce;
         if (is_behind ? is_last : is_first)
             part.functions[part.function_count++] = block.functions[i];
     }

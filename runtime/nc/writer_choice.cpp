@@ -199,7 +199,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
             DiagnosticBuilder builder = sink_.report(diag::WriterFrameOrder, place(block));
             builder.arg(tables_.name).arg(name).arg(info(blocking).name);
             if (info(blocking).group == Group::RadiusComp)
-                builder.fix(sets_frame(invocation.function)
+                builder.fix(has_fact(invocation.function, Fact::SetsFrame)
                                 ? "begin and end frames outside of the compensation: `G40` first"
                                 : "end the compensation first: `G40`");
             if (blocking == Function::CuttingSpeedOn)
@@ -282,7 +282,8 @@ Function BlockWriter::acting_around(const Form& form, const Block& block) const 
         // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
         // depends on those around it.
         if (activity == Activity::Yes) return around;
-        if (activity == Activity::Unknown && sets_frame(form.function)) return around;
+        if (activity == Activity::Unknown && has_fact(form.function, Fact::SetsFrame))
+            return around;
     }
     return Function::None;
 }

@@ -17,9 +17,7 @@ namespace kadr::nc {
 /// source       S 5.2 MD20250; F 4.3 No.19625
 void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
     constexpr int kContour = 2;  // moves: the way to the contour, and its first element
-    const Function side = modal_.text_of(Group::RadiusComp);
-    const bool acts = side == Function::RadiusCompLeft || side == Function::RadiusCompRight;
-    if (!acts) return void(idle_ = {});
+    if (!is_compensated()) return void(idle_ = {});
     if (!std::exchange(idle_.is_begun, true)) idle_.level = block.skip;
     const auto axes = plane_axes();
     const SlotMask plane = SlotMask{1} << axes[0] | SlotMask{1} << axes[1];

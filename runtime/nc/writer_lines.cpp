@@ -48,7 +48,7 @@ bool BlockWriter::repeats_feed(const Block& block, const Targets& targets) const
     if (!has_address(Slot::Feed) || block.has(Slot::Feed) || !modal_.has_meant_feed) return false;
     const bool has_words = (block.given & (kTargetSlots | kCenterSlots)) != 0;
     const Function motion = effective_motion(block);
-    const bool is_cut = motion == Function::Line || motion == Function::Spline || is_arc(motion);
+    const bool is_cut = has_fact(motion, Fact::Cut);
     if (has_words && is_cut) {
         const double feed = modal_.meant_feed * targets.feed_factor;
         return feed_every_block_ || !is_standing(Slot::Feed, feed, modal_.feed);
@@ -182,7 +182,8 @@ bool BlockWriter::find_places(const Block& block, const Items& items, Places& pl
         ++room.words[tables_.slot_address[static_cast<std::size_t>(item.slot)] % room.words.size()];
     }
     const auto stops = [&](const Item& item) {
-        return item.form != kNoForm && stops_program(tables_.forms[item.form].function);
+        return item.form != kNoForm &&
+               has_fact(tables_.forms[item.form].function, Fact::StopsProgram);
     };
     const bool moves = (block.given & (kTargetSlots | kCenterSlots)) != 0 ||
                        (block.function_count != 0 && block.find(Function::Cycle) != nullptr);

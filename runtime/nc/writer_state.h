@@ -19,12 +19,6 @@ constexpr Slot center_slot(std::size_t axis) {
     return static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
 }
 
-/// What acts behind the motion of its block.
-constexpr bool stops_program(Function function) {
-    return function == Function::Stop || function == Function::OptionalStop ||
-           function == Function::End || function == Function::EndRewind;
-}
-
 constexpr std::size_t index_of(Group group) { return static_cast<std::size_t>(group); }
 
 /// Position of the axes, twice: as the program means it, and as the rounded words of the text add

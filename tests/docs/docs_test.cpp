@@ -271,7 +271,8 @@ TEST_F(Docs, TheVocabularyIsInThePageOnDialects) {
     page.erase(0, page.find("## 7. The vocabulary"));
     const std::string commands =
         kadr::read_file(KADR_ROOT "/runtime/nc/vocabulary.def").value_or("");
-    const std::regex command(R"re(\nKADR_FUNCTION\(\w+, "(\w+)", \w+, "([^"]*)", "(.*)"\))re");
+    const std::regex command(
+        R"re(\nKADR_FUNCTION\(\w+, "(\w+)", \w+, [\w |]+, "([^"]*)", "(.*)"\))re");
     int rows = 0;
     const auto expect_row = [&](const std::string& name, const std::string& parameters,
                                 const std::string& meaning) {

@@ -110,4 +110,25 @@ TEST(House, NoRuleIsAskedByItsName) {
     EXPECT_EQ(doors_found, doors.size());
 }
 
+/// What is so of a function whatever the program says is a column of vocabulary.def: no room keeps
+/// a list of functions of its own.
+TEST(House, NoPredicateListsFunctions) {
+    static const std::regex head(R"(bool \w+\((?:nc::)?Function \w+\)[^;{]*\{)");
+    static const std::regex row(R"(\bFunction::\w+)");
+    for (const char* side : {"runtime", "compiler"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / side)) {
+            const std::string extension = entry.path().extension();
+            if (extension != ".h" && extension != ".cpp") continue;
+            const std::string text = kadr::read_file(entry.path()).value_or("");
+            for (std::sregex_iterator at(text.begin(), text.end(), head), end; at != end; ++at) {
+                const auto begin = static_cast<std::size_t>(at->position());
+                const std::string body = text.substr(begin, text.find("\n}", begin) - begin);
+                const bool is_const = at->str().find(") const") != std::string::npos;
+                EXPECT_TRUE(is_const || !std::regex_search(body, row)) << entry.path() << '\n'
+                                                                       << body;
+            }
+        }
+    }
+}
+
 }  // namespace
