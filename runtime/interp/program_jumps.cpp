@@ -366,7 +366,7 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
         const bool is_before_end = fault == ProgramMap::Fault::None &&
                                    (is_behind || end.line.offset < line.place.line.offset);
         if (is_before_end) repeat.end = end.next;
-        if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.to);
+        if (fault != ProgramMap::Fault::None) return missing(fault, statement.to);
     } else if (!language.end_label.empty()) {
         Place end;
         const LinePosition limit = is_behind ? LinePosition{~std::uint64_t{0}, 0} : line.place.line;

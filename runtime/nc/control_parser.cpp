@@ -583,13 +583,22 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                 out.kind = JumpTarget::Kind::Number;
                 out.number = number;
             }
-            return true;
+            return !has_label_sign(begin);
         }
         if (!has_labels && is_lettered_number(begin)) return false;
         out.kind = JumpTarget::Kind::Computed;
         const bool is_fine = has_labels ? take_expression(out.value) : take_operand(out.value);
         out.span = out.value.span;
         return is_fine;
+    }
+
+    /// `GOTOF MARK1:`: the sign belongs to the label, and not to the jump.
+    bool has_label_sign(std::size_t begin) {
+        if (!line_.substr(at_).starts_with(language_.label_sign)) return false;
+        const std::string target(line_.substr(begin, at_ - begin));
+        fail_here(diag::StatementSyntax);
+        fault_->fix = "the target of a jump stands without it: `" + target + '`';
+        return true;
     }
 
     /// `GOTO N10` where the number stands alone.

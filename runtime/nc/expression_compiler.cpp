@@ -6,6 +6,7 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
+#include "nc/letters.h"
 
 namespace kadr::nc {
 
@@ -316,7 +317,10 @@ bool ExpressionCompiler::take_name(const Word& word) {
     if (is_sign) return fail_here(diag::ExpressionSyntax);
     if (begins_reference(word.begin)) return take_variable();
     for (const FunctionForm& form : language_.functions) {
-        if (words_.says(word, form.name)) return take_function(word, form);
+        // `SI` may stand for `SIN`, and `SINE` for nothing.
+        const bool goes_on =
+            word.text.size() > form.name.size() && is_letter(word.text[form.name.size()]);
+        if (!goes_on && words_.says(word, form.name)) return take_function(word, form);
     }
     if (const auto axis = axis_named(word.text)) {
         at_ += word.text.size();

@@ -48,7 +48,7 @@ const std::string* entry(const DialectTables& tables, std::string_view word,
     for (std::size_t front = word.size(); front > 0; --front) {
         const bool is_number = std::ranges::all_of(word.substr(front), is_digit);
         const std::string* const found = find(std::string(word.substr(0, front)) + '*');
-        if (found != nullptr && (front > 1 || is_number)) return found;
+        if (found != nullptr && (front > 1 || (is_number && word.size() > 1))) return found;
     }
     return nullptr;
 }
@@ -225,7 +225,11 @@ std::string_view instead_of_foreign(const DialectTables& tables, std::string_vie
         }
         const std::size_t end = end_of_word(line, at);
         const std::string word = spelled(line.substr(at, end - at));
-        const std::string* found = word.size() > 1 ? entry(tables, word) : nullptr;
+        // `L2` of `M98 P1 L2` is the control's own, whatever `L*` is elsewhere.
+        const bool is_numbered = word.size() > 1 && is_digit(word[1]);
+        const bool is_named = tables.foreign.find(word) != tables.foreign.end();
+        const bool is_candidate = word.size() > 1 && (!is_numbered || is_named);
+        const std::string* found = is_candidate ? entry(tables, word) : nullptr;
         if (found != nullptr && !is_own(tables, word) && !is_of_language(tables.language, word))
             return *found;
         at = end;

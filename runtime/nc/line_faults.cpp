@@ -178,6 +178,17 @@ bool is_about_words(const DiagnosticRow& row) {
     return std::ranges::find(kRows, &row) != kRows.end();
 }
 
+/// A word of small letters as `x5` is one in capital letters; three in a row are a remark.
+std::string fix_of_small_letters(const DialectTables& tables, std::string_view line,
+                                 std::size_t at) {
+    constexpr std::size_t kRemark = 3;
+    const auto begin = line.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto end = std::find_if_not(begin, line.end(), is_letter);
+    if (tables.comment.open != "(" || static_cast<std::size_t>(end - begin) < kRemark)
+        return "write capital letters";
+    return "a comment stands in brackets: `(…)`";
+}
+
 /// What a number is written as whose exponent begins at `at`, as `1e3`: with the exponent of the
 /// control's language, or without one. Empty: there is none.
 std::string fix_of_exponent(const DialectTables& tables, std::string_view line, std::size_t at) {
@@ -230,7 +241,8 @@ DiagnosticBuilder LineReader::report(std::string_view line, const LineFault& fau
     else if (!instead.empty()) builder.fix(std::string(instead));
     else if (fault.row == &diag::MachineAxisWanted)
         builder.fix("name the axis of the machine: `" + fault.arguments[1].substr(0, 1) + "1=0`");
-    else if (is_small && fault.row == &diag::IsoSyntax) builder.fix("write capital letters");
+    else if (is_small && fault.row == &diag::IsoSyntax)
+        builder.fix(fix_of_small_letters(tables_, line, at));
     write_notes(builder);
     return builder;
 }

@@ -82,7 +82,21 @@ class Matcher {
             }
             used_[first] = true;
         }
+        if (tables_.notation.address == Repeated::LastWins) drop_earlier_places();
         return {};
+    }
+
+    /// X and U of a lathe name one axis; where the last of two words counts, it does of these.
+    void drop_earlier_places() {
+        if (!tables_.has_incremental_letters) return;
+        for (std::size_t i = 1; i < words_.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                const bool is_same = !used_[i] && !used_[j] && address(i).slot >= 0 &&
+                                     address(i).slot == address(j).slot;
+                if (is_same && address(i).is_incremental != address(j).is_incremental)
+                    used_[j] = true;
+            }
+        }
     }
 
     int group_of(std::size_t i) const {
@@ -174,7 +188,9 @@ class Matcher {
     static bool is_nearer(const Fit& fit, const Fit& other) {
         if (fit.is_idle != other.is_idle) return other.is_idle;
         if (fit.matched != other.matched) return fit.matched > other.matched;
-        return !fit.is_of_other_word && other.is_of_other_word;
+        // Where both refuse one word, the first form says best what it should be.
+        const bool is_same = fit.answer == other.answer && fit.culprit == other.culprit;
+        return !is_same && !fit.is_of_other_word && other.is_of_other_word;
     }
 
     /// Of a cycle of two lines: what looks like settings is the work, and lacks a word of it.

@@ -92,7 +92,8 @@ std::optional<Rule> rule_named(std::string_view name) {
 bool set_rule(Rules& rules, Rule rule, std::string_view value) {
     switch (rule) {
 #define KADR_RULE(type, field, standard, values, meaning, source) \
-    case Rule::field: return read(value, rules.field);
+    case Rule::field:                                             \
+        return read(value, rules.field);
 #include "nc/rules.def"
 #undef KADR_RULE
     }
