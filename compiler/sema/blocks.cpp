@@ -233,11 +233,19 @@ bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> word
         if (one == 1) continue;
         const auto hole = std::ranges::find(plan.holes, i, &nc::Hole::word);
         if (hole == plan.holes.end()) continue;  // `Q1` of `G05.1 Q1`: part of the code
-        report(diag::SourceNoPoint, word.range)
-            .arg(word_text(word))
-            .arg(dialect.name())
-            .arg(read_as(word.number * one, *hole, units_ == Units::Inch))
-            .fix(word.range, word_text(word) + '.', "write the point");
+        DiagnosticBuilder message = report(diag::SourceNoPoint, word.range);
+        const std::string as_read = read_as(word.number * one, *hole, units_ == Units::Inch);
+        message.arg(word_text(word)).arg(dialect.name()).arg(as_read);
+        // Nobody means a hundredth by a whole number; `Q1000` may be both.
+        constexpr double kLeastMeant = 0.1;
+        std::string number(address);
+        append_shortest(number, word.number * one);
+        if (number.find('.') == std::string::npos) number += '.';
+        if (word.number * one < kLeastMeant)
+            message.fix(word.range, word_text(word) + '.', "write the point");
+        else
+            message.fix("write the point: `" + number + "` if " + as_read + " are meant, `" +
+                        word_text(word) + ".` if not");
         is_good = false;
     }
     return is_good;
@@ -397,7 +405,7 @@ Filling Checker::fill_speed(const Value& value, const Word& word, Reg reg) {
 }
 
 /// A value for a parameter or a slot whose unit in the block is fixed: mm, degrees, s, rpm.
-Filling Checker::fill_value(Value value, nc::Dimension dimension, const SourceRange& range,
+Filling Checker::fill_value(const Value& value, nc::Dimension dimension, const SourceRange& range,
                             std::string_view what, Reg reg) {
     Filling filling;
     if (is_error(value)) return filling;
@@ -407,7 +415,6 @@ Filling Checker::fill_value(Value value, nc::Dimension dimension, const SourceRa
         if (!is_error(out)) copy_value(out, reg);
         return filling;
     }
-    if (kind(value.type) == Kind::Bool) value.type = types::kInt;  // `mirror(x: true)`
     Type type = types_.real(quantity_of(dimension));
     if (dimension == nc::Dimension::Speed) type = types::kSpeed;
     if (dimension == nc::Dimension::Feed) type = types::kFeed;
@@ -480,6 +487,10 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
     const bool is_x = !hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::X);
     if (!is_x && !takes_diameter(value, value_range, what)) return filling;
     const TypeInfo info = type_info(value.type);
+    if (info.kind == Kind::Bool) {
+        convert(value, types_.real(quantity_of(hole.dimension)), word.range, what);
+        return filling;
+    }
     const bool is_bare = !has_unit && (info.kind == Kind::Int ||
                                        (info.kind == Kind::Real && info.quantity.is_number()));
     // X takes it as it stands: the filling says that it goes across.

@@ -415,7 +415,7 @@ class Checker {
     bool takes_diameter(const Value& value, const SourceRange& range, std::string_view what);
     Filling fill_feed(const Value& value, const syntax::Word& word, Reg reg);
     Filling fill_speed(const Value& value, const syntax::Word& word, Reg reg);
-    Filling fill_value(Value value, nc::Dimension dimension, const SourceRange& range,
+    Filling fill_value(const Value& value, nc::Dimension dimension, const SourceRange& range,
                        std::string_view what, Reg reg);
     std::uint32_t plan_constant(Plan plan);
     void emit_plan(Plan plan, Reg first, unsigned point, const SourceRange& range);

@@ -9,6 +9,12 @@ using syntax::ExprId;
 using syntax::ExprKind;
 using syntax::Operator;
 
+namespace {
+
+bool is_comparison(Operator op) { return op >= Operator::Less && op <= Operator::NotEqual; }
+
+}  // namespace
+
 /// Whether a value is what a table, a list that is gone through or the caller said, and nothing has
 /// been worked out of it.
 bool Checker::is_as_given(ExprId id) {
@@ -154,8 +160,16 @@ std::optional<Checker::Comparison> Checker::compare(const Expr& expr, Value left
     auto message = report(diag::OperandPair, expr.range);
     message.arg(spelling(expr.op)).arg(type_name(left.type)).arg(type_name(right.type));
     // `1 < n < 3`: the first comparison is a truth value.
-    const bool is_chain = a == Kind::Bool && ast()[expr.child[0]].kind == ExprKind::Binary;
-    if (is_chain) message.fix("each comparison stands by itself: `1 < n && n < 3`");
+    const Expr& first = ast()[expr.child[0]];
+    const bool is_chain =
+        a == Kind::Bool && first.kind == ExprKind::Binary && is_comparison(first.op);
+    if (is_chain) {
+        const auto written = [&](ExprId id) { return std::string(sources_.text(ast()[id].range)); };
+        const std::string both = std::string(sources_.text(first.range)) + " && " +
+                                 written(first.child[1]) + ' ' + std::string(spelling(expr.op)) +
+                                 ' ' + written(expr.child[1]);
+        message.fix(expr.range, both, "each comparison stands by itself");
+    }
     return std::nullopt;
 }
 
@@ -257,16 +271,27 @@ bool holds(Operator op, T a, T b) {
     }
 }
 
-bool is_comparison(Operator op) { return op >= Operator::Less && op <= Operator::NotEqual; }
-
 }  // namespace
 
 void Checker::check_condition(const Value& value, const SourceRange& range) {
     if (is_error(value) || kind(value.type) == Kind::Bool) return;
     auto message = report(diag::ConditionType, range);
     message.arg(type_name(value.type));
-    if (kind(value.type) == Kind::Int || kind(value.type) == Kind::Real)
-        message.fix("compare it: `" + std::string(sources_.text(range)) + " != 0`");
+    if (kind(value.type) != Kind::Int && kind(value.type) != Kind::Real) return;
+    const std::string_view source = sources_.text(range.file);
+    const std::string operand(sources_.text(range));
+    const std::size_t before = source.substr(0, range.begin).find_last_not_of(" \t\r\n");
+    const std::size_t behind = source.find_first_not_of(" \t\r\n", range.end);
+    const bool is_negated = before != source.npos && source[before] == '!';
+    const bool is_compared = behind != source.npos && source.substr(behind).starts_with("==");
+    if (is_negated && is_compared)
+        message.fix("`!` denies what stands directly behind it: `" + operand + " != …` compares");
+    else if (is_negated)
+        message.fix("compare it: `" + operand + " == 0` in place of `!" + operand + '`');
+    else if (value.is_constant())
+        message.fix("each side of `&&` and `||` is a condition of its own, as `n == " + operand +
+                    '`');
+    else message.fix("compare it: `" + operand + " != 0`");
 }
 
 void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {

@@ -199,7 +199,7 @@ TEST(Mistakes, HabitsOfOtherLanguages) {
              {"throw \"x\";", "`error(", ""},
              {"a++;", "by how much: `a += …`", ""},
              {"if (n) X1;", "`n != 0`", ""},
-             {"if (1 < n < 3) X1;", "`1 < n && n < 3`", ""},
+             {"if (1 < n < 3) X1;", "stands by itself", "1 < n && n < 3"},
              {"#define N 3\n", "`const int n = 3;`", ""},
              {"    struct hole h;", "the name alone", ""},
              {"i = 3;", "declare it first", ""},
