@@ -384,7 +384,7 @@ void Execution::connect(DiagnosticSink& sink) {
         .has_named_machine = is_subject || !options.machine.empty(),
         .probe = probe ? &*probe : nullptr,
         .touches = aside_.touches,
-        .in_step = aside_.watch != nullptr,
+        .in_step = aside_.watch != nullptr || aside_.in_step,
         .is_allowed = [this](const DiagnosticRow& row, const LinePlace& place) {
             Diagnostic warning;
             warning.row = &row;

@@ -52,6 +52,9 @@ struct Aside {
     bool keeps_calls = false;                       // GeneratedText::calls_behind is asked
     std::function<void(const nc::Block&)> look_at;  // is shown every block that is read
     interp::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one
+    /// No line of the control's language is executed before the blocks in front of it: what an
+    /// alarm leaves in variables and in printed text came before it.
+    bool in_step = false;
     std::vector<interp::VariableChange>* changes = nullptr;  // gets the variables that are set
     std::vector<interp::ProbeTouch> touches;                 // where the probe triggers
     std::vector<interp::InputEvent> input_events;  // values that the machine gives meanwhile

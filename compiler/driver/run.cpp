@@ -617,6 +617,7 @@ std::function<void(const nc::Block&)> Run::block_look() {
 bool Run::open_execution(std::unique_ptr<FileText> text) {
     Aside aside;
     aside.map = outputs_.map.get();
+    aside.in_step = outputs_.variables != nullptr || outputs_.print != nullptr;
     aside.keeps_calls = outputs_.summary != nullptr || outputs_.limits != nullptr;
     if (debugger_) debugger_->look_on(aside);
     if (page_) page_->look_on(aside);

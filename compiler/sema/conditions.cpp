@@ -289,8 +289,7 @@ void Checker::check_condition(const Value& value, const SourceRange& range) {
     else if (is_negated)
         message.fix("compare it: `" + operand + " == 0` in place of `!" + operand + '`');
     else if (value.is_constant())
-        message.fix("each side of `&&` and `||` is a condition of its own, as `n == " + operand +
-                    '`');
+        message.fix("a comparison says both sides, as `n == " + operand + '`');
     else message.fix("compare it: `" + operand + " != 0`");
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
+#include "interp/block_words.h"
 #include "interp/executor.h"
 #include "interp/linear.h"
 
@@ -90,7 +91,7 @@ std::optional<path::Arc> Executor::arc_by_opening(const Block& block, Target& ta
 
 std::nullopt_t Executor::report_arc_words(const Block& block, SlotMask words) {
     const auto slot = static_cast<Slot>(std::countr_zero(words));
-    report(diag::ArcWordsMixed, block, slot).arg(nc::slot_name(slot));
+    report(diag::ArcWordsMixed, block, slot).arg(slot_word(slot));
     return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
+#include "interp/block_words.h"
 #include "interp/executor.h"
 
 namespace kadr::interp {
@@ -208,7 +209,7 @@ const Block* Executor::with_polar_slots(const Block& block) {
                                            bit(Slot::Radius) | bit(Slot::Opening));
     if (others != 0) {
         const auto slot = static_cast<Slot>(std::countr_zero(others));
-        report(diag::ArcWordsMixed, block, slot).arg(nc::slot_name(slot));
+        report(diag::ArcWordsMixed, block, slot).arg(slot_word(slot));
         return nullptr;
     }
     for (const auto& [axis, value] :

@@ -174,7 +174,8 @@ bool is_about_words(const DiagnosticRow& row) {
         &diag::IsoUnknownWord,       &diag::IsoUnknownCode,  &diag::IsoNoValue,
         &diag::IsoWordsMissing,      &diag::IsoWordUnused,   &diag::IsoSyntax,
         &diag::ExpressionSyntax,     &diag::StatementSyntax, &diag::AssignmentMissing,
-        &diag::StatementWordMissing, &diag::LoopNumber,      &diag::CallNotAlone};
+        &diag::StatementWordMissing, &diag::LoopNumber,      &diag::CallNotAlone,
+        &diag::NameUnknown};
     return std::ranges::find(kRows, &row) != kRows.end();
 }
 

@@ -464,6 +464,19 @@ TEST_F(CommandLine, WhatAProgramPrintsGoesToAFile) {
     EXPECT_EQ(read_file(file("out.txt")), "A\n");
 }
 
+/// Lines behind an alarm are not executed, though blocks are read ahead as a rule.
+TEST_F(CommandLine, AnAlarmLeavesTheVariablesThatCameBeforeIt) {
+    save("early.mpf", "R1=1\nG1 X5\nR4=4\nM30\n");
+    const ProcessResult early =
+        kadr({"run", file("early.mpf"), "-d", "sinumerik", "--variables", "-"});
+    EXPECT_EQ(early.status, 3);
+    EXPECT_NE(early.out.find("\"R1\""), std::string::npos) << early.out;
+    EXPECT_EQ(early.out.find("\"R4\""), std::string::npos) << early.out;
+    save("early.nc", "%\nO0001\nPOPEN\nDPRNT[A]\nG1 X5.\nDPRNT[B]\nPCLOS\nM30\n%\n");
+    EXPECT_EQ(kadr({"run", file("early.nc"), "-d", "fanuc", "--print", file("out.txt")}).status, 3);
+    EXPECT_EQ(read_file(file("out.txt")), "A\n");
+}
+
 TEST_F(CommandLine, AlarmInGeneratedTextNamesTheStatement) {
     save("nofeed.kadr",
          "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G90 G0 X30;\n}\n");
