@@ -178,7 +178,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
         const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
-        if (has_machine_rapid && !says_rapid && motion != Function::Rapid &&
+        if (target.rules().machine_coordinates_rapid && !says_rapid && motion != Function::Rapid &&
             block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
             fault(diag::MachineAtFeed, at)
                 .arg(target.name())
@@ -186,7 +186,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
                 .fix("write `G0` in the block");
             return false;
         }
-        if (has_frame_diameter) scale_frame_x(block, 2);
+        if (target.rules().shift_in_diameter) scale_frame_x(block, 2);
         if (modal[Group::Diameter] == Function::None && options.warns_of_cuts &&
             !warned_of_diameter)
             warn_of_radius(block, at);

@@ -157,7 +157,7 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (given[i]) block.set_argument(*invocation, i, values[i]);
         }
-        if (has_frame_diameter) scale_frame_x(block, 2);
+        if (target.rules().shift_in_diameter) scale_frame_x(block, 2);
         if (options.trace) keep_trace(at, depth, source);
     };
     const std::array<bool, 3> none{};

@@ -196,17 +196,12 @@ bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
 }
 
 /// Whether the switch takes the work offset off is a matter of the machine: said behind it, it acts
-/// on each. Where the program has said none, it is that of the text's head.
+/// on each.
 void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsigned depth) {
     if (!target.rules().transformation_wants_offset) return;
     if ((modal.lost & sema::group_bit(Group::WorkOffsets)) != 0) return;
-    Function& active = modal.active[static_cast<std::size_t>(Group::WorkOffsets)];
-    if (active == Function::None && modal.due_offset == 0) {
-        const std::optional<int> offset = nc::offset_of_head(target);
-        if (!offset) return;
-        active = Function::WorkOffset;
-        modal.work_offset = *offset;
-    }
+    take_offset_of_head(modal);
+    if (modal[Group::WorkOffsets] == Function::None && modal.due_offset == 0) return;
     const double offset = modal.due_offset != 0 ? modal.due_offset : modal.work_offset;
     say_function(Function::WorkOffset, std::array{offset}, source, at, depth);
 }

@@ -6,6 +6,7 @@
 #include "base/diagnostics/expand.h"
 #include "expand/cutters.h"
 #include "expand/state.h"
+#include "nc/spelling.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {
@@ -20,9 +21,21 @@ bool Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned dep
     return set_back(scope, source, at, depth);
 }
 
+/// Where the program has said no work offset, that of the text's head acts.
+void Expander::State::take_offset_of_head(ModalState& state) const {
+    Function& active = state.active[static_cast<std::size_t>(Group::WorkOffsets)];
+    const bool is_lost = (state.lost & sema::group_bit(Group::WorkOffsets)) != 0;
+    if (is_lost || active != Function::None || state.due_offset != 0) return;
+    const std::optional<int> offset = nc::offset_of_head(target);
+    if (!offset) return;
+    active = Function::WorkOffset;
+    state.work_offset = *offset;
+}
+
 bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint32_t at,
                                unsigned depth) {
-    const ModalState& before = scope.before;
+    ModalState before = scope.before;
+    take_offset_of_head(before);
     const sema::ModalMask transformation = sema::group_bit(Group::Transformation);
     if ((scope.mask & transformation) != 0 && !set_back_tcp(before, source, at, depth))
         return false;

@@ -65,8 +65,6 @@ Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
       heap(program, {wanted.limits.array_elements, wanted.limits.heap_bytes}) {
     turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
     blocks_left = options.limits.blocks;
-    has_machine_rapid = target.rules().machine_coordinates_rapid;
-    has_frame_diameter = target.rules().shift_in_diameter;
     all_given.reserve(code.functions.size());
     for (const FunctionCode& function : code.functions) {
         const std::size_t count = function.parameters.size();

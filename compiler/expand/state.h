@@ -321,6 +321,7 @@ struct Expander::State {
 
     // ---- scopes.cpp
     bool set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);
+    void take_offset_of_head(ModalState& state) const;
     bool leave_with(SourceId source, std::uint32_t at, unsigned depth);
     bool check_needs(std::uint32_t at);
     bool check_preserves(std::uint32_t at);
@@ -444,8 +445,6 @@ struct Expander::State {
     Clock::time_point began = Clock::now();
     bool is_late = false;  // Limits::seconds are over
     std::uint64_t blocks_left = 0;
-    bool has_machine_rapid = false;   // the target goes to machine coordinates at rapid only
-    bool has_frame_diameter = false;  // the target takes X of frames as a diameter where X is one
     bool is_running = false;
     bool has_failed = false;
 

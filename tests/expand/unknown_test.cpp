@@ -71,6 +71,9 @@ TEST(Unknown, WithSetsBackOnlyWhatWasKnown) {
          "rapid X1\nraw \"G91\"\nincremental\nrapid X3",
          "1:51 K3203 what was active in the group `distance` before is not known, so it cannot be "
          "set back"},
+        // The offset of the text's head acts where the program has said none.
+        {"program p() { G0 X0; with G55 { G0 X1; } G0 X2; }",
+         "rapid X0\nwork_offset(number=2)\nrapid X1\nwork_offset(number=1)\nrapid X2"},
         // What the text inside may have changed is set back as well.
         {"program p() { with G91 { raw \"A\"; } G0 X1; }",
          "incremental\nraw \"A\"\nabsolute\nrapid X1"},
