@@ -244,7 +244,7 @@ bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> word
         if (word.number * one < kLeastMeant)
             message.fix(word.range, word_text(word) + '.', "write the point");
         else
-            message.fix("write the point: `" + number + "` if " + as_read + " are meant, `" +
+            message.fix("write the point: `" + number + "` if " + as_read + " is meant, `" +
                         word_text(word) + ".` if not");
         is_good = false;
     }

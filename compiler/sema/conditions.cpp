@@ -288,7 +288,7 @@ void Checker::check_condition(const Value& value, const SourceRange& range) {
         message.fix("`!` denies what stands directly behind it: `" + operand + " != …` compares");
     else if (is_negated)
         message.fix("compare it: `" + operand + " == 0` in place of `!" + operand + '`');
-    else if (value.is_constant())
+    else if (operand[0] >= '0' && operand[0] <= '9')  // `n == 2 || 3`
         message.fix("a comparison says both sides, as `n == " + operand + '`');
     else message.fix("compare it: `" + operand + " != 0`");
 }

@@ -16,8 +16,6 @@ using nc::Function;
 using nc::Invocation;
 using path::Op;
 
-namespace {}  // namespace
-
 void Executor::select_work_offset(const Block& block, std::int64_t number) {
     if (number < 0 || number > rules_.work_offsets) {
         report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);

@@ -16,8 +16,6 @@ using nc::SlotMask;
 using path::Command;
 using path::Op;
 
-namespace {}  // namespace
-
 // ------------------------------------------------------------------------------ without frames
 
 /// Whether the block is one like any other, to places of the tip in machine coordinates: it is

@@ -583,9 +583,9 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                 out.kind = JumpTarget::Kind::Number;
                 out.number = number;
             }
-            return !has_label_sign(begin);
+            return !refuses_label_sign(begin);
         }
-        if (!has_labels && is_lettered_number(begin)) return false;
+        if (!has_labels && refuses_lettered_number(begin)) return false;
         out.kind = JumpTarget::Kind::Computed;
         const bool is_fine = has_labels ? take_expression(out.value) : take_operand(out.value);
         out.span = out.value.span;
@@ -593,7 +593,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
     /// `GOTOF MARK1:`: the sign belongs to the label, and not to the jump.
-    bool has_label_sign(std::size_t begin) {
+    bool refuses_label_sign(std::size_t begin) {
         if (!line_.substr(at_).starts_with(language_.label_sign)) return false;
         const std::string target(line_.substr(begin, at_ - begin));
         fail_here(diag::StatementSyntax);
@@ -602,7 +602,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
     /// `GOTO N10` where the number stands alone.
-    bool is_lettered_number(std::size_t begin) {
+    bool refuses_lettered_number(std::size_t begin) {
         std::size_t end = begin + 1;
         while (end < line_.size() && is_digit(line_[end])) ++end;
         const std::string_view name = line_.substr(std::min(begin, line_.size()), end - begin);

@@ -464,11 +464,11 @@ bool ExpressionCompiler::take_reference(Reference& out) {
     if (!is_fine) return fault_ ? false : fail_unknown(word);
     out.indices.count = static_cast<std::uint32_t>(out_.code.size()) - out.indices.first;
     out.indices.span = out.span = span_from(begin);
-    return !begins_second_index(begin);
+    return !refuses_second_index(begin);
 }
 
 /// `$P_UIFR[1][X,TR]`: all indices stand in one bracket, with commas between them.
-bool ExpressionCompiler::begins_second_index(std::size_t begin) {
+bool ExpressionCompiler::refuses_second_index(std::size_t begin) {
     const bool is_indexed = at_ > begin && line_[at_ - 1] == language_.index_close;
     if (language_.index_open == language_.open || !is_indexed || peek() != language_.index_open)
         return false;

@@ -92,7 +92,7 @@ class ExpressionCompiler {
     bool take_variable();
     /// The code of the indices goes out at once; the load is left to the caller.
     bool take_reference(Reference& out);
-    bool begins_second_index(std::size_t begin);
+    bool refuses_second_index(std::size_t begin);
     /// `#1`, `#[expression]`, `R5`
     bool take_family(const Word& word, Reference& out);
     void add_datum(std::int64_t datum, std::size_t begin, Instruction& load);
