@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "motion/profile_cut.h"
 #include "motion/smooth_profile.h"
@@ -27,6 +28,7 @@ constexpr std::size_t kMostPieces = 512;
 constexpr double kLeastGain = 1e-6;
 // Of a limit: rounding.
 constexpr double kSlack = 1e-9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double between(double least, double greatest, double part) {
     return least * std::pow(greatest / least, part);
@@ -99,13 +101,19 @@ bool suits(const Profile& whole, const Range& range, PieceRing& pieces, const Ax
         const Profile part = cut.next(piece.length, is_last);
         if (part.peak_speed > piece.speed * (1 + kSlack)) return false;
         if (i > 0 && part.entry_speed > piece.entry_limit * (1 + kSlack)) return false;
-        const bool is_reckoned = (i == 0 && !is_free(piece)) ||
-                                 (is_last && i + 1 < pieces.size() && !is_free(pieces.at(i + 1)));
-        if (is_reckoned) {
-            // A corner beside the range was reckoned with the limits of its pieces.
-            if (path_acceleration(part) > piece.acceleration * (1 + kSlack)) return false;
-            if (path_jerk(part) > piece.jerk * (1 + kSlack)) return false;
-            continue;
+        const Piece* behind_it = is_last && i + 1 < pieces.size() ? &pieces.at(i + 1) : nullptr;
+        const bool is_behind_corner = i == 0 && !is_free(piece);
+        const bool is_before_corner = behind_it && !is_free(*behind_it);
+        if (is_behind_corner || is_before_corner) {
+            double most = kInfinity;
+            if (is_behind_corner) most = piece.smooth_corner_jerk;
+            if (is_before_corner) most = std::min(most, behind_it->smooth_corner_jerk);
+            if (path_jerk(part) > std::max(piece.jerk, most) * (1 + kSlack)) return false;
+            // A corner that is not smooth was reckoned with all that its pieces have.
+            if (most == 0) {
+                if (path_acceleration(part) > piece.acceleration * (1 + kSlack)) return false;
+                continue;
+            }
         }
         const double behind = i + 1 < pieces.size() ? pieces.at(i + 1).jerk_before : 1;
         const double share = std::min(piece.jerk_share, behind);

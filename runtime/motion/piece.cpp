@@ -9,6 +9,7 @@ Piece part_of(const Piece& whole, double from, double to, const AxisTable& axes)
     if (from > 0) {
         piece.entry_limit = whole.speed;
         piece.entry_acceleration = std::numeric_limits<double>::infinity();
+        piece.smooth_corner_jerk = 0;
         piece.rates = axes.start_rates(piece.segment);
     }
     if (to < whole.length) {

@@ -24,6 +24,9 @@ struct Piece {
     double entry_limit = 0;        // of the corner before it; 0: the path comes to rest there
     bool rests_at_corner = false;  // … as that is quicker than to pass it
     double entry_acceleration = std::numeric_limits<double>::infinity();  // as of a Stretch
+    /// Jerk of ramps that end at the corner before it without acceleration: within a tick of it
+    /// they have no more acceleration than it leaves. 0: it was reckoned with all that they have.
+    double smooth_corner_jerk = 0;
     /// Part of the acceleration of this piece, and of the one before it, that the corner between
     /// them leaves …
     double ramp = 1;

@@ -89,6 +89,7 @@ Piece& Preparer::State::fresh_piece() {
     piece.corner_zone = piece.corner_zone_before = 0;
     piece.crowd_ramp = 1;
     piece.rests_at_corner = false;
+    piece.smooth_corner_jerk = 0;
     piece.is_cell = piece.is_geared = piece.has_dynamics = piece.follows_spindle = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;
     piece.can_be_held = false;

@@ -92,7 +92,12 @@ void Preparer::State::take_corner(Piece& piece) const {
     const double ramp = ramp_beside(piece, share);
     if (axes.limits_jerk()) {
         piece.entry_acceleration = ramp * std::min(last.acceleration, piece.acceleration);
-        if (ends_smoothly(piece)) return;
+        if (ends_smoothly(piece)) {
+            const double least = std::min(last.jerk, piece.jerk);
+            if (share.is_alone)
+                piece.smooth_corner_jerk = std::max(least, piece.entry_acceleration / tick);
+            return;
+        }
     }
     piece.ramp = piece.ramp_before = ramp;
     if (!share.is_alone) piece.crowd_ramp = ramp;
@@ -143,11 +148,21 @@ CornerShare Preparer::State::quickest_share(const Piece& piece) const {
     if (!may_rest) return best;
     const CornerShare rest{0, 1, best.is_alone, RampEnd::Whole};
     const double with_rest = time_beside(piece, rest);
-    const bool is_doubtful = time > kSurelyQuicker * with_rest;
+    if (is_doubtful(piece)) {
+        const double without_ramps = (last.length / last.speed + piece.length / piece.speed) / 2;
+        if (time - without_ramps > kDoubtOfBends * (with_rest - without_ramps)) return rest;
+    }
+    const bool may_be_slower = time > kSurelyQuicker * with_rest;
     if (time > with_rest ||
-        (is_doubtful && time_between_rests(piece, best) > time_between_rests(piece, rest)))
+        (may_be_slower && time_between_rests(piece, best) > time_between_rests(piece, rest)))
         best = rest;
     return best;
+}
+
+/// Whether limits that change with the speed are worth a doubt (kDoubtOfBends).
+bool Preparer::State::is_doubtful(const Piece& piece) const {
+    return axes.limits_jerk() && !piece.segment.is_transformed() &&
+           (!last.can_be_cut || !can_be_cut(piece.segment));
 }
 
 /// Whether the beam burns a point at a corner that turns back: passing it is hardly faster than a

@@ -50,13 +50,20 @@ struct Alternative {
     double in_middle = kInfinity;
     /// Of the tool alone: the program asks for it by itself.
     bool is_asked = false;
+    bool is_doubtful = false;  // by kDoubtOfBends, for one of both motions
 
     /// Whether nothing is lost but on ramps beside a corner that the tip has anyway.
     bool is_as_fast() const {
         return is_asked && on_curve >= std::min(limits[0].speed, limits[1].speed) / kAsQuick;
     }
-    /// It has to take less than so many times the time of the corner.
+    /// It has to take less than so many times the time of the corner …
     double allowed() const { return is_as_fast() ? kAsQuick : 1; }
+    /// … which takes `time` on so much of the ways on both sides of it.
+    double allowed_for(double time, const std::array<double, 2>& ways) const {
+        if (!is_doubtful) return allowed() * time;
+        const double without_ramps = ways[0] / limits[0].speed + ways[1] / limits[1].speed;
+        return without_ramps + kDoubtOfBends * (time - without_ramps);
+    }
     /// What gathering may cost a ramp from the corner.
     double gathering_from(double corner_speed, double to, const RampLimits& ramp) const {
         const bool ramps_anyway = std::isfinite(in_middle) && is_as_fast();
@@ -90,7 +97,7 @@ bool is_quicker_between_rests(const Alternative& curve) {
                     curve.gathering_from(0, speed, ramp);
         with_stop += time_from_rest(length, 0, most);
     }
-    return on_curve < curve.allowed() * with_stop;
+    return on_curve < curve.allowed_for(with_stop, curve.lengths);
 }
 
 /// Whether the curve takes less time than the corner, which may be passed or be a stop, whatever
@@ -117,11 +124,11 @@ bool saves_time(const Alternative& curve) {
     // Gathering costs less than the pieces take by themselves.
     from_corner = std::min(from_corner, on_curve);
     from_stop = std::min(from_stop, on_curve);
-    if (on_curve + from_corner >= curve.allowed() * through_corner ||
-        on_curve + from_stop >= curve.allowed() * with_stop)
+    if (on_curve + from_corner >= curve.allowed_for(through_corner, {half, half}) ||
+        on_curve + from_stop >= curve.allowed_for(with_stop, {half, half}))
         return false;
     const bool is_even = std::max(curve.lengths[0], curve.lengths[1]) <= kEven * 2 * half;
-    return (is_even && on_curve + from_stop < kSurelyQuicker * with_stop) ||
+    return (is_even && !curve.is_doubtful && on_curve + from_stop < kSurelyQuicker * with_stop) ||
            is_quicker_between_rests(curve);
 }
 
@@ -217,8 +224,10 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
         std::min(least_speed(before, held.segment, most), least_speed(behind, segment, most));
     const CornerPassage corner =
         corner_between({held.segment, held.length, beside[0]}, {segment, length, beside[1]});
-    if (!saves_time({found->way, on_curve, corner, {held.length, length}, beside}))
-        return keep_sharp(), 0;
+    Alternative around{found->way, on_curve, corner, {held.length, length}, beside};
+    around.is_doubtful = axes.limits_jerk() && (path::bends_freely(held.segment.curve) ||
+                                                path::bends_freely(segment.curve));
+    if (!saves_time(around)) return keep_sharp(), 0;
     held.is_held = false;
     emit_part(held.command, held.segment, held.length, {held.from, held.length - found->way});
     emit_curves(held.command, held.segment, held.length, before);

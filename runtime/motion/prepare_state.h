@@ -78,6 +78,10 @@ struct Emission {
     const FeedCourse* course = nullptr;  // … or this one
 };
 
+/// A ramp beside a rest has on a curve that bends freely what the axes leave at each speed
+/// (long_ramp.h), which is more than the limits that are known before it is planned: of the time
+/// that it is reckoned to lose, passing a corner may lose no more than so much.
+inline constexpr double kDoubtOfBends = 0.8;
 /// What takes less than this part of the time of a stop, by the halves of the motions beside it, is
 /// quicker whatever the speeds at their other ends are.
 inline constexpr double kSurelyQuicker = 0.9;
@@ -209,6 +213,7 @@ struct Preparer::State {
     bool ends_smoothly(const Piece& piece) const;
     bool burns_where_it_turns_back(const Piece& piece) const;
     bool has_own_ramps(const Piece& piece, double speed) const;
+    bool is_doubtful(const Piece& piece) const;
     bool is_alone(const Piece& piece) const;
     double time_beside(const Piece& piece, const CornerShare& share) const;
     double time_between_rests(const Piece& piece, const CornerShare& share) const;
