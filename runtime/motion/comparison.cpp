@@ -54,6 +54,8 @@ class Walker {
         const double pace = slope_of_tip().norm();
         return pace > kStanding ? pace : 1;
     }
+    /// From the tip to what the linear axes carry.
+    const Vec3& carrier() const { return segment().carrier; }
     double follower(std::size_t i) const {
         return segment().follower_start[i] + segment().follower_rate[i] * along_;
     }
@@ -63,6 +65,7 @@ class Walker {
     /// Where the last piece ended, and whether that was in the workpiece as it is turned.
     const Vec3& end() const { return end_; }
     bool ended_transformed() const { return ended_transformed_; }
+    const Vec3& end_carrier() const { return end_carrier_; }
     /// Points that were burnt so far.
     std::uint64_t pulses() const { return pulses_; }
 
@@ -78,6 +81,7 @@ class Walker {
         end_ = is_beside() ? tip_at(length_) : path::end(segment().curve);
         line_ = segment().line;
         ended_transformed_ = segment().is_in_workpiece();
+        end_carrier_ = segment().carrier;
         ++at_;
         settle();
     }
@@ -122,6 +126,7 @@ class Walker {
     double length_ = 0;
     Vec3 end_ = Vec3::Zero();
     bool ended_transformed_ = false;
+    Vec3 end_carrier_ = Vec3::Zero();
     std::uint32_t line_ = 0;
     std::uint64_t pulses_ = 0;
 };
@@ -247,7 +252,10 @@ class Walk {
     /// Where both are through: along the way one may have come farther.
     void look_at_ends() {
         if (first_.ended_transformed() != second_.ended_transformed()) return;
-        const double distance = (second_.end() - first_.end()).norm();
+        const Vec3 carried = first_.ended_transformed()
+                                 ? Vec3::Zero()
+                                 : Vec3(second_.end_carrier() - first_.end_carrier());
+        const double distance = (second_.end() - first_.end() + carried).norm();
         if (distance <= result_.greatest_distance) return;
         result_.greatest_distance = distance;
         result_.widest = {first_.end(), second_.end(), first_.line(), second_.line()};
@@ -287,7 +295,7 @@ class Walk {
         if (is_between_systems()) return 0;
         const path::CurvePoint a = first_.here();
         const path::CurvePoint b = second_.here();
-        const Vec3 apart = b.position - a.position;
+        const Vec3 apart = b.position - a.position + carried_apart();
         const double ahead = first_.segment().turns_only ? 0 : apart.dot(a.tangent);
         const bool leads = std::abs(ahead) <= tolerance_;
         const double distance = leads ? (apart - ahead * a.tangent).norm() : apart.norm();
@@ -300,6 +308,14 @@ class Walk {
         else if (first_.segment().kind == SegmentKind::Feed && !is_between_pieces()) compare_cuts();
         if (!is_between_pieces()) compare_feeds();
         return leads ? ahead : 0;
+    }
+
+    /// Without a transformation the machine moves alike if what its axes carry does: a text that
+    /// takes the length of the tool off for a retract has its tip elsewhere, and moves no axis.
+    Vec3 carried_apart() const {
+        if (first_.segment().is_in_workpiece() || second_.segment().is_in_workpiece())
+            return Vec3::Zero();
+        return second_.carrier() - first_.carrier();
     }
 
     bool do_followers_agree() const {

@@ -42,6 +42,21 @@ TEST_F(Compare, OtherCoordinatesAreNoDistance) {
     EXPECT_LE(std::stod(result.out.substr(at + said.size())), 3) << result.out;
 }
 
+/// A retract takes the tool's length off on one control (D0) and not on the other: no axis is
+/// somewhere else. A tool that is longer by 0.1 mm moves every axis.
+TEST_F(Compare, WhatCountsIsWhereTheAxesAre) {
+    const std::string retracts = std::string(KADR_ROOT) + "/tests/golden/lengths/retracts.kadr";
+    const auto alike = kadr({"compare", retracts, "-d", "fanuc", "-d", "sinumerik"});
+    EXPECT_EQ(alike.status, 0) << alike.out << alike.err;
+    const auto other = [&](const std::string& length) {
+        save("a.mpf", "$TC_DP3[1,2]=" + length + "\nT1 M6 D2\nS1000 M3 F200\nG0 Z50\nG1 Z1\nM30\n");
+        save("b.mpf", "$TC_DP3[1,2]=50\nT1 M6 D2\nS1000 M3 F200\nG0 Z50\nG1 Z1\nM30\n");
+        return kadr({"compare", file("a.mpf"), file("b.mpf"), "-d", "sinumerik"});
+    };
+    EXPECT_EQ(other("50").status, 0) << other("50").out;
+    EXPECT_EQ(other("50.1").status, 1) << other("50.1").out;
+}
+
 TEST_F(Compare, SaysWhereProgramsPart) {
     save("a.mpf", "S1000 M3 F200\nG0 X0 Y0\nG1 X10\nY10\nM30\n");
     save("b.nc", "%\nO1\nS1000M3F200.\nG0X0.Y0.\nG1X10.\nY10.02\nM30\n%\n");
