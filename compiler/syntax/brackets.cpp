@@ -1,6 +1,7 @@
 #include "syntax/brackets.h"
 
 #include "base/diagnostics/syntax.h"
+#include "syntax/token_kinds.h"
 
 namespace kadr::syntax {
 
@@ -8,6 +9,11 @@ namespace {
 
 const char* closing_text(Token open) {
     return open == Token::OpenParen ? ")" : open == Token::OpenBracket ? "]" : "}";
+}
+
+/// Whether what begins so goes on with no value in front of it.
+bool begins_block(Token token) {
+    return token == Token::Identifier || is_word(token) || begins_statement(token);
 }
 
 }  // namespace
@@ -87,14 +93,34 @@ void Brackets::close_blocks(const Lexeme& before) {
     }
 }
 
-/// Reports that the innermost bracket is not closed and closes it behind the last token.
+/// In the tokens so far, where the innermost bracket should have been closed: the condition of a
+/// statement ends where its block of words begins, `if ((a > 1) && (b > 1) G1 X1;`, all others
+/// behind the last token.
+std::size_t Brackets::end_of_top() const {
+    const Bracket& top = stack_.back();
+    if (top.role != Bracket::Role::Control && top.role != Bracket::Role::For) return out_.size();
+    std::size_t first = out_.size();
+    while (first > 0 && out_[first - 1].begin > top.open.begin) --first;
+    std::size_t depth = 0;
+    for (std::size_t i = first; i < out_.size(); ++i) {
+        const Token token = out_[i].token;
+        if (opens(token)) ++depth;
+        else if (closes(token) && depth > 0) --depth;
+        else if (depth == 0 && i > first && begins_block(token) && may_end_value(out_[i - 1].token))
+            return i;
+    }
+    return out_.size();
+}
+
+/// Reports that the innermost bracket is not closed and closes it where it should have been.
 void Brackets::mend_top(const Lexeme& before) {
     const Bracket& bracket = stack_.back();
     const char* text = closing_text(bracket.open.token);
     Lexeme lexeme;
     lexeme.token = closing_of(bracket.open.token);
     lexeme.is_repair = true;
-    lexeme.begin = lexeme.end = out_.empty() ? before.begin : out_.back().end;
+    const std::size_t at = end_of_top();
+    lexeme.begin = lexeme.end = at == 0 ? before.begin : out_[at - 1].end;
     // Two in a row are one slip: `f(g(x;`.
     const bool is_second = before.is_repair || (!out_.empty() && out_.back().is_repair);
     if (!is_second) {
@@ -103,7 +129,7 @@ void Brackets::mend_top(const Lexeme& before) {
             .note(file_.range(bracket.open), "the bracket was opened here")
             .fix(file_.range(lexeme), text, "close it");
     }
-    out_.push_back(lexeme);
+    out_.insert(out_.begin() + static_cast<std::ptrdiff_t>(at), lexeme);
     pop();
 }
 

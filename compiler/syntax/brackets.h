@@ -54,6 +54,7 @@ class Brackets {
     void reset_heads();
 
   private:
+    std::size_t end_of_top() const;
     void mend_top(const Lexeme& before);
     void exchange_top(const Lexeme& wrong);
     void pop();

@@ -528,6 +528,7 @@ bool Complaints::explain_assignment(const Place& place) {
             return true;
         }
     }
+    if (explain_small_address(place)) return true;
     const auto token_before = [&](std::size_t distance) {
         return place.index < distance ? Token::EndOfFile
                                       : stream_.lexeme(place.index - distance).token;
@@ -542,6 +543,20 @@ bool Complaints::explain_assignment(const Place& place) {
     } else {
         file_.sink.report(diag::AssignmentInValue, range).fix(range, "==", "to compare");
     }
+    return true;
+}
+
+/// `G1 x=10`: an address in small letters is a name, and no word.
+bool Complaints::explain_small_address(const Place& place) {
+    if (place.previous.token != Token::Identifier || !is_word(place.head)) return false;
+    const std::string_view name = file_.spelling(place.previous);
+    const std::string address = upper_ascii(name);
+    if (address == name || is_declared(name) ||
+        nc::word_kind(dialect_, address) != nc::WordKind::Address)
+        return false;
+    const SourceRange word = file_.range(place.previous.begin, place.offending.end);
+    file_.sink.report(diag::AssignmentInValue, word)
+        .fix(word, address + "=", "words of blocks are written in upper case");
     return true;
 }
 

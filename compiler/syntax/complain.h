@@ -143,6 +143,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     bool explain_closing(const Place& place);
     bool explain_assignment(const Place& place);
     bool is_foreign_word(const Place& place) const;
+    bool explain_small_address(const Place& place);
     bool explain_comma(const Place& place);
     bool explain_declaration(const Place& place);
     void explain_address_name(const Lexeme& lexeme);

@@ -10,6 +10,7 @@
 #include "syntax/habits.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
+#include "syntax/token_kinds.h"
 
 namespace kadr::syntax {
 
@@ -27,29 +28,6 @@ enum class Head : std::uint8_t {
     Struct,
     Enum,
 };
-
-bool is_word(Token token) {
-    return token == Token::LiteralWord || token == Token::BareWord || token == Token::Address;
-}
-
-/// Whether a value can end with this token.
-bool ends_value(Token token) {
-    switch (token) {
-        case Token::Identifier:
-        case Token::Number:
-        case Token::Text:
-        case Token::TextClose:
-        case Token::CloseParen:
-        case Token::CloseBracket:
-        case Token::CloseBrace:
-        case Token::True:
-        case Token::False:
-        case Token::LiteralWord:
-        case Token::PlusPlus:
-        case Token::MinusMinus: return true;
-        default: return false;
-    }
-}
 
 class Retyping {
   public:
@@ -257,10 +235,10 @@ void Retyping::mend_before() {
         is_over = top.role != Bracket::Role::For || top.semicolons >= 2;
     } else if (lexeme.token == Token::OpenBrace) {
         const bool is_default = previous() == Token::Assign || previous() == Token::In;
-        is_over = (ends_value(previous()) && top.open.token != Token::OpenValue) ||
+        is_over = (may_end_value(previous()) && top.open.token != Token::OpenValue) ||
                   (top.role == Bracket::Role::Parameters && !is_default);
     } else if (is_word(lexeme.token) && next() != Token::Colon) {
-        is_over = ends_value(previous()) && (is_new_line || head_ == Head::Words);
+        is_over = may_end_value(previous()) && (is_new_line || head_ == Head::Words);
     } else if (lexeme.token == Token::Identifier && is_new_line) {
         const Keyword* keyword = keyword_of(lexeme);
         is_over = keyword != nullptr && keyword->place == Keyword::Place::Anywhere &&
@@ -294,7 +272,7 @@ void Retyping::end_forgotten_statement() {
     if (at_start_ || !brackets_.is_statement_level()) return;
     if (!is_name(i_) || !file_.crosses_line(out_.back().end, lexeme.begin)) return;
     if (file_.lines.indent(lexeme.begin) > file_.lines.line_indent(statement_begin_)) return;
-    const bool ends_word = ends_value(previous()) || previous() == Token::BareWord;
+    const bool ends_word = may_end_value(previous()) || previous() == Token::BareWord;
     const bool is_header = head_ == Head::Header && previous() == Token::CloseParen;
     const Bracket* top = brackets_.top();
     const bool is_enum = top != nullptr && top->role == Bracket::Role::Enumerators;
@@ -375,7 +353,7 @@ bool Retyping::control_comment() {
     const bool is_bracket = at(i_).token == Token::OpenParen;
     if (!brackets_.is_statement_level() || (out_.empty() && !is_bracket)) return false;
     const bool is_behind_words =
-        !at_start_ && head_ == Head::Words && ends_value(previous()) && !ends_line(i_ - 1);
+        !at_start_ && head_ == Head::Words && may_end_value(previous()) && !ends_line(i_ - 1);
     std::optional<std::size_t> last;
     if (is_bracket && (at_start_ || is_behind_words)) last = bracket_comment();
     else if (!is_bracket && at_start_) last = line_comment();
@@ -465,7 +443,7 @@ bool Retyping::is_declared_operator(std::size_t i, const Keyword& keyword) {
         }
         return true;
     }
-    return is_told && (i == 0 || !ends_value(in_[i - 1].token));
+    return is_told && (i == 0 || !may_end_value(in_[i - 1].token));
 }
 
 const Keyword* Retyping::keyword_of(const Lexeme& lexeme) {
@@ -573,7 +551,7 @@ bool Retyping::is_keyword_here(const Keyword& keyword) const {
             return previous() == Token::Identifier && top != nullptr &&
                    top->role == Bracket::Role::Parameters;
         case Keyword::Place::Infix:
-            return ends_value(previous()) && !at_start_ && head_ != Head::Words;
+            return may_end_value(previous()) && !at_start_ && head_ != Head::Words;
         case Keyword::Place::Prefix: return next() == Token::Identifier;
         case Keyword::Place::Preserved:
             return previous() == Token::Preserves || previous() == Token::Comma;

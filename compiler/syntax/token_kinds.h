@@ -72,4 +72,23 @@ inline bool ends_value(Token token) {
            token == Token::CloseBrace;
 }
 
+/// Whether a value can end with this token.
+inline bool may_end_value(Token token) {
+    switch (token) {
+        case Token::Identifier:
+        case Token::Number:
+        case Token::Text:
+        case Token::TextClose:
+        case Token::CloseParen:
+        case Token::CloseBracket:
+        case Token::CloseBrace:
+        case Token::True:
+        case Token::False:
+        case Token::LiteralWord:
+        case Token::PlusPlus:
+        case Token::MinusMinus: return true;
+        default: return false;
+    }
+}
+
 }  // namespace kadr::syntax
