@@ -172,9 +172,9 @@ class Layer {
             return;
         }
         if (!goes) return;
-        if (const auto cubic = path::steady_cubic(from, target.tip, command.spline)) {
+        if (const auto steady = path::steady_span(from, target.tip, command.spline)) {
             out.is_plain = true;
-            out.plain = plain_way(*cubic);
+            out.plain = plain_way(*steady);
         }
     }
 

@@ -9,57 +9,34 @@ namespace kadr::motion {
 
 namespace {
 
-using path::Cubic;
 using path::Vec3;
 using Side = PlainLook::Side;
 
+template <std::size_t N>
+using Points = std::array<Vec3, N>;
+
 /// Never shorter than the curve.
-double polygon(const Cubic& cubic) {
-    return (cubic[1] - cubic[0]).norm() + (cubic[2] - cubic[1]).norm() +
-           (cubic[3] - cubic[2]).norm();
-}
-
-}  // namespace
-
-PlainWay plain_way(const path::Line& line) {
-    PlainWay way;
-    way.curve = line;
-    way.length = line.length;
-    return way;
-}
-
-PlainWay plain_way(const Cubic& cubic) {
-    PlainWay way;
-    way.curve = cubic;
-    way.length = polygon(cubic);
-    return way;
-}
-
-path::Curve curve_of(const PlainWay& way) {
-    if (const auto* line = std::get_if<path::Line>(&way.curve)) return *line;
-    const auto& cubic = std::get<Cubic>(way.curve);
-    path::SplineShape shape;
-    shape.inner = {cubic[1], cubic[2]};
-    return path::make_spline(cubic[0], cubic[3], shape);
-}
-
-const Vec3& end_of(const PlainWay& way) {
-    if (const auto* line = std::get_if<path::Line>(&way.curve)) return line->end;
-    return std::get<Cubic>(way.curve)[3];
+template <std::size_t N>
+double polygon(const Points<N>& points) {
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < N; ++i) length += (points[i + 1] - points[i]).norm();
+    return length;
 }
 
 /// Newton's iteration for the foot of the tip, as programmed_path.h does it, but it ends as soon as
 /// the answer is sure: a place within the tolerance with its foot near, or an end that the tip has
 /// gone past. A tip beside the middle is left to a closer look.
-PlainLook look_on_cubic(const PlainWay& way, const Vec3& tip, double tolerance, double place) {
+///
+/// lower  the least parameter that the tip may have
+template <std::size_t N>
+PlainLook foot_on(const Points<N>& points, const Vec3& tip, double tolerance, double place,
+                  double lower) {
     constexpr int kSteps = 12;
     /// The foot is known well enough when the next step is shorter, mm: it squares what is left.
     constexpr double kNear = 1e-3;
-    const auto& cubic = std::get<Cubic>(way.curve);
-    const double lower = std::max(0.0, place - 2 * tolerance / way.length);
     double u = place;
     for (int step = 0; step < kSteps; ++step) {
-        const path::Casteljau<Vec3> scheme(cubic, u);
+        const path::Casteljau<Vec3, N> scheme(points, u);
         const Vec3 off = tip - scheme.at();
         const Vec3 first = scheme.derivative();
         const double square = first.squaredNorm();
@@ -78,9 +55,63 @@ PlainLook look_on_cubic(const PlainWay& way, const Vec3& tip, double tolerance, 
     return {Side::Unknown, u};
 }
 
-double bound_on_cubic(const PlainWay& way, double place) {
-    const auto& cubic = std::get<Cubic>(way.curve);
-    return polygon(place < 1 ? path::split(cubic, place).first : cubic);
+/// What a span's points say; a line has none.
+template <typename Answer, typename Ask>
+Answer of_span(const PlainWay& way, const Ask& ask) {
+    if (const auto* cubic = std::get_if<path::Cubic>(&way.curve)) return ask(*cubic);
+    return ask(std::get<path::Quintic>(way.curve));
+}
+
+path::Curve measured(const path::Cubic& points) {
+    path::SplineShape shape;
+    shape.inner = {points[1], points[2]};
+    return path::make_spline(points.front(), points.back(), shape);
+}
+
+path::Curve measured(const path::Quintic& points) {
+    path::SplineShape shape;
+    shape.degree = 5;
+    shape.inner = {points[1], points[2], points[3], points[4]};
+    return path::make_quintic(points.front(), points.back(), shape);
+}
+
+}  // namespace
+
+PlainWay plain_way(const path::Line& line) {
+    PlainWay way;
+    way.curve = line;
+    way.length = line.length;
+    return way;
+}
+
+PlainWay plain_way(const path::SteadySpan& steady) {
+    PlainWay way;
+    std::visit([&](const auto& points) { way.curve = points; }, steady);
+    way.length = of_span<double>(way, [](const auto& points) { return polygon(points); });
+    return way;
+}
+
+path::Curve curve_of(const PlainWay& way) {
+    if (const auto* line = std::get_if<path::Line>(&way.curve)) return *line;
+    return of_span<path::Curve>(way, [](const auto& points) { return measured(points); });
+}
+
+const Vec3& end_of(const PlainWay& way) {
+    if (const auto* line = std::get_if<path::Line>(&way.curve)) return line->end;
+    return *of_span<const Vec3*>(way, [](const auto& points) { return &points.back(); });
+}
+
+PlainLook look_on_span(const PlainWay& way, const Vec3& tip, double tolerance, double place) {
+    const double lower = std::max(0.0, place - 2 * tolerance / way.length);
+    return of_span<PlainLook>(
+        way, [&](const auto& points) { return foot_on(points, tip, tolerance, place, lower); });
+}
+
+double bound_on_span(const PlainWay& way, double place) {
+    if (place >= 1) return way.length;
+    return of_span<double>(way, [&]<std::size_t N>(const Points<N>& points) {
+        return polygon(path::Casteljau<Vec3, N>(points, place).halves().first);
+    });
 }
 
 }  // namespace kadr::motion

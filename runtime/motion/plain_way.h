@@ -12,8 +12,8 @@
 
 #include "motion/pipeline.h"
 #include "motion/segment.h"
-#include "path/cubic.h"
 #include "path/curve.h"
+#include "path/steady.h"
 
 namespace kadr::motion {
 
@@ -29,18 +29,18 @@ struct PlainLook {
 };
 
 struct PlainWay {
-    /// A line, whose places are told in mm; or a steady cubic (path/steady.h), by its parameter.
-    std::variant<path::Line, path::Cubic> curve;
-    double length = 0;                          // mm: of a cubic, a bound that is never too small
+    /// A line, whose places are told in mm; or a steady span (path/steady.h), by its parameter.
+    std::variant<path::Line, path::Cubic, path::Quintic> curve;
+    double length = 0;                          // mm: of a span, a bound that is never too small
     path::Vec3 carrier = path::Vec3::Zero();    // from the tip to what X, Y and Z carry, mm
     std::array<double, kFollowers> standing{};  // beside X, Y and Z, in the order of the machine
 };
 
 /// The way along a curve, for the caller to complete.
 PlainWay plain_way(const path::Line& line);
-PlainWay plain_way(const path::Cubic& steady);
+PlainWay plain_way(const path::SteadySpan& steady);
 
-/// Its curve with all that a closer look needs; a cubic is measured for it.
+/// Its curve with all that a closer look needs; a span is measured for it.
 path::Curve curve_of(const PlainWay& way);
 const path::Vec3& end_of(const PlainWay& way);
 inline bool is_line(const PlainWay& way) { return std::holds_alternative<path::Line>(way.curve); }
@@ -59,7 +59,7 @@ inline bool stands(const PlainWay& way, const Setpoint& setpoint, std::size_t fo
     return true;
 }
 
-PlainLook look_on_cubic(const PlainWay& way, const path::Vec3& tip, double tolerance, double place);
+PlainLook look_on_span(const PlainWay& way, const path::Vec3& tip, double tolerance, double place);
 
 inline PlainLook look_on_line(const path::Line& line, const path::Vec3& tip, double tolerance,
                               double place) {
@@ -79,14 +79,14 @@ inline PlainLook look_at(const PlainWay& way, const path::Vec3& tip, double tole
                          double place) {
     const auto* line = std::get_if<path::Line>(&way.curve);
     return line != nullptr ? look_on_line(*line, tip, tolerance, place)
-                           : look_on_cubic(way, tip, tolerance, place);
+                           : look_on_span(way, tip, tolerance, place);
 }
 
-double bound_on_cubic(const PlainWay& way, double place);
+double bound_on_span(const PlainWay& way, double place);
 
-/// How far along the way a place is, mm: of a cubic, a bound that is never too small.
+/// How far along the way a place is, mm: of a span, a bound that is never too small.
 inline double way_bound(const PlainWay& way, double place) {
-    return is_line(way) ? place : bound_on_cubic(way, place);
+    return is_line(way) ? place : bound_on_span(way, place);
 }
 
 }  // namespace kadr::motion

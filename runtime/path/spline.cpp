@@ -175,14 +175,7 @@ QuinticSpan make_quintic(const Vec3& start, const Vec3& end, const SplineShape& 
     for (std::size_t i = 1; i < degree; ++i)
         poles[i] = pole_of(shape.inner[i - 1], shape.weights[i]);
     poles[degree] = pole_of(end, shape.weights[degree]);
-    // One degree more: every pole between its neighbours of before.
-    for (std::size_t d = degree; d < 5; ++d) {
-        poles[d + 1] = poles[d];
-        for (std::size_t i = d; i > 0; --i) {
-            const double share = static_cast<double>(i) / static_cast<double>(d + 1);
-            poles[i] = share * poles[i - 1] + (1 - share) * poles[i];
-        }
-    }
+    raise_degree(poles, degree);
     return of_poles<6>(poles, start, end);
 }
 

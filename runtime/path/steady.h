@@ -8,6 +8,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include "path/cubic.h"
 #include "path/spline.h"
@@ -49,7 +50,26 @@ std::array<Point, 4> raised_to_cubic(int degree, const Point& first,
     }
 }
 
-/// The span from start to end, if it is a steady polynomial of degree three at most.
-std::optional<Cubic> steady_cubic(const Vec3& start, const Vec3& end, const SplineShape& shape);
+/// Control points of a span that has a degree less, raised to one more: every one between its
+/// neighbours of before.
+///
+/// points  the first degree + 1 of them hold
+template <typename Point, std::size_t N>
+void raise_degree(std::array<Point, N>& points, std::size_t degree) {
+    for (std::size_t d = degree; d + 1 < N; ++d) {
+        points[d + 1] = points[d];
+        for (std::size_t i = d; i > 0; --i) {
+            const double share = static_cast<double>(i) / static_cast<double>(d + 1);
+            points[i] = share * points[i - 1] + (1 - share) * points[i];
+        }
+    }
+}
+
+/// Control points of a polynomial of degree five, mm.
+using Quintic = std::array<Vec3, 6>;
+using SteadySpan = std::variant<Cubic, Quintic>;
+
+/// The span from start to end, if it is a steady polynomial: a cubic up to degree three.
+std::optional<SteadySpan> steady_span(const Vec3& start, const Vec3& end, const SplineShape& shape);
 
 }  // namespace kadr::path

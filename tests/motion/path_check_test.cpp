@@ -305,37 +305,40 @@ TEST(PathCheck, FindsDenseSpansThatAreLeftOut) {
     EXPECT_EQ(fault_of(too_short), PathFault::End);
 }
 
-// What a plain cubic says of a tip is what looking everywhere says; where it knows nothing it says
+// What a plain span says of a tip is what looking everywhere says; where it knows nothing it says
 // so.
-RC_GTEST_PROP(PathCheck, SaysOfPlainCubicsWhatIsSure, ()) {
+RC_GTEST_PROP(PathCheck, SaysOfPlainSpansWhatIsSure, ()) {
     const auto any = [](double reach) { return *rc::gen::inRange(-1000, 1001) * 0.001 * reach; };
     const Vec3 end(3, 0, 0);
-    const auto cubic = path::steady_cubic(
-        Vec3::Zero(), end,
-        {3,
-         {Vec3(1 + any(0.8), any(1.5), any(1.5)), Vec3(2 + any(0.8), any(1.5), any(1.5))},
-         {1, 1, 1, 1}});
-    if (!cubic) return;
-    const PlainWay way = plain_way(*cubic);
+    path::SplineShape shape;
+    shape.degree = *rc::gen::inRange(3, 6);
+    for (int i = 1; i < shape.degree; ++i)
+        shape.inner[static_cast<std::size_t>(i - 1)] =
+            Vec3(3.0 * i / shape.degree + any(0.8), any(1.5), any(1.5));
+    const auto steady = path::steady_span(Vec3::Zero(), end, shape);
+    if (!steady) return;
+    const path::QuinticSpan span = path::make_quintic(Vec3::Zero(), end, shape);
+    const auto position = [&](double u) -> Vec3 { return path::point_at(span, u).position; };
+    const PlainWay way = plain_way(*steady);
+    RC_ASSERT((end_of(way) - end).norm() == 0);
     const double tolerance = *rc::gen::element(1e-6, 1e-3, 0.1);
     const double u = *rc::gen::inRange(0, 1001) * 0.001;
     const double from = std::max(0.0, u - *rc::gen::inRange(0, 300) * 0.001);
     const double aside = tolerance * *rc::gen::inRange(0, 3000) * 0.001;
-    const Vec3 tip =
-        path::evaluate(*cubic, u).position + aside * Vec3(any(1), any(1), 1).normalized();
+    const Vec3 tip = position(u) + aside * Vec3(any(1), any(1), 1).normalized();
     const PlainLook look = look_at(way, tip, tolerance, from);
-    double least = 1e9;
-    for (int i = 0; i <= 20000; ++i)
-        least = std::min(least, (path::evaluate(*cubic, i / 20000.0).position - tip).norm());
-    least = std::min(least, (path::evaluate(*cubic, u).position - tip).norm());
+    double least = (position(u) - tip).norm();
+    for (int i = 0; i <= 20000; ++i) least = std::min(least, (position(i / 20000.0) - tip).norm());
     if (look.side == PlainLook::Side::On) {
-        RC_ASSERT((path::evaluate(*cubic, look.place).position - tip).norm() <=
-                  tolerance * (1 + 1e-9));
+        RC_ASSERT((position(look.place) - tip).norm() <= tolerance * (1 + 1e-9) + 1e-12);
         RC_ASSERT(look.place >= from - 2 * tolerance / way.length && look.place <= 1);
     }
     if (look.side == PlainLook::Side::Beside) RC_ASSERT(least > tolerance * (1 - 1e-9));
     if (aside == 0) RC_ASSERT(look.side == PlainLook::Side::On);
-    RC_ASSERT(way_bound(way, u) >= (path::evaluate(*cubic, u).position).norm() - 1e-12);
+    RC_ASSERT(way_bound(way, u) >= position(u).norm() - 1e-12);
+    RC_ASSERT((path::position(curve_of(way), path::length(curve_of(way)) / 2) -
+               path::position(path::Curve(span), span.length / 2))
+                  .norm() < 1e-9);
 }
 
 // One tick is as long as three lines: the corners between two setpoints are held against the way
