@@ -18,6 +18,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
 using path::Command;
@@ -45,20 +46,23 @@ std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions
         return std::nullopt;
     }
     SoftMove move;
-    move.shape = soft_shape_of(block.argument(*actions.soft, 0));
+    move.shape =
+        soft_shape_of(block.argument(*actions.soft, parameter_of<Function::SoftApproach>("shape")));
     move.choice = soft_;
     const Invocation* radius = block.find(Function::SoftRadius);
     if (radius == nullptr) {
         report(diag::SoftSizeWrong, block).arg("there is none");
         return std::nullopt;
     }
-    move.radius = block.argument(*radius, 0);
+    move.radius = block.argument(*radius, parameter_of<Function::SoftRadius>("radius"));
     if (const Invocation* said = block.find(Function::SoftClearance)) {
-        if ((said->given & 1u) != 0) move.clearance = std::abs(block.argument(*said, 0));
-        else move.level = base_level(block.argument(*said, 1));
+        constexpr std::size_t kDistance = parameter_of<Function::SoftClearance>("distance");
+        constexpr std::size_t kLevel = parameter_of<Function::SoftClearance>("level");
+        if (said->has(kDistance)) move.clearance = std::abs(block.argument(*said, kDistance));
+        else move.level = base_level(block.argument(*said, kLevel));
     }
     if (const Invocation* said = block.find(Function::SoftFeed))
-        move.slow_feed = block.argument(*said, 0);
+        move.slow_feed = block.argument(*said, parameter_of<Function::SoftFeed>("feed"));
     if (!check_feed(block, "soft approach or retract")) return std::nullopt;
     const auto motion = [&](bool is_rapid, double feed) {
         Command command;

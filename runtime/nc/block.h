@@ -73,6 +73,8 @@ struct Invocation {
     std::uint8_t first =
         0;  // of its parameters in Block::arguments, in the order of the vocabulary
     std::uint32_t given = 0;  // bit i: parameter i was given
+
+    bool has(std::size_t parameter) const { return (given >> parameter & 1u) != 0; }
 };
 static_assert(sizeof(Invocation) == 8, "batches of blocks are full of them");
 
@@ -165,8 +167,7 @@ struct Block {
     /// Argument of an invocation; `fallback` if it was not given.
     double argument(const Invocation& invocation, std::size_t parameter,
                     double fallback = 0) const {
-        return (invocation.given >> parameter & 1u) != 0 ? arguments[invocation.first + parameter]
-                                                         : fallback;
+        return invocation.has(parameter) ? arguments[invocation.first + parameter] : fallback;
     }
 };
 static_assert(sizeof(Block) <= 728, "blocks travel in batches of a thousand");

@@ -97,6 +97,27 @@ constexpr bool has_fact(Function function, Fact fact) {
     return kFacts[static_cast<std::size_t>(function)].has(fact);
 }
 
+/// What the table says of the parameters of each function: `offset?:count to:length`.
+inline constexpr std::array<std::string_view, kFunctions> kParameterTexts = {{
+#define KADR_FUNCTION(id, name, group, facts, parameters, meaning) parameters,
+#include "nc/vocabulary.def"
+#undef KADR_FUNCTION
+}};
+
+/// Which parameter of a function has this name: `parameter_of<Function::ProbeCheck>("to")`. A name
+/// that the table does not have does not compile.
+template <Function function>
+consteval std::size_t parameter_of(std::string_view name) {
+    std::string_view rest = kParameterTexts[static_cast<std::size_t>(function)];
+    for (std::size_t i = 0; !rest.empty(); ++i) {
+        std::string_view own = rest.substr(0, rest.find(' '));
+        rest.remove_prefix(own.size() < rest.size() ? own.size() + 1 : own.size());
+        own = own.substr(0, own.find(':'));
+        if (own.substr(0, own.find('?')) == name) return i;
+    }
+    throw "this function has no parameter of this name";  // only ever seen by the compiler
+}
+
 /// Name and meaning of a fact, for documentation and tests.
 struct FactInfo {
     std::string_view name;
