@@ -230,6 +230,7 @@ class Checker {
     Value vectors(syntax::Operator op, const Value& left, const Value& right,
                   const syntax::Expr& expr);
     void check_same_parts(Reg left, syntax::ExprId left_text, Reg right, syntax::ExprId right_text);
+    void warn_of_power(const syntax::Expr& expr, const Value& left, const Value& right);
     void fix_power(const syntax::Expr& expr, const Value& left, const Value& right,
                    DiagnosticBuilder& builder);
     Value bits(syntax::Operator op, const Value& left, const Value& right, const syntax::Expr& expr,

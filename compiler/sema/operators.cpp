@@ -257,6 +257,18 @@ void Checker::fix_power(const Expr& expr, const Value& left, const Value& right,
     else builder.fix("a power is `pow(a, n)`; `^` joins the bits of whole numbers");
 }
 
+/// `n^2` with whole numbers: valid, and hardly ever meant.
+void Checker::warn_of_power(const Expr& expr, const Value& left, const Value& right) {
+    const Expr& exponent = ast()[expr.child[1]];
+    const std::string_view digit = sources_.text(exponent.range);
+    const bool is_power = kind(left.type) == Kind::Int && exponent.kind == ExprKind::Int &&
+                          digit.size() == 1 && digit[0] >= '2' && digit[0] <= '9';
+    if (!is_power) return;
+    auto builder = report(diag::BitsAsPower, expr.range);
+    builder.arg(sources_.text(ast()[expr.child[0]].range)).arg(digit);
+    fix_power(expr, left, right, builder);
+}
+
 Value Checker::bits(Operator op, const Value& left, const Value& right, const Expr& expr,
                     Reg hint) {
     const bool both_bool = kind(left.type) == Kind::Bool && kind(right.type) == Kind::Bool &&
@@ -268,6 +280,7 @@ Value Checker::bits(Operator op, const Value& left, const Value& right, const Ex
         if (op == Operator::BitXor) fix_power(expr, left, right, builder);
         return error_value();
     }
+    if (op == Operator::BitXor) warn_of_power(expr, left, right);
     const bool is_shift = op == Operator::ShiftLeft || op == Operator::ShiftRight;
     if (is_shift && right.is_constant() &&
         (right.constant.integer < 0 || right.constant.integer > 62)) {

@@ -193,6 +193,9 @@ TEST_F(Warnings, OfPiAndOfRatiosKnowWhereANumberComesFrom) {
         {"for (int i : 1..4) G0 X=10mm*sin(2*pi*i/4);", "2:34 K2630"},
         {"length c = w/h; G0 X=c;", "2:12 K2631"},
         {"G0 X=w/h;", "2:4 K2631"},
+        {"int n = 5; G0 X=n^2;", "2:17 K2632"},
+        {"int n = 5; int mask = 2; G0 X=n^mask;", ""},
+        {"int n = 5; G0 X=n^(1 << 1);", ""},
         // Degrees, radians with a unit, and what turns them into degrees.
         {"G0 X=10mm*sin(45);", ""},
         {"G0 X=10mm*sin(pi/4*1rad);", ""},
