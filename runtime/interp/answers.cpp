@@ -382,13 +382,13 @@ std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index)
     return tool_names_.of(number);
 }
 
-ControlState::Write Executor::set_text(Quantity quantity, std::int64_t index,
+ControlAccess::Write Executor::set_text(Quantity quantity, std::int64_t index,
                                        std::string_view text) {
     if (is_of_carrier(quantity)) return set_carrier_text(quantity, index, text);
-    if (quantity != Quantity::ToolNameOf) return ControlState::Write::Refused;
-    if (index < 1 || index > rules_.tool_offsets) return ControlState::Write::NoPlace;
+    if (quantity != Quantity::ToolNameOf) return ControlAccess::Write::Refused;
+    if (index < 1 || index > rules_.tool_offsets) return ControlAccess::Write::NoPlace;
     tool_names_.set(index, text);
-    return ControlState::Write::Done;
+    return ControlAccess::Write::Done;
 }
 
 std::optional<std::int64_t> Executor::axis_number(Axis axis) const {

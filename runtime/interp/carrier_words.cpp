@@ -22,7 +22,7 @@ using nc::Function;
 using nc::Invocation;
 using nc::Quantity;
 using path::Vec3;
-using Write = ControlState::Write;
+using Write = ControlAccess::Write;
 
 namespace {
 

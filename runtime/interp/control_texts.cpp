@@ -30,10 +30,10 @@ ControlVariables::Fault ControlVariables::store_text(Quantity quantity, std::int
         return {&diag::TextTooLong, {std::to_string(length), std::to_string(most)}};
     if (written.empty() && quantity == Quantity::ToolNameOf) return {&diag::ToolNameEmpty, {}};
     switch (state_->set_text(quantity, index, written)) {
-        case ControlState::Write::Done: return {};
-        case ControlState::Write::NoPlace: return {&diag::VariableNumber, {"of this tool"}};
-        case ControlState::Write::TooLarge:
-        case ControlState::Write::Refused: break;
+        case ControlAccess::Write::Done: return {};
+        case ControlAccess::Write::NoPlace: return {&diag::VariableNumber, {"of this tool"}};
+        case ControlAccess::Write::TooLarge:
+        case ControlAccess::Write::Refused: break;
     }
     return {&diag::IsoNotSupported, {name}};
 }

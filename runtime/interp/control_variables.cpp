@@ -260,7 +260,7 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
 bool ControlVariables::set_system(Quantity quantity, std::int64_t first, std::int64_t second,
                                   double value) {
     if (state_ == nullptr) return false;
-    return state_->set_quantity(quantity, first, second, value, true) == ControlState::Write::Done;
+    return state_->set_quantity(quantity, first, second, value, true) == ControlAccess::Write::Done;
 }
 
 Variables::Answer ControlVariables::frame(Quantity quantity, std::int64_t index,
@@ -848,16 +848,16 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
     }
     switch (state_->set_quantity(quantity, indices.first, indices.second, number,
                                  language_.rules.offsets_act_at_once)) {
-        case ControlState::Write::Done: return {};
-        case ControlState::Write::NoPlace:
+        case ControlAccess::Write::Done: return {};
+        case ControlAccess::Write::NoPlace:
             if (quantity == Quantity::EdgeSpeed) return {&diag::ToothFeedNoTool, {}};
             return {&diag::VariableNumber, {"of this offset"}};
-        case ControlState::Write::TooLarge: {
+        case ControlAccess::Write::TooLarge: {
             std::string shown;
             append_shortest(shown, value.number);
             return {&diag::OffsetDataValue, {shown}};
         }
-        case ControlState::Write::Refused: break;
+        case ControlAccess::Write::Refused: break;
     }
     return {&diag::IsoNotSupported, {name}};
 }
@@ -869,10 +869,10 @@ ControlVariables::Fault ControlVariables::store_frame(Quantity quantity, std::in
         return {&diag::VariableReadOnly, {name}};
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
     switch (state_->set_frame(quantity, number, frame, language_.rules.offsets_act_at_once)) {
-        case ControlState::Write::Done: return {};
-        case ControlState::Write::NoPlace: return {&diag::VariableNumber, {"of this offset"}};
-        case ControlState::Write::TooLarge:
-        case ControlState::Write::Refused: break;
+        case ControlAccess::Write::Done: return {};
+        case ControlAccess::Write::NoPlace: return {&diag::VariableNumber, {"of this offset"}};
+        case ControlAccess::Write::TooLarge:
+        case ControlAccess::Write::Refused: break;
     }
     return {&diag::IsoNotSupported, {name}};
 }

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "interp/control_state.h"
+#include "interp/control_access.h"
 #include "interp/evaluator.h"
 #include "interp/program.h"
 #include "nc/line_reader.h"
@@ -42,7 +42,7 @@ class ControlVariables final : public Variables {
 
     ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader);
 
-    void follow(ControlState& state) { state_ = &state; }
+    void follow(ControlAccess& state) { state_ = &state; }
     /// Who numbers the variables that the program names itself.
     nc::NameTable* names() const { return names_.get(); }
     void begin_batch() { in_step_ = true; }
@@ -199,7 +199,7 @@ class ControlVariables final : public Variables {
     const nc::Language& language_;
     const nc::LineReader& reader_;
     std::unique_ptr<nc::NameTable> names_ = std::make_unique<nc::NameTable>();
-    ControlState* state_ = nullptr;
+    ControlAccess* state_ = nullptr;
     Store globals_;
     Level main_;
     Level definitions_;

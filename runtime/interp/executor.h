@@ -79,19 +79,19 @@ class Executor {
     // answers.cpp: what a program asks while it runs
     double elapsed() { return run_time(); }
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
-    ControlState::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+    ControlAccess::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                      double value, bool acts_at_once);  // offsets.cpp
     // frame_variables.cpp
     ControlFrame total_frame() const;
     std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
-    ControlState::Write set_frame(nc::Quantity quantity, std::int64_t number,
+    ControlAccess::Write set_frame(nc::Quantity quantity, std::int64_t number,
                                   const ControlFrame& frame, bool acts_at_once);
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
     void restore_frames(bool is_wanted);
     // answers.cpp
     bool is_length(std::int64_t axis) const;
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
-    ControlState::Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text);
+    ControlAccess::Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text);
     std::optional<std::int64_t> axis_number(Axis axis) const;
     bool has_spindle(std::int64_t number) const;  // numbered_spindles.cpp; 0 is the master
     double word_factor(std::int64_t axis) const;
@@ -110,16 +110,16 @@ class Executor {
     // frame_variables.cpp
     bool set_plain_frame(nc::Quantity quantity, const ControlFrame& frame);
     void select_stored_bases();
-    ControlState::Write set_base_mask(nc::Quantity quantity, double mask);
+    ControlAccess::Write set_base_mask(nc::Quantity quantity, double mask);
     // answers.cpp
     std::optional<double> clock(nc::Quantity quantity);
     std::optional<double> calendar(nc::Quantity quantity);
     std::optional<double> tool_datum(std::int64_t number) const;
-    ControlState::Write set_extra(nc::Quantity quantity, std::int64_t first, double value);
+    ControlAccess::Write set_extra(nc::Quantity quantity, std::int64_t first, double value);
     bool has_edge(std::int64_t tool, std::int64_t edge) const;
-    ControlState::Write set_edge_offset(nc::Quantity quantity, std::int64_t tool, std::int64_t edge,
+    ControlAccess::Write set_edge_offset(nc::Quantity quantity, std::int64_t tool, std::int64_t edge,
                                         double value);
-    ControlState::Write set_active_datum(std::int64_t datum, double value);
+    ControlAccess::Write set_active_datum(std::int64_t datum, double value);
     bool set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value);
     double timer(std::int64_t number);
     void set_timer(std::int64_t number, double value);
@@ -135,10 +135,10 @@ class Executor {
     ControlFrame work_offset_frame(std::int64_t number) const;
     ControlFrame& work_offset_at(std::int64_t number);
     void work_offset_changed(std::int64_t number, bool acts_at_once);
-    ControlState::Write set_edge_speed(double value);
-    ControlState::Write set_work_offset(std::int64_t number, Axis axis, double value,
+    ControlAccess::Write set_edge_speed(double value);
+    ControlAccess::Write set_work_offset(std::int64_t number, Axis axis, double value,
                                         bool acts_at_once);
-    ControlState::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
+    ControlAccess::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
                                         double value);
     // power_on.cpp
     void power_on();
@@ -432,10 +432,10 @@ class Executor {
     bool is_plane_on_carrier() const;
     std::optional<double> carrier_quantity(nc::Quantity quantity, std::int64_t first,
                                            std::int64_t second) const;
-    ControlState::Write set_carrier(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+    ControlAccess::Write set_carrier(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                     double value);
     std::optional<std::string> carrier_text(nc::Quantity quantity, std::int64_t number) const;
-    ControlState::Write set_carrier_text(nc::Quantity quantity, std::int64_t number,
+    ControlAccess::Write set_carrier_text(nc::Quantity quantity, std::int64_t number,
                                          std::string_view text);
     // virtual_axes.cpp: faces, cylinders and inclined slides
     void begin_virtual(const nc::Block& block, const nc::Invocation& invocation);
@@ -734,7 +734,7 @@ class Executor {
     bool may_count_degrees(const nc::Block& block) const;
     void count_degrees(const nc::Block& block, path::Command& command) const;
     void put_course(path::Command& command) const;
-    ControlState::Write suppress_panel(double value);
+    ControlAccess::Write suppress_panel(double value);
     double suppressed_panel() const;
     bool stops_exactly(bool once = false) const;
     void put_panel(path::Command& command) const;

@@ -4,7 +4,7 @@
 namespace kadr::interp {
 
 using nc::Quantity;
-using Write = ControlState::Write;
+using Write = ControlAccess::Write;
 
 namespace {
 

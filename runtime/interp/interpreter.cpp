@@ -52,7 +52,7 @@ std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t 
                                             std::int64_t second) {
     return state_->executor.quantity(quantity, first, second);
 }
-ControlState::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_t first,
+ControlAccess::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_t first,
                                               std::int64_t second, double value,
                                               bool acts_at_once) {
     return state_->executor.set_quantity(quantity, first, second, value, acts_at_once);
@@ -60,7 +60,7 @@ ControlState::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_
 std::optional<ControlFrame> Interpreter::frame(nc::Quantity quantity, std::int64_t number) {
     return state_->executor.frame(quantity, number);
 }
-ControlState::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t number,
+ControlAccess::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t number,
                                            const ControlFrame& frame, bool acts_at_once) {
     return state_->executor.set_frame(quantity, number, frame, acts_at_once);
 }
@@ -76,7 +76,7 @@ void Interpreter::restore_frames(bool is_wanted) { state_->executor.restore_fram
 std::optional<std::string> Interpreter::text(nc::Quantity quantity, std::int64_t index) {
     return state_->executor.text(quantity, index);
 }
-ControlState::Write Interpreter::set_text(nc::Quantity quantity, std::int64_t index,
+ControlAccess::Write Interpreter::set_text(nc::Quantity quantity, std::int64_t index,
                                           std::string_view text) {
     return state_->executor.set_text(quantity, index, text);
 }

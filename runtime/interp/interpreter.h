@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/stream.h"
-#include "interp/control_state.h"
+#include "interp/control_access.h"
 #include "interp/snapshot.h"
 #include "machine/machine.h"
 #include "machine/probe.h"
@@ -102,7 +102,7 @@ struct StateItem {
     friend bool operator==(const StateItem&, const StateItem&) = default;
 };
 
-class Interpreter final : public Stream<path::Command>, public ControlState {
+class Interpreter final : public Stream<path::Command>, public ControlAccess {
   public:
     /// All references outlive the interpreter. `place_of` gives the place of a block for messages.
     /// `cycles` may be null: a cycle call is then an alarm.

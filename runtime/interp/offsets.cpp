@@ -13,7 +13,7 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using nc::Quantity;
-using Write = ControlState::Write;
+using Write = ControlAccess::Write;
 
 /// Offsets that the machine file does not name are zero, as in a new control.
 ControlFrame Executor::work_offset_frame(std::int64_t number) const {

@@ -13,7 +13,7 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using path::Op;
-using Write = ControlState::Write;
+using Write = ControlAccess::Write;
 
 namespace {
 

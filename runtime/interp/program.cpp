@@ -886,7 +886,7 @@ Program::~Program() = default;
 
 void Program::check_only() { state_->is_only_checking = true; }
 bool Program::check_skipped() { return state_->check_skipped(); }
-void Program::follow(ControlState& state) {
+void Program::follow(ControlAccess& state) {
     state_->interpreter = &state;
     state_->variables.follow(state);
 }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/stream.h"
-#include "interp/control_state.h"
+#include "interp/control_access.h"
 #include "interp/line_watch.h"
 #include "interp/printer.h"
 #include "interp/program_files.h"
@@ -97,7 +97,7 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     /// them.
     void keep_lines(std::size_t lines);
     /// Who executes the blocks. Without one, asking for its state is an alarm.
-    void follow(ControlState& state);
+    void follow(ControlAccess& state);
     /// Who gets the lines that the program prints; it outlives the run.
     void print_to(Printer& printer);
 

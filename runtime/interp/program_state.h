@@ -181,7 +181,7 @@ struct Program::State {
     Evaluator evaluator;
     CodeList codes;
     LineWatch* watch = nullptr;
-    ControlState* interpreter = nullptr;
+    ControlAccess* interpreter = nullptr;
 
     std::vector<std::unique_ptr<Frame>> frames;    // the main program first
     Frame* frame = nullptr;                        // that runs

@@ -1,4 +1,5 @@
-// control_state.h — what a program asks the interpreter while it runs: positions, offsets, feeds.
+// control_access.h — what a program asks the control while it runs, and sets in it: positions,
+// offsets, feeds, frames.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +13,9 @@
 
 namespace kadr::interp {
 
-class ControlState {
+class ControlAccess {
   public:
-    virtual ~ControlState() = default;
+    virtual ~ControlAccess() = default;
     /// A quantity as it is behind the blocks that were pulled so far; mm, deg, mm/min, rpm. An axis
     /// is counted from 1 as the machine has them, or named: −1 for X, −2 for Y … Nothing: the
     /// quantity does not exist for these indices.
