@@ -266,10 +266,10 @@ bool Expander::State::take_distances(std::uint32_t said, std::uint32_t at) {
 
 /// The level where the mode began, in the present frame.
 std::optional<double> Expander::State::initial_level(std::uint32_t at) {
-    KnownPoint begin;
+    control::KnownPoint begin;
     begin.value[kToolAxis] = said_cycle.initial;
     begin.is_known[kToolAxis] = said_cycle.is_initial_known;
-    const KnownPoint here = expand::change_frame(begin, said_cycle.frame, modal.frame);
+    const control::KnownPoint here = control::change_frame(begin, said_cycle.frame, modal.frame);
     if (here.is_known[kToolAxis] && modal.work_offset == said_cycle.work_offset)
         return here.value[kToolAxis];
     fault(diag::SourceCycleLevel, at)

@@ -87,13 +87,15 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
         return std::array<double, 3>{numbers[first], numbers[first + 1], numbers[first + 2]};
     };
     const std::array<bool, 3> given{is_given[0], is_given[1], is_given[2]};
-    ProgramFrame next = modal.frame;
+    control::ProgramFrame next = modal.frame;
     switch (change) {
         case sema::FrameChange::Shift: next.add_shift(three(0), given); break;
         case sema::FrameChange::Rotate: {
-            const FrameFault why = next.add_rotation(numbers[0], modal[Group::Plane], three(1));
-            if (why == FrameFault::None) break;
-            fault(why == FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+            const control::FrameFault why =
+                next.add_rotation(numbers[0], modal[Group::Plane], three(1));
+            if (why == control::FrameFault::None) break;
+            fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched,
+                  at);
             return false;
         }
         case sema::FrameChange::Scale: {
@@ -144,9 +146,9 @@ void Expander::State::scale_frame_x(Block& block, double factor) const {
 /// Says the way from the present frame to another one in functions that every control has: the
 /// whole shift, which deletes all else, then mirrors, scale and rotation anew, in the order in
 /// which FANUC takes them. An unequal scale stands inside the rotation.
-void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at,
-                                  unsigned depth) {
-    const ProgramFrame from = modal.frame;
+void Expander::State::write_frame(const control::ProgramFrame& next, SourceId source,
+                                  std::uint32_t at, unsigned depth) {
+    const control::ProgramFrame from = modal.frame;
     const bool is_lost = (modal.lost & sema::kFrameBit) != 0;  // whatever acts is deleted
     if (from == next && !is_lost) return;
     const auto add = [&](Function function, std::span<const double> values,

@@ -59,7 +59,7 @@ bool Expander::State::needs_frame(const sema::Plan& plan) const {
             case Function::RotateOff: return !target.can_write(invocation.function);
             // Some of several mirrors: the others are said anew.
             case Function::MirrorOff: {
-                ProgramFrame left = modal.frame;
+                control::ProgramFrame left = modal.frame;
                 left.remove_mirror(invocation.given);
                 return !target.can_write(invocation.function) || left.has_mirror();
             }
@@ -107,7 +107,7 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     if (modal.lost != 0 && !knows_frame(false, at)) return false;
     sema::Plan rest = plan;
-    ProgramFrame next = modal.frame;
+    control::ProgramFrame next = modal.frame;
     for (std::size_t i = 0; i < plan.functions.size(); ++i) {
         const Function function = plan.functions[i].function;
         if ((plan.customs & custom::kFrameOrder) != 0 && !is_frame_free(function, at)) return false;
@@ -130,10 +130,11 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
             }
             next.angle_deg = 0;
             next.center = {};
-            const FrameFault why = next.add_rotation(values[0], modal[Group::Plane],
-                                                     {values[1], values[2], values[3]});
-            if (why != FrameFault::None) {
-                fault(why == FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+            const control::FrameFault why = next.add_rotation(values[0], modal[Group::Plane],
+                                                              {values[1], values[2], values[3]});
+            if (why != control::FrameFault::None) {
+                fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched,
+                      at);
                 return false;
             }
         }
@@ -240,7 +241,7 @@ bool Expander::State::is_frame_free(Function function, std::uint32_t at) {
         case Function::PlaneYz: of_rotation = function != modal[Group::Plane]; break;
         default: return true;
     }
-    const ProgramFrame& frame = modal.frame;
+    const control::ProgramFrame& frame = modal.frame;
     const char* inside = of_rotation && frame.angle_deg != 0 ? "rotation"
                          : of_scale && frame.has_scale()     ? "scale"
                          : of_mirror && frame.has_mirror()   ? "mirror"

@@ -39,14 +39,14 @@ ModalState ModalState::at_start(const sema::FunctionCode& entry) {
     return state;
 }
 
-void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
-    KnownPoint point;
+void ModalState::set_frame(const control::ProgramFrame& next, SourceId source) {
+    control::KnownPoint point;
     for (std::size_t i = 0; i < 3; ++i) {
         point.value[i] = position[i];
         point.is_known[i] = (known >> i & 1u) != 0;
     }
     if (is_diameter) point.value[0] /= 2;  // frames have radii
-    KnownPoint moved = change_frame(point, frame, next);
+    control::KnownPoint moved = change_frame(point, frame, next);
     if (is_diameter) moved.value[0] *= 2;
     for (std::size_t i = 0; i < 3; ++i) {
         if (next.differs(frame, i))
@@ -122,7 +122,7 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
     };
     std::array<double, 3> values{};
     std::array<bool, 3> given{};
-    ProgramFrame next = frame;
+    control::ProgramFrame next = frame;
     switch (invocation.function) {
         case Function::Shift:
             vector(values, given);
@@ -139,7 +139,7 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
         case Function::Rotate:
             for (std::size_t i = 0; i < 3; ++i) values[i] = block.argument(invocation, 1 + i);
             if (next.add_rotation(block.argument(invocation, 0), (*this)[Group::Plane], values) !=
-                FrameFault::None)
+                control::FrameFault::None)
                 known &= ~kLinearXYZ;
             set_frame(next, block.source);
             return;

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "base/axes.h"
-#include "expand/frame.h"
+#include "control/program_frame.h"
 #include "nc/block.h"
 #include "sema/code.h"
 
@@ -45,15 +45,15 @@ struct ModalState {
     AxisMask unplaced = 0;          // of which no place was named since a rotation began or ended
     bool owes_incremental = false;  // the text is under absolute dimensions for one block
     bool is_diameter = false;       // words of X
-    ProgramFrame frame;
-    bool is_stretched = false;  // the frame makes ellipses of the circles of some plane
-    ProgramFrame scaled;        // the frame behind a scale in one that had none …
-    ProgramFrame unscaled;      // … and that one: what is left when the scale is deleted
+    control::ProgramFrame frame;
+    bool is_stretched = false;       // the frame makes ellipses of the circles of some plane
+    control::ProgramFrame scaled;    // the frame behind a scale in one that had none …
+    control::ProgramFrame unscaled;  // … and that one: what is left when the scale is deleted
     /// A tilted plane that acts: of the control, which has frames in it (Own) or none (Closed), or
     /// a frame that stands for it.
     enum class Tilt : std::uint8_t { None, Own, Closed, Resolved };
     Tilt tilt = Tilt::None;
-    ProgramFrame tilt_frame;  // Resolved: the frame that is the plane
+    control::ProgramFrame tilt_frame;  // Resolved: the frame that is the plane
     /// Tool centre point control: by functions of its own, or as a kind of tool length.
     enum class Tcp : std::uint8_t { Off, Own, Length };
     Tcp tcp = Tcp::Off;
@@ -121,7 +121,7 @@ struct ModalState {
     void forget_feed(SourceId source);
     /// The block may be left out: what it changes, besides what the writer says again by itself.
     void take_skipped(const nc::Block& block);
-    void set_frame(const ProgramFrame& frame, SourceId source);
+    void set_frame(const control::ProgramFrame& frame, SourceId source);
     /// Coordinates of these axes were named: increments count from there.
     void forget_drift(AxisMask axes);
     /// 3, 4, 5 as in M3, M4, M5.

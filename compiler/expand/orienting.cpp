@@ -135,7 +135,7 @@ std::string Expander::State::tcp_hindrance() const {
         return "under cutter radius compensation";
     if (target.can_write(Function::TcpOn)) return "";
     // What follows is of controls to which it is a kind of tool length.
-    const ProgramFrame& frame = modal.frame;
+    const control::ProgramFrame& frame = modal.frame;
     if (frame.angle_deg != 0 || frame.has_scale() || frame.has_mirror())
         return "inside of a rotation, a scale or a mirror";
     if (!length_number())

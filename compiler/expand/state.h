@@ -104,7 +104,7 @@ struct SaidCycle {
     // Where the mode began, along the tool axis.
     double initial = 0;
     bool is_initial_known = false;
-    ProgramFrame frame;
+    control::ProgramFrame frame;
     double work_offset = 0;
     // What its block found and holds again behind it.
     nc::Function motion = nc::Function::None;
@@ -316,7 +316,8 @@ struct Expander::State {
     bool change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void say_place(const sema::Plan& plan, const sema::Instruction& instruction, std::uint32_t at);
     void scale_frame_x(nc::Block& block, double factor) const;
-    void write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at, unsigned depth);
+    void write_frame(const control::ProgramFrame& next, SourceId source, std::uint32_t at,
+                     unsigned depth);
     void say_frame_again(SourceId source, std::uint32_t at, unsigned depth);
 
     // ---- scopes.cpp

@@ -192,7 +192,7 @@ bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId
     const Frame whole = machine::table_frame(chain, *joints) * path::translation(zero + origin) *
                         Frame{plane, Vec3::Zero()};
 
-    ProgramFrame next;
+    control::ProgramFrame next;
     for (std::size_t i = 0; i < 3; ++i) {
         next.shift[i] = neat(whole.shift[static_cast<Eigen::Index>(i)] - offset[i]);
         next.is_shifted[i] = next.shift[i] != 0;

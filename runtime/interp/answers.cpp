@@ -60,7 +60,7 @@ std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
 }
 
 /// Where the tip is, seen from a frame.
-double Executor::place_within(const ControlFrame& frame, Axis axis) const {
+double Executor::place_within(const control::ControlFrame& frame, Axis axis) const {
     const std::size_t i = index(axis);
     if (i > 2) return position_.base[i] - frame.shift[i] - frame.fine[i];
     const path::Vec3 at{position_.base[0], position_.base[1], position_.base[2]};
@@ -383,7 +383,7 @@ std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index)
 }
 
 ControlAccess::Write Executor::set_text(Quantity quantity, std::int64_t index,
-                                       std::string_view text) {
+                                        std::string_view text) {
     if (is_of_carrier(quantity)) return set_carrier_text(quantity, index, text);
     if (quantity != Quantity::ToolNameOf) return ControlAccess::Write::Refused;
     if (index < 1 || index > rules_.tool_offsets) return ControlAccess::Write::NoPlace;

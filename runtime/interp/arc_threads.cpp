@@ -8,7 +8,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -17,6 +17,7 @@ using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
 using path::Command;
+using path::linear;
 using path::Op;
 using path::Vec3;
 

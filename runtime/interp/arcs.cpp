@@ -12,8 +12,8 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "path/helix.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -23,6 +23,7 @@ using nc::Slot;
 using nc::SlotMask;
 using path::Command;
 using path::FeedMode;
+using path::linear;
 using path::Op;
 using path::Vec3;
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "interp/frames.h"
+#include "control/frames.h"
 #include "nc/block.h"
 #include "path/command.h"
 
@@ -56,9 +56,9 @@ inline bool probes_at_rapid(const nc::Block& block) {
 /// X, Y, Z of a frame function, from its parameter `first` on, or more axes.
 ///
 /// x_scale  0.5 where X is a diameter
-inline FrameWords frame_words(const nc::Block& block, const nc::Invocation& invocation,
-                              std::size_t first, double x_scale, std::size_t axes = 3) {
-    FrameWords words;
+inline control::FrameWords frame_words(const nc::Block& block, const nc::Invocation& invocation,
+                                       std::size_t first, double x_scale, std::size_t axes = 3) {
+    control::FrameWords words;
     for (std::size_t i = 0; i < axes; ++i) words.values[i] = block.argument(invocation, first + i);
     words.values[0] *= x_scale;
     words.given = invocation.given >> first & ((1u << axes) - 1);

@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -17,6 +17,7 @@ using nc::Block;
 using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
+using path::linear;
 using path::Op;
 using path::Vec3;
 using std::numbers::pi;

@@ -17,6 +17,7 @@ using path::Command;
 using path::CompFault;
 using path::CompPiece;
 using path::Element;
+using path::linear;
 using path::Op;
 using path::Vec2;
 using std::numbers::pi;

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "control/control_frame.h"
 #include "interp/contour_run.h"
-#include "interp/control_frame.h"
 #include "nc/language.h"
 
 namespace kadr::interp {
@@ -35,11 +35,12 @@ class ControlAccess {
     virtual Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                double value, bool acts_at_once) = 0;
     /// A frame as it is behind them; nothing: there is none with this number.
-    virtual std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number) = 0;
+    virtual std::optional<control::ControlFrame> frame(nc::Quantity quantity,
+                                                       std::int64_t number) = 0;
     /// Sets it. A settable frame acts at once, if `acts_at_once` and it is the one that acts, or
     /// when it is called next; the others act from the next block on.
-    virtual Write set_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame,
-                            bool acts_at_once) = 0;
+    virtual Write set_frame(nc::Quantity quantity, std::int64_t number,
+                            const control::ControlFrame& frame, bool acts_at_once) = 0;
     /// A quantity that is a text; nothing: as above.
     virtual std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) = 0;
     /// Sets it.

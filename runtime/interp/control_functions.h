@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "interp/control_frame.h"
+#include "control/control_frame.h"
 
 namespace kadr::interp {
 
@@ -50,7 +50,7 @@ struct PlaneCircle {
 std::optional<PlaneCircle> circle_through(std::span<const double> points);
 
 struct MeasuredFrame {
-    ControlFrame frame;
+    control::ControlFrame frame;
     /// Mean distance of the points from where the frame carries them, mm; -1: the ideal points are
     /// on a line, -2: the measured ones (unsure), and the frame does nothing.
     double error = 0;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "interp/control_frame.h"
+#include "control/control_frame.h"
 #include "nc/control_line.h"
 
 namespace kadr::interp {
@@ -70,14 +70,14 @@ inline std::string_view kind_name(const Value& value) {
 /// What a value refers to, if it is a text or a frame.
 struct Content {
     std::string_view text;
-    const ControlFrame* frame = nullptr;
+    const control::ControlFrame* frame = nullptr;
 };
 
 /// Variables side by side; one that was never set is vacant.
 struct Store {
     std::vector<Value> values;
-    std::vector<std::string> texts;    // of the text variables among them, one for each slot
-    std::vector<ControlFrame> frames;  // … of those that are frames
+    std::vector<std::string> texts;  // of the text variables among them, one for each slot
+    std::vector<control::ControlFrame> frames;  // … of those that are frames
 
     void grow(std::size_t count) { values.resize(std::max(values.size(), count)); }
     Content content(const Value& value) const {
@@ -89,7 +89,7 @@ struct Store {
         texts[slot] = text;
         values[slot] = {0, slot, Value::Kind::Text};
     }
-    void set_frame(std::uint32_t slot, const ControlFrame& frame) {
+    void set_frame(std::uint32_t slot, const control::ControlFrame& frame) {
         frames.resize(std::max<std::size_t>(frames.size(), slot + std::size_t{1}));
         frames[slot] = frame;
         values[slot] = {0, slot, Value::Kind::Frame};

@@ -264,7 +264,7 @@ bool ControlVariables::set_system(Quantity quantity, std::int64_t first, std::in
 }
 
 Variables::Answer ControlVariables::frame(Quantity quantity, std::int64_t index,
-                                          ControlFrame& out) {
+                                          control::ControlFrame& out) {
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;
     const auto frame = state_->frame(quantity, index);
@@ -570,7 +570,7 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
 }
 
 /// A frame by its constants, as a program would write it: `CTRANS(X,10):CROT(Z,30)`.
-std::string ControlVariables::written(const ControlFrame& frame) const {
+std::string ControlVariables::written(const control::ControlFrame& frame) const {
     std::string out;
     const auto add = [&](nc::Operation operation, nc::FramePart part, double neutral) {
         std::string pairs;
@@ -863,7 +863,7 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
 }
 
 ControlVariables::Fault ControlVariables::store_frame(Quantity quantity, std::int64_t number,
-                                                      const ControlFrame& frame) {
+                                                      const control::ControlFrame& frame) {
     const std::string name(info(quantity).name);
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
         return {&diag::VariableReadOnly, {name}};
@@ -887,7 +887,7 @@ ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
     const nc::FramePart part = target.part();
     const bool is_way = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
     const double wanted = is_way ? value.number * axis_unit(axis) : value.number;
-    const auto set = [&](ControlFrame& frame) -> Fault {
+    const auto set = [&](control::ControlFrame& frame) -> Fault {
         if (set_part(frame, part, axis, wanted)) return {};
         if (part == nc::FramePart::Scale && wanted == 0) return {&diag::ScaleInvalid, {"0"}};
         return {&diag::IsoNotSupported, {"such a component of this frame"}};
@@ -895,7 +895,7 @@ ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
     if (target.kind == Instruction::Kind::SystemPart) {
         const auto quantity = static_cast<Quantity>(target.index);
         const std::int64_t number = target.count > 1 ? indices[0] : 0;
-        ControlFrame whole;
+        control::ControlFrame whole;
         if (frame(quantity, number, whole) != Answer::Value)
             return {&diag::VariableNumber, {"of this offset"}};
         if (Fault fault = set(whole); fault.row != nullptr) return fault;
@@ -906,7 +906,7 @@ ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
     if (!slot) return {&diag::IndexWrong, {Evaluator::wrong_index(symbol, indices)}};
     Store& store = *level_->stores[target.index];
     const Value& old = store.values[*slot];
-    ControlFrame whole = old.is_frame() ? store.frames[old.text] : ControlFrame();
+    control::ControlFrame whole = old.is_frame() ? store.frames[old.text] : control::ControlFrame();
     if (Fault fault = set(whole); fault.row != nullptr) return fault;
     change(store, *slot, &symbol, [&] { store.set_frame(*slot, whole); });
     return {};

@@ -75,7 +75,7 @@ class ControlVariables final : public Variables {
                   double& out) override;
     bool set_system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                     double value) override;
-    Answer frame(nc::Quantity quantity, std::int64_t index, ControlFrame& out) override;
+    Answer frame(nc::Quantity quantity, std::int64_t index, control::ControlFrame& out) override;
     Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) override;
     double axis_unit(Axis axis) const override;
     std::optional<std::int64_t> axis_number(Axis axis) const override;
@@ -161,13 +161,14 @@ class ControlVariables final : public Variables {
     Fault check_limits(const nc::Symbol& symbol, const Value& value) const;
     Fault store_family(std::uint32_t form, std::int64_t number, const Value& value);
     Fault store_system(nc::Quantity quantity, const Indices& indices, const Value& value);
-    Fault store_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame);
+    Fault store_frame(nc::Quantity quantity, std::int64_t number,
+                      const control::ControlFrame& frame);
     Fault store_text(nc::Quantity quantity, std::int64_t index, const Value& value,
                      std::string_view text);  // control_texts.cpp
     static std::string written_text(const Value& value, std::string_view text);
     Fault store_part(const nc::Instruction& target, std::span<const std::int64_t> indices,
                      const Value& value);
-    std::string written(const ControlFrame& frame) const;
+    std::string written(const control::ControlFrame& frame) const;
     static Fault convert(nc::ValueType type, Value& value, std::string_view text);
     double to_text_units(nc::Quantity quantity, const Indices& indices, double value) const;
     double on_increment(double value, bool is_length) const;

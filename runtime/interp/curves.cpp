@@ -5,11 +5,11 @@
 #include "base/diagnostics/machine.h"
 #include "base/units.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "path/contour.h"
 #include "path/curve.h"
 #include "path/curve_registry.h"
 #include "path/frame.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -17,6 +17,7 @@ using nc::Block;
 using nc::Function;
 using path::Command;
 using path::CurveShape;
+using path::linear;
 using path::Op;
 using path::Vec3;
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/stream.h"
+#include "control/frames.h"
 #include "interp/block_actions.h"
 #include "interp/block_queue.h"
-#include "interp/frames.h"
 #include "interp/state.h"
 #include "nc/block.h"
 
@@ -33,12 +33,12 @@ struct CycleRun {
     std::string_view name;
     std::uint16_t number = 0;  // its place in the dialect's list, from 1
     bool taps = false;
-    bool is_across = false;                // on a lathe: from the side, along X in radii
-    bool lies_flat = false;                // its axes are those of the machine, whatever the plane
-    int times_left = 0;                    // that the block does the cycle again
-    std::optional<double> begins_at;       // level at which it takes the tool to be
-    std::optional<double> final_level;     // below its retract level: where the tool goes behind it
-    std::optional<Frames> frames_outside;  // where its distances are spared by the scaling
+    bool is_across = false;             // on a lathe: from the side, along X in radii
+    bool lies_flat = false;             // its axes are those of the machine, whatever the plane
+    int times_left = 0;                 // that the block does the cycle again
+    std::optional<double> begins_at;    // level at which it takes the tool to be
+    std::optional<double> final_level;  // below its retract level: where the tool goes behind it
+    std::optional<control::Frames> frames_outside;  // where its distances are spared by the scaling
     nc::Block caller{};
     Modal modal_before;
     double x_scale_before = 1;

@@ -217,7 +217,7 @@ bool Evaluator::load_system(const Instruction& instruction) {
     };
     const auto quantity = static_cast<nc::Quantity>(instruction.index);
     if (instruction.type == nc::ValueType::Frame) {
-        ControlFrame frame;
+        control::ControlFrame frame;
         const auto answered = variables_.frame(quantity, index(0), frame);
         push(keep_frame(frame));
         return answer(answered);
@@ -245,7 +245,7 @@ bool Evaluator::load_frame_part(const Instruction& instruction) {
     const bool is_fine =
         whole.kind == Instruction::Kind::System ? load_system(whole) : load_element(whole);
     if (!is_fine) return false;
-    const ControlFrame& from = *frame(stack_[--size_]);
+    const control::ControlFrame& from = *frame(stack_[--size_]);
     const nc::FramePart part = instruction.part();
     const auto value = part_of(from, part, *axis.axis());
     if (!value) return fail(diag::IsoNotSupported, {"a component of a frame that shears"});
@@ -288,7 +288,7 @@ bool Evaluator::load_element(const Instruction& instruction) {
     const Store& store = *level_->stores[instruction.index];
     Value value = store.values[*slot];
     if (symbol.type == nc::ValueType::Frame) {
-        push(keep_frame(value.is_frame() ? store.frames[value.text] : ControlFrame()));
+        push(keep_frame(value.is_frame() ? store.frames[value.text] : control::ControlFrame()));
         return true;
     }
     if (symbol.type != nc::ValueType::Text) {
@@ -673,7 +673,7 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
 
 /// Axes and their values in turn; lengths in mm.
 bool Evaluator::pairs(Operation operation, const Value* a, int count,
-                      std::vector<AxisAndValue>& out) {
+                      std::vector<control::AxisAndValue>& out) {
     const bool is_way = operation == Operation::FrameShift || operation == Operation::FrameFine;
     for (int i = 0; i + 1 < count; i += 2) {
         const auto axis = a[i].axis();
@@ -707,27 +707,27 @@ bool Evaluator::frame_function(Operation operation, Value* a, int count) {
             if (!a[i].axis()) return fail(diag::AxisExpected, {std::string(kind_name(a[i]))});
             axes = static_cast<AxisMask>(axes | bit(*a[i].axis()));
         }
-        *a = keep_frame(mirror_frame(axes));
+        *a = keep_frame(control::mirror_frame(axes));
         return true;
     }
     if (operation == Operation::FrameInPlane) return plane_rotation(a);
-    std::vector<AxisAndValue> given;
+    std::vector<control::AxisAndValue> given;
     if (!pairs(operation, a, count, given)) return false;
     switch (operation) {
-        case Operation::FrameShift: *a = keep_frame(shift_frame(given)); return true;
-        case Operation::FrameFine: *a = keep_frame(fine_frame(given)); return true;
-        case Operation::FrameRotation: *a = keep_frame(rotation_frame(given)); return true;
+        case Operation::FrameShift: *a = keep_frame(control::shift_frame(given)); return true;
+        case Operation::FrameFine: *a = keep_frame(control::fine_frame(given)); return true;
+        case Operation::FrameRotation: *a = keep_frame(control::rotation_frame(given)); return true;
         case Operation::FrameSolid:
             if (given.size() > 2) return fail(diag::SolidAngles, {std::to_string(given.size())});
             if (given.size() == 2 && given[0].axis == given[1].axis)
                 return fail(diag::SolidAngles, {"of one axis"});
-            *a = keep_frame(solid_frame(given));
+            *a = keep_frame(control::solid_frame(given));
             return true;
         default: break;
     }
-    for (const AxisAndValue& one : given)
+    for (const control::AxisAndValue& one : given)
         if (one.value == 0) return fail(diag::ScaleInvalid, {"0"});
-    *a = keep_frame(scale_frame(given));
+    *a = keep_frame(control::scale_frame(given));
     return true;
 }
 
@@ -752,8 +752,8 @@ bool Evaluator::plane_rotation(Value* a) {
         return fail(diag::TypesDiffer, {"a component of a frame", std::string(kind_name(a[1]))});
     if (index(*across) >= 3)
         return fail(diag::IsoNotSupported, {"a rotation or a scale of an axis besides X, Y and Z"});
-    const AxisAndValue angle{*across, a[1].number};
-    *a = keep_frame(rotation_frame({&angle, 1}));
+    const control::AxisAndValue angle{*across, a[1].number};
+    *a = keep_frame(control::rotation_frame({&angle, 1}));
     return true;
 }
 

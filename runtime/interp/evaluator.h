@@ -45,7 +45,7 @@ class Variables {
     virtual bool set_system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                             double value) = 0;
     /// The same of a quantity that is a frame.
-    virtual Answer frame(nc::Quantity quantity, std::int64_t index, ControlFrame& out) = 0;
+    virtual Answer frame(nc::Quantity quantity, std::int64_t index, control::ControlFrame& out) = 0;
     /// The same of a quantity that is a text.
     virtual Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) = 0;
     /// mm, or degrees, that 1 in a word of the axis is.
@@ -103,11 +103,11 @@ class Evaluator {
         texts_.push_back(std::move(text));
         return {0, static_cast<std::uint32_t>(texts_.size() - 1), Value::Kind::Text};
     }
-    const ControlFrame* frame(const Value& value) const {
+    const control::ControlFrame* frame(const Value& value) const {
         return value.is_frame() ? &frames_[value.text] : nullptr;
     }
     Content content(const Value& value) const { return {text(value), frame(value)}; }
-    Value keep_frame(const ControlFrame& frame) {
+    Value keep_frame(const control::ControlFrame& frame) {
         frames_.push_back(frame);
         return {0, static_cast<std::uint32_t>(frames_.size() - 1), Value::Kind::Frame};
     }
@@ -171,7 +171,8 @@ class Evaluator {
     bool tool_of_edge(Value* a);
     bool edges_unique(Value* a, int count);
     bool frame_function(nc::Operation operation, Value* a, int count);
-    bool pairs(nc::Operation operation, const Value* a, int count, std::vector<AxisAndValue>& out);
+    bool pairs(nc::Operation operation, const Value* a, int count,
+               std::vector<control::AxisAndValue>& out);
     bool fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});
     bool real(Value& out, double number);
     void push(const Value& value) { stack_[size_++] = value; }
@@ -183,7 +184,7 @@ class Evaluator {
     std::vector<Value> stack_;
     std::size_t size_ = 0;
     std::deque<std::string> texts_;  // views of them stay valid
-    std::deque<ControlFrame> frames_;
+    std::deque<control::ControlFrame> frames_;
     nc::LineFault fault_;
     nc::Span place_;
     std::optional<Radians> radians_;

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "control/frames.h"
 #include "interp/axis_data.h"
 #include "interp/block_actions.h"
 #include "interp/block_queue.h"
@@ -30,7 +31,6 @@
 #include "interp/corners.h"
 #include "interp/cycle_run.h"
 #include "interp/dangers.h"
-#include "interp/frames.h"
 #include "interp/interpreter.h"
 #include "interp/output.h"
 #include "interp/program_clocks.h"
@@ -79,13 +79,14 @@ class Executor {
     // answers.cpp: what a program asks while it runs
     double elapsed() { return run_time(); }
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
-    ControlAccess::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
-                                     double value, bool acts_at_once);  // offsets.cpp
+    ControlAccess::Write set_quantity(nc::Quantity quantity, std::int64_t first,
+                                      std::int64_t second, double value,
+                                      bool acts_at_once);  // offsets.cpp
     // frame_variables.cpp
-    ControlFrame total_frame() const;
-    std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
+    control::ControlFrame total_frame() const;
+    std::optional<control::ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
     ControlAccess::Write set_frame(nc::Quantity quantity, std::int64_t number,
-                                  const ControlFrame& frame, bool acts_at_once);
+                                   const control::ControlFrame& frame, bool acts_at_once);
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
     void restore_frames(bool is_wanted);
     // answers.cpp
@@ -105,10 +106,10 @@ class Executor {
   private:
     std::optional<Axis> axis_of(std::int64_t index) const;
     std::optional<double> place_of(nc::Quantity quantity, Axis axis) const;
-    double place_within(const ControlFrame& frame, Axis axis) const;
+    double place_within(const control::ControlFrame& frame, Axis axis) const;
     double mirrored_axes() const;
     // frame_variables.cpp
-    bool set_plain_frame(nc::Quantity quantity, const ControlFrame& frame);
+    bool set_plain_frame(nc::Quantity quantity, const control::ControlFrame& frame);
     void select_stored_bases();
     ControlAccess::Write set_base_mask(nc::Quantity quantity, double mask);
     // answers.cpp
@@ -117,8 +118,8 @@ class Executor {
     std::optional<double> tool_datum(std::int64_t number) const;
     ControlAccess::Write set_extra(nc::Quantity quantity, std::int64_t first, double value);
     bool has_edge(std::int64_t tool, std::int64_t edge) const;
-    ControlAccess::Write set_edge_offset(nc::Quantity quantity, std::int64_t tool, std::int64_t edge,
-                                        double value);
+    ControlAccess::Write set_edge_offset(nc::Quantity quantity, std::int64_t tool,
+                                         std::int64_t edge, double value);
     ControlAccess::Write set_active_datum(std::int64_t datum, double value);
     bool set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value);
     double timer(std::int64_t number);
@@ -132,14 +133,14 @@ class Executor {
     void write_lathe_offset(const nc::Block& block, const nc::Invocation& invocation);
     void put_tool_offset(const nc::Block& block, const nc::Invocation& invocation,
                          ToolOffsets::Column column, double value);
-    ControlFrame work_offset_frame(std::int64_t number) const;
-    ControlFrame& work_offset_at(std::int64_t number);
+    control::ControlFrame work_offset_frame(std::int64_t number) const;
+    control::ControlFrame& work_offset_at(std::int64_t number);
     void work_offset_changed(std::int64_t number, bool acts_at_once);
     ControlAccess::Write set_edge_speed(double value);
     ControlAccess::Write set_work_offset(std::int64_t number, Axis axis, double value,
-                                        bool acts_at_once);
+                                         bool acts_at_once);
     ControlAccess::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
-                                        double value);
+                                         double value);
     // power_on.cpp
     void power_on();
     void begin_with(nc::Function function);
@@ -204,7 +205,7 @@ class Executor {
     bool is_other_plane(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
     bool has_axes(const nc::Block& block, const nc::Invocation& invocation, AxisMask named);
-    FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
+    control::FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
     bool selects_at_once() const;
@@ -433,10 +434,10 @@ class Executor {
     std::optional<double> carrier_quantity(nc::Quantity quantity, std::int64_t first,
                                            std::int64_t second) const;
     ControlAccess::Write set_carrier(nc::Quantity quantity, std::int64_t first, std::int64_t second,
-                                    double value);
+                                     double value);
     std::optional<std::string> carrier_text(nc::Quantity quantity, std::int64_t number) const;
     ControlAccess::Write set_carrier_text(nc::Quantity quantity, std::int64_t number,
-                                         std::string_view text);
+                                          std::string_view text);
     // virtual_axes.cpp: faces, cylinders and inclined slides
     void begin_virtual(const nc::Block& block, const nc::Invocation& invocation);
     void end_virtual(const nc::Block& block);
@@ -764,9 +765,10 @@ class Executor {
 
     const nc::Dialect& dialect_;
     const machine::Machine& machine_;
-    std::vector<ControlFrame> work_offsets_;  // as the machine has them, until the program sets one
-    std::int64_t work_offset_ = 0;            // that acts
-    const bool is_lathe_;                     // the machine is one, or the control is a lathe's
+    std::vector<control::ControlFrame>
+        work_offsets_;              // as the machine has them, until the program sets one
+    std::int64_t work_offset_ = 0;  // that acts
+    const bool is_lathe_;           // the machine is one, or the control is a lathe's
     ToolOffsets tool_offsets_;
     ToolNames tool_names_;
     const nc::BlockPlaces* places_;
@@ -779,31 +781,31 @@ class Executor {
     Output output_;
     ProgramClocks clocks_;
     std::optional<Probed> probed_;
-    std::vector<bool> touches_done_;           // of options_.touches: the block has probed
-    std::optional<ControlFrame> probe_place_;  // of the surfaces that the probe meets
-    double probe_kept_ = 0;                    // a coordinate that was measured
+    std::vector<bool> touches_done_;                    // of options_.touches: the block has probed
+    std::optional<control::ControlFrame> probe_place_;  // of the surfaces that the probe meets
+    double probe_kept_ = 0;                             // a coordinate that was measured
     std::uint64_t block_count_ = 0;
     bool ended_ = false;
     bool alarmed_ = false;
 
     Modal modal_;
     Position position_;
-    Frames frames_{rules_};
+    control::Frames frames_{rules_};
     struct KeptFrames {
-        Frames frames;
+        control::Frames frames;
         std::int64_t work_offset;
     };
     std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
     /// Base frames that were written and act when a work offset is called next.
     struct StoredBases {
-        BaseFrames frames;
+        control::BaseFrames frames;
         std::uint16_t new_global = 0;  // a bit for each number
         std::uint16_t new_channel = 0;
     };
     StoredBases stored_bases_;
     /// What a block in machine coordinates goes back to behind it.
     struct FramesOff {
-        Frames frames;
+        control::Frames frames;
         Position before;
     };
     std::optional<FramesOff> frames_off_;

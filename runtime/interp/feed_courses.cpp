@@ -4,15 +4,16 @@
 #include <cmath>
 #include <utility>
 
-#include "interp/linear.h"
 #include "path/complete_spline.h"
 #include "path/curve_of.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
 using path::Command;
 using path::FeedLawKind;
 using path::FeedPolynomial;
+using path::linear;
 using path::Op;
 using path::Vec3;
 

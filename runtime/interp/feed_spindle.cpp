@@ -111,7 +111,7 @@ double Executor::bounded_speed(const Block& block) {
 
 void Executor::set_area_limit(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kFirst = 1;
-    const FrameWords words =
+    const control::FrameWords words =
         frame_words(block, invocation, kFirst, axes_.word_scale[index(Axis::X)]);
     for (std::size_t i = 0; i < 3; ++i) {
         if (words.has(i))

@@ -24,7 +24,7 @@ constexpr bool waits_for_call(Quantity quantity) {
 }
 
 bool has_base_frame(std::int64_t number) {
-    return number >= 0 && number < static_cast<std::int64_t>(BaseFrames::kEach);
+    return number >= 0 && number < static_cast<std::int64_t>(control::BaseFrames::kEach);
 }
 
 /// The frame of a number.
@@ -37,34 +37,36 @@ auto& numbered(Bases& bases, Quantity quantity, std::int64_t number) {
 }  // namespace
 
 /// From the base system to the programmed one; S 6.1.
-ControlFrame Executor::total_frame() const {
-    const ControlFrame outside = chain(frames_.base(), frames_.work_offset());
-    const ControlFrame inside = chain(frames_.programmable(), frames_.inner());
+control::ControlFrame Executor::total_frame() const {
+    const control::ControlFrame outside = chain(frames_.base(), frames_.work_offset());
+    const control::ControlFrame inside = chain(frames_.programmable(), frames_.inner());
     if (!frames_.is_swivelled()) return chain(outside, inside);
-    const ControlFrame planes = plain_frame(frames_.tool_frame() * frames_.tilt());
-    return chain(plain_frame(frames_.tables()), chain(outside, chain(planes, inside)));
+    const control::ControlFrame planes =
+        control::plain_frame(frames_.tool_frame() * frames_.tilt());
+    return chain(control::plain_frame(frames_.tables()), chain(outside, chain(planes, inside)));
 }
 
-std::optional<ControlFrame> Executor::frame(Quantity quantity, std::int64_t number) {
+std::optional<control::ControlFrame> Executor::frame(Quantity quantity, std::int64_t number) {
     if (is_numbered_base(quantity)) {
         if (!has_base_frame(number)) return std::nullopt;
-        const BaseFrames& bases = waits_for_call(quantity) ? stored_bases_.frames : frames_.bases();
+        const control::BaseFrames& bases =
+            waits_for_call(quantity) ? stored_bases_.frames : frames_.bases();
         return numbered(bases, quantity, number);
     }
     switch (quantity) {
         case Quantity::SettableFrame: {
             if (number < 0 || number > rules_.work_offsets) return std::nullopt;
             const auto i = static_cast<std::size_t>(number);
-            return i < work_offsets_.size() ? work_offsets_[i] : ControlFrame();
+            return i < work_offsets_.size() ? work_offsets_[i] : control::ControlFrame();
         }
         case Quantity::ActiveFrame: return frames_.work_offset();
         case Quantity::BaseFrame: return frames_.bases().channel[0];
         case Quantity::AllBaseFrames: return frames_.bases().numbered();
         case Quantity::ExternalFrame: return frames_.bases().external;
         case Quantity::SetFrame: return frames_.bases().set;
-        case Quantity::TableFrame: return plain_frame(frames_.tables());
-        case Quantity::ToolFrame: return plain_frame(frames_.tool_frame());
-        case Quantity::PlaneFrame: return plain_frame(frames_.tilt());
+        case Quantity::TableFrame: return control::plain_frame(frames_.tables());
+        case Quantity::ToolFrame: return control::plain_frame(frames_.tool_frame());
+        case Quantity::PlaneFrame: return control::plain_frame(frames_.tilt());
         case Quantity::ProgrammableFrame: return frames_.programmable();
         case Quantity::InnerFrame: return frames_.inner();
         case Quantity::TotalFrame: return total_frame();
@@ -72,8 +74,8 @@ std::optional<ControlFrame> Executor::frame(Quantity quantity, std::int64_t numb
     }
 }
 
-Write Executor::set_frame(Quantity quantity, std::int64_t number, const ControlFrame& frame,
-                          bool acts_at_once) {
+Write Executor::set_frame(Quantity quantity, std::int64_t number,
+                          const control::ControlFrame& frame, bool acts_at_once) {
     finish_open_spline();
     if (quantity == Quantity::SettableFrame) {
         if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
@@ -90,7 +92,7 @@ Write Executor::set_frame(Quantity quantity, std::int64_t number, const ControlF
             fresh = static_cast<std::uint16_t>(fresh | 1u << number);
             return Write::Done;
         }
-        BaseFrames bases = frames_.bases();
+        control::BaseFrames bases = frames_.bases();
         numbered(bases, quantity, number) = frame;
         frames_.select_bases(bases);
     } else if (!set_plain_frame(quantity, frame)) {
@@ -101,8 +103,8 @@ Write Executor::set_frame(Quantity quantity, std::int64_t number, const ControlF
 }
 
 /// Frames of which there is one each. False: nobody sets this one.
-bool Executor::set_plain_frame(Quantity quantity, const ControlFrame& frame) {
-    BaseFrames bases = frames_.bases();
+bool Executor::set_plain_frame(Quantity quantity, const control::ControlFrame& frame) {
+    control::BaseFrames bases = frames_.bases();
     switch (quantity) {
         case Quantity::ActiveFrame: frames_.select_work_offset(frame); return true;
         case Quantity::ProgrammableFrame: frames_.set_programmable(frame); return true;
@@ -128,8 +130,8 @@ bool Executor::set_plain_frame(Quantity quantity, const ControlFrame& frame) {
 void Executor::select_stored_bases() {
     StoredBases& stored = stored_bases_;
     if (stored.new_channel == 0 && stored.new_global == 0) return;
-    BaseFrames bases = frames_.bases();
-    for (std::size_t i = 0; i < BaseFrames::kEach; ++i) {
+    control::BaseFrames bases = frames_.bases();
+    for (std::size_t i = 0; i < control::BaseFrames::kEach; ++i) {
         if ((stored.new_channel >> i & 1u) != 0) bases.channel[i] = stored.frames.channel[i];
         if ((stored.new_global >> i & 1u) != 0) bases.global[i] = stored.frames.global[i];
     }
@@ -141,7 +143,7 @@ Write Executor::set_base_mask(Quantity quantity, double mask) {
     constexpr double kMost = 0xffff;
     if (!(mask >= 0 && mask <= kMost)) return Write::TooLarge;
     finish_open_spline();
-    BaseFrames bases = frames_.bases();
+    control::BaseFrames bases = frames_.bases();
     (is_global(quantity) ? bases.global_mask : bases.channel_mask) =
         static_cast<std::uint16_t>(mask);
     frames_.select_bases(bases);

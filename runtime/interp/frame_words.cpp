@@ -45,7 +45,7 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     const bool is_of_axes = invocation.function == Function::ShiftAxes ||
                             invocation.function == Function::ShiftAxesAdd ||
                             invocation.function == Function::SetPositionAxes;
-    const FrameWords words =
+    const control::FrameWords words =
         frame_words(block, invocation, 0, x_scale, is_of_axes ? std::size_t{6} : std::size_t{3});
     if (is_of_axes && !has_axes(block, invocation, static_cast<AxisMask>(words.given))) return;
     switch (invocation.function) {
@@ -96,10 +96,10 @@ bool Executor::has_axes(const Block& block, const Invocation& invocation, AxisMa
 }
 
 /// Center of a rotation or a scaling; it stands behind their first parameter.
-FrameWords Executor::center_of(const Block& block, const Invocation& invocation) const {
+control::FrameWords Executor::center_of(const Block& block, const Invocation& invocation) const {
     constexpr std::size_t kFirst = 1;
     const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
-    FrameWords center = frame_words(block, invocation, kFirst, x_scale);
+    control::FrameWords center = frame_words(block, invocation, kFirst, x_scale);
     for (std::size_t i = 0; rules_.frame_center_at_tool && i < 3; ++i) {
         if (!center.has(i)) center.values[i] = position_.here[i];
     }
@@ -108,7 +108,7 @@ FrameWords Executor::center_of(const Block& block, const Invocation& invocation)
 
 /// About X, Y and Z, as far as they are named.
 void Executor::rotate_in_space(const Block& block, const Invocation& invocation) {
-    std::vector<AxisAndValue> angles;
+    std::vector<control::AxisAndValue> angles;
     for (std::size_t i = 0; i < 3; ++i) {
         if ((invocation.given >> i & 1u) != 0)
             angles.push_back({static_cast<Axis>(i), block.argument(invocation, i)});

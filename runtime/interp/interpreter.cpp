@@ -53,15 +53,16 @@ std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t 
     return state_->executor.quantity(quantity, first, second);
 }
 ControlAccess::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_t first,
-                                              std::int64_t second, double value,
-                                              bool acts_at_once) {
+                                               std::int64_t second, double value,
+                                               bool acts_at_once) {
     return state_->executor.set_quantity(quantity, first, second, value, acts_at_once);
 }
-std::optional<ControlFrame> Interpreter::frame(nc::Quantity quantity, std::int64_t number) {
+std::optional<control::ControlFrame> Interpreter::frame(nc::Quantity quantity,
+                                                        std::int64_t number) {
     return state_->executor.frame(quantity, number);
 }
 ControlAccess::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t number,
-                                           const ControlFrame& frame, bool acts_at_once) {
+                                            const control::ControlFrame& frame, bool acts_at_once) {
     return state_->executor.set_frame(quantity, number, frame, acts_at_once);
 }
 bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
@@ -77,7 +78,7 @@ std::optional<std::string> Interpreter::text(nc::Quantity quantity, std::int64_t
     return state_->executor.text(quantity, index);
 }
 ControlAccess::Write Interpreter::set_text(nc::Quantity quantity, std::int64_t index,
-                                          std::string_view text) {
+                                           std::string_view text) {
     return state_->executor.set_text(quantity, index, text);
 }
 std::optional<std::int64_t> Interpreter::axis_number(Axis axis) const {

@@ -129,8 +129,8 @@ class Interpreter final : public Stream<path::Command>, public ControlAccess {
                                    std::int64_t second) override;
     Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second, double value,
                        bool acts_at_once) override;
-    std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number) override;
-    Write set_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame,
+    std::optional<control::ControlFrame> frame(nc::Quantity quantity, std::int64_t number) override;
+    Write set_frame(nc::Quantity quantity, std::int64_t number, const control::ControlFrame& frame,
                     bool acts_at_once) override;
     bool is_length(std::int64_t axis) const override;
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) override;

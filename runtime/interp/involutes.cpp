@@ -7,8 +7,8 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "path/curve.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -17,6 +17,7 @@ using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
 using path::InvoluteFault;
+using path::linear;
 using path::Vec3;
 
 void Executor::involute(const Block& block, const Target& programmed, bool exact_stop) {

@@ -8,8 +8,8 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "interp/said_words.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -18,6 +18,7 @@ using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
 using path::Command;
+using path::linear;
 using path::Op;
 using path::Vec3;
 

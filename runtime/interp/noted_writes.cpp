@@ -87,7 +87,7 @@ ControlVariable ControlVariables::shown_state(const Instruction& target,
         return out;
     }
     const auto quantity = static_cast<Quantity>(target.index);
-    ControlFrame whole;
+    control::ControlFrame whole;
     if (target.kind == Instruction::Kind::SystemPart) {
         const auto axis = static_cast<Axis>(-indices[target.count - 1u] - 1);
         const FramePart part = target.part();

@@ -16,15 +16,15 @@ using nc::Quantity;
 using Write = ControlAccess::Write;
 
 /// Offsets that the machine file does not name are zero, as in a new control.
-ControlFrame Executor::work_offset_frame(std::int64_t number) const {
+control::ControlFrame Executor::work_offset_frame(std::int64_t number) const {
     const auto of = [this](std::size_t i) {
-        return i < work_offsets_.size() ? work_offsets_[i] : ControlFrame();
+        return i < work_offsets_.size() ? work_offsets_[i] : control::ControlFrame();
     };
-    const ControlFrame own = of(static_cast<std::size_t>(number));
+    const control::ControlFrame own = of(static_cast<std::size_t>(number));
     return rules_.external_work_offset && number != 0 ? chain(of(0), own) : own;
 }
 
-ControlFrame& Executor::work_offset_at(std::int64_t number) {
+control::ControlFrame& Executor::work_offset_at(std::int64_t number) {
     const auto i = static_cast<std::size_t>(number);
     if (i >= work_offsets_.size()) work_offsets_.resize(i + 1);
     return work_offsets_[i];

@@ -11,10 +11,10 @@
 #include "base/units.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "interp/turns_beside.h"
 #include "machine/kinematics.h"
 #include "nc/spelling.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -22,6 +22,7 @@ using machine::Chain;
 using nc::Block;
 using nc::Function;
 using nc::SlotMask;
+using path::linear;
 using path::Vec3;
 
 namespace {

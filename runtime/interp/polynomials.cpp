@@ -14,8 +14,8 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "path/curve.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -24,6 +24,7 @@ using nc::Function;
 using nc::Invocation;
 using nc::Slot;
 using nc::SlotMask;
+using path::linear;
 using path::Pole;
 using path::Vec3;
 

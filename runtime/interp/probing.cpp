@@ -109,7 +109,7 @@ std::optional<double> Executor::touch_of_scene(const Target& target, bool spring
     const machine::ProbeScene& scene = *options_.probe;
     // A part stays where it is, whatever becomes of the offset that tells its nominal place.
     if (!probe_place_) {
-        probe_place_ = ControlFrame();
+        probe_place_ = control::ControlFrame();
         if (scene.offset > 0) probe_place_ = chain(frames_.base(), work_offset_at(scene.offset));
     }
     const bool has_edge = tool_.source == Tool::Source::Edge;

@@ -60,7 +60,7 @@ struct GivenValue {
     bool is_given = false;
     Value value;
     std::string text;                       // of a text
-    ControlFrame frame;                     // of a frame
+    control::ControlFrame frame;            // of a frame
     ControlVariables::VariablePlace place;  // of a variable alone
     bool is_array = false;
     nc::Span span;

@@ -6,14 +6,15 @@
 #include <numbers>
 
 #include "base/units.h"
-#include "interp/linear.h"
 #include "interp/turns_beside.h"
 #include "machine/kinematics.h"
 #include "path/arc.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
 using path::FeedMode;
+using path::linear;
 using path::Op;
 using path::Vec3;
 

@@ -19,7 +19,9 @@ namespace kadr::interp {
 using path::Command;
 using path::Contact;
 using path::ContactKind;
+using path::linear;
 using path::Op;
+using path::set_linear;
 using path::Vec3;
 using std::numbers::pi;
 

@@ -20,6 +20,7 @@ using path::Command;
 using path::Contact;
 using path::ContactKind;
 using path::Op;
+using path::set_linear;
 using path::Vec3;
 using std::numbers::pi;
 

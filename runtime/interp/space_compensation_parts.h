@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "interp/linear.h"
 #include "interp/space_compensation.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 

@@ -9,8 +9,8 @@
 
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "path/curve.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -18,6 +18,7 @@ using nc::Block;
 using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
+using path::linear;
 using path::Pole;
 using path::Vec3;
 

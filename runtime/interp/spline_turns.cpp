@@ -11,8 +11,8 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "machine/chain.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 

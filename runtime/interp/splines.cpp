@@ -7,8 +7,8 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "path/curve.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -16,6 +16,7 @@ using nc::Block;
 using nc::Function;
 using nc::SlotMask;
 using path::Command;
+using path::linear;
 using path::NurbsFault;
 using path::Op;
 using path::Vec3;

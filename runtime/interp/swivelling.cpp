@@ -11,8 +11,8 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "machine/tilted_plane.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -21,6 +21,7 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using path::Frame;
+using path::linear;
 using path::Op;
 using path::Vec3;
 

@@ -7,7 +7,7 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -17,6 +17,7 @@ using nc::Slot;
 using nc::SlotMask;
 using path::Command;
 using path::FeedMode;
+using path::linear;
 using path::Op;
 using path::SpindleMode;
 using path::Vec3;

@@ -7,8 +7,8 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "path/curve.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -16,6 +16,7 @@ using nc::Block;
 using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
+using path::linear;
 using path::SplineEnd;
 using path::Vec3;
 

@@ -14,9 +14,9 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "machine/orientation.h"
 #include "machine/tilted_plane.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -25,6 +25,7 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using path::Frame;
+using path::linear;
 using path::Op;
 using path::Vec3;
 

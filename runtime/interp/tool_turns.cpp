@@ -15,9 +15,9 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "machine/following.h"
 #include "machine/orientation.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -25,6 +25,7 @@ using machine::Chain;
 using nc::Block;
 using nc::Function;
 using path::Command;
+using path::linear;
 using path::Op;
 using path::Turning;
 using path::Vec3;

@@ -2,14 +2,14 @@
 // tilted working plane is.
 #pragma once
 
-#include "interp/linear.h"
 #include "path/command.h"
 #include "path/frame.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
 inline void turn(const path::Mat3& by, AxisValues& values) {
-    set_linear(values, by * linear(values));
+    path::set_linear(values, by * path::linear(values));
 }
 
 /// All that a command says of places and directions; of a curve's shape nothing.

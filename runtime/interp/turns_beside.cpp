@@ -5,15 +5,16 @@
 #include <Eigen/Geometry>
 
 #include "base/units.h"
-#include "interp/linear.h"
 #include "machine/following.h"
 #include "machine/kinematics.h"
 #include "machine/orientation.h"
 #include "path/curve_of.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
 using path::Command;
+using path::linear;
 using path::Op;
 using path::Turning;
 using path::Vec3;

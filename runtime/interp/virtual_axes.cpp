@@ -14,9 +14,9 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
-#include "interp/linear.h"
 #include "path/curve_of.h"
 #include "path/face_poles.h"
+#include "path/linear.h"
 
 namespace kadr::interp {
 
@@ -25,7 +25,9 @@ using nc::Function;
 using nc::Invocation;
 using nc::Slot;
 using path::Command;
+using path::linear;
 using path::Plane;
+using path::set_linear;
 using path::Vec3;
 using path::VirtualAxes;
 using path::VirtualKind;

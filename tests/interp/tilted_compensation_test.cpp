@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "interp/linear.h"
+#include "path/linear.h"
 #include "path/frame.h"
 #include "tests/interp/five_axis_bench.h"
 

@@ -1,8 +1,10 @@
-#include "expand/frame.h"
+#include "control/program_frame.h"
 
-#include "sema/arithmetic.h"
+#include <cmath>
 
-namespace kadr::expand {
+#include "base/degrees.h"
+
+namespace kadr::control {
 
 namespace {
 
@@ -22,8 +24,8 @@ PlaneAxes axes_of(nc::Function plane) {
 std::array<double, 3> rotated(std::array<double, 3> v, double angle_deg, nc::Function plane) {
     if (angle_deg == 0) return v;
     const PlaneAxes axes = axes_of(plane);
-    const double c = sema::cos_deg(angle_deg);
-    const double s = sema::sin_deg(angle_deg);
+    const double c = cos_deg(angle_deg);
+    const double s = sin_deg(angle_deg);
     const double a = v[axes.first];
     const double b = v[axes.second];
     v[axes.first] = c * a - s * b;
@@ -168,4 +170,4 @@ KnownPoint change_frame(const KnownPoint& point, const ProgramFrame& from, const
     return result;
 }
 
-}  // namespace kadr::expand
+}  // namespace kadr::control

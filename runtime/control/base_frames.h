@@ -7,9 +7,9 @@
 #include <array>
 #include <cstdint>
 
-#include "interp/control_frame.h"
+#include "control/control_frame.h"
 
-namespace kadr::interp {
+namespace kadr::control {
 
 struct BaseFrames {
     static constexpr std::size_t kEach = 16;
@@ -30,4 +30,4 @@ struct BaseFrames {
     BaseFrames without_numbered() const;
 };
 
-}  // namespace kadr::interp
+}  // namespace kadr::control

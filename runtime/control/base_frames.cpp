@@ -1,6 +1,6 @@
-#include "interp/base_frames.h"
+#include "control/base_frames.h"
 
-namespace kadr::interp {
+namespace kadr::control {
 
 namespace {
 
@@ -24,4 +24,4 @@ BaseFrames BaseFrames::without_numbered() const {
     return rest;
 }
 
-}  // namespace kadr::interp
+}  // namespace kadr::control

@@ -10,7 +10,7 @@
 #include "nc/language.h"
 #include "path/frame.h"
 
-namespace kadr::interp {
+namespace kadr::control {
 
 struct ControlFrame {
     AxisValues shift{};  // mm, deg; of all axes
@@ -64,4 +64,4 @@ std::optional<double> part_of(const ControlFrame& frame, nc::FramePart part, Axi
 /// Sets it. False: as above, or a factor of 0.
 bool set_part(ControlFrame& frame, nc::FramePart part, Axis axis, double value);
 
-}  // namespace kadr::interp
+}  // namespace kadr::control

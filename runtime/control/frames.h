@@ -9,12 +9,12 @@
 #include <optional>
 #include <vector>
 
-#include "interp/base_frames.h"
-#include "interp/control_frame.h"
+#include "control/base_frames.h"
+#include "control/control_frame.h"
 #include "nc/rules.h"
 #include "path/frame.h"
 
-namespace kadr::interp {
+namespace kadr::control {
 
 /// Words of a frame function: which of X, Y, Z were given, and their values, mm.
 struct FrameWords {
@@ -146,4 +146,4 @@ class Frames {
     bool is_shift_ = true;
 };
 
-}  // namespace kadr::interp
+}  // namespace kadr::control

@@ -1,4 +1,4 @@
-#include "interp/control_frame.h"
+#include "control/control_frame.h"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "base/assert.h"
 #include "base/units.h"
 
-namespace kadr::interp {
+namespace kadr::control {
 
 using nc::FramePart;
 using path::Frame;
@@ -199,4 +199,4 @@ bool set_part(ControlFrame& frame, FramePart part, Axis axis, double value) {
     return true;
 }
 
-}  // namespace kadr::interp
+}  // namespace kadr::control

@@ -1,4 +1,4 @@
-#include "interp/frames.h"
+#include "control/frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <Eigen/Geometry>
 
 #include "base/assert.h"
-#include "interp/linear.h"
+#include "path/linear.h"
 
-namespace kadr::interp {
+namespace kadr::control {
 
 using path::Frame;
 using path::Vec3;
@@ -113,7 +113,7 @@ void Frames::set_fine(const FrameWords& words) {
     update();
 }
 
-Vec3 Frames::own_shift() const { return linear(shift_) + linear(fine_); }
+Vec3 Frames::own_shift() const { return path::linear(shift_) + path::linear(fine_); }
 
 void Frames::set_tables(const Frame& tables) {
     tables_ = tables;
@@ -132,7 +132,7 @@ void Frames::set_tool_frame(const std::optional<Frame>& frame) {
 }
 
 Frame Frames::outside_tool_frame() const {
-    return path::translation(linear(set_shift_)) * base_.whole() * work_offset_.whole();
+    return path::translation(path::linear(set_shift_)) * base_.whole() * work_offset_.whole();
 }
 
 Frame Frames::inside_tool_frame() const {
@@ -301,11 +301,12 @@ void Frames::update() {
     if (is_swivelled_) {
         total_ = tables_ * outside_tool_frame() * tool_frame_ * tilt_ * path::translation(own);
     } else if (work_offset_.is_shift() && base_.is_shift()) {
-        const Vec3 outer = work_offset_.whole().shift + linear(set_shift_) + base_.whole().shift;
+        const Vec3 outer =
+            work_offset_.whole().shift + path::linear(set_shift_) + base_.whole().shift;
         total_ = path::translation(outer + own);
     } else {
-        total_ = path::translation(linear(set_shift_)) * base_.whole() * work_offset_.whole() *
-                 path::translation(own);
+        total_ = path::translation(path::linear(set_shift_)) * base_.whole() *
+                 work_offset_.whole() * path::translation(own);
     }
     for (const Step& step : steps_) total_ = total_ * step.frame;
     total_ = total_ * inner_.whole();
@@ -353,7 +354,7 @@ bool Frames::is_tilted(path::Plane plane) const {
 
 AxisValues Frames::to_base(const AxisValues& programmed) const {
     AxisValues base;
-    const Vec3 point = total_(linear(programmed));
+    const Vec3 point = total_(path::linear(programmed));
     for (std::size_t i = 0; i < 3; ++i) base[i] = point[static_cast<Eigen::Index>(i)];
     for (std::size_t i = 3; i < kAxes; ++i) base[i] = programmed[i] + shift_values_[i];
     return base;
@@ -361,10 +362,10 @@ AxisValues Frames::to_base(const AxisValues& programmed) const {
 
 AxisValues Frames::from_base(const AxisValues& base) const {
     AxisValues programmed;
-    const Vec3 point = back_(linear(base));
+    const Vec3 point = back_(path::linear(base));
     for (std::size_t i = 0; i < 3; ++i) programmed[i] = point[static_cast<Eigen::Index>(i)];
     for (std::size_t i = 3; i < kAxes; ++i) programmed[i] = base[i] - shift_values_[i];
     return programmed;
 }
 
-}  // namespace kadr::interp
+}  // namespace kadr::control

@@ -8,7 +8,7 @@
 #include "base/axes.h"
 #include "nc/vocabulary.h"
 
-namespace kadr::expand {
+namespace kadr::control {
 
 /// Why a frame cannot be said as one shift, one rotation, one scale and mirrors.
 enum class FrameFault : std::uint8_t {
@@ -72,4 +72,4 @@ struct KnownPoint {
 /// The same place seen from another frame.
 KnownPoint change_frame(const KnownPoint& point, const ProgramFrame& from, const ProgramFrame& to);
 
-}  // namespace kadr::expand
+}  // namespace kadr::control
