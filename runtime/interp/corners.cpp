@@ -195,10 +195,7 @@ Corners::Fault Corners::take_motion(Item& item) {
     ++motions_;
     const AxisValues from = at_;
     at_ = item.command.to;
-    const bool is_left = item.command.op == Op::Arc
-                             ? item.command.sweep > path::kNoTurn
-                             : (in_plane(at_) - in_plane(from)).norm() > path::kSamePoint;
-    if (!is_left) return nullptr;  // the corner has taken all of it
+    if (is_taken(item.command, from)) return nullptr;
     if (wish_.kind == CornerWish::Kind::None && !wish_.is_open) {
         settled_.push_back(std::move(item));
         return nullptr;
@@ -270,7 +267,8 @@ std::optional<CornerCut> Corners::cut(const Element& a, const Element& b, Fault&
         const bool is_length = held_wish_.kind == CornerWish::Kind::Length;
         const std::optional<double> width =
             is_length ? path::chamfer_width(a, b, size) : std::optional(size);
-        const double widest = path::widest_chamfer(a, b);
+        const double widest =
+            is_length ? path::width_of_longest_chamfer(a, b) : path::widest_chamfer(a, b);
         if (width && *width <= widest + path::kSamePoint)
             found = path::chamfer(a, b, std::min(*width, widest));
         if (!found && !settings_.is_strict) {
@@ -298,9 +296,7 @@ void Corners::shorten(const CornerCut& cut) {
         if (is_motion) set_in_plane(item->command.to, end);
         if (item->kind == Item::Kind::EndOfBlock) set_in_plane(item->here, end);
     }
-    const bool is_gone = (in_plane(first.to) - in_plane(held_from_)).norm() <= path::kSamePoint &&
-                         is_straight(first.op);
-    if (is_gone) held_.erase(held_.begin());
+    if (is_taken(first, held_from_)) held_.erase(held_.begin());
 }
 
 /// The chamfer or rounding, and what is left of the motion behind it.
@@ -370,6 +366,14 @@ Element Corners::element_of(const Command& command, const AxisValues& from) cons
     const bool is_left = command.normal.dot(path::unit(axes_.normal)) > 0;
     arc.sweep = command.sweep * (is_left ? 1 : -1);
     return arc;
+}
+
+/// Whether the corner at one of its ends has taken all of a motion. A whole circle ends where it
+/// began, too.
+bool Corners::is_taken(const Command& motion, const AxisValues& from) const {
+    const double left = motion.op == Op::Arc ? path::length(element_of(motion, from))
+                                             : (in_plane(motion.to) - in_plane(from)).norm();
+    return left <= path::kSamePoint;
 }
 
 /// A place on a motion: the other axes go evenly along it.

@@ -145,6 +145,7 @@ class Corners {
     void release();
     void pass(Item item);
     bool is_in_plane(const path::Command& command) const;
+    bool is_taken(const path::Command& motion, const AxisValues& from) const;
     path::Element element_of(const path::Command& command, const AxisValues& from) const;
     AxisValues between(const AxisValues& from, const AxisValues& to, double share,
                        const path::Vec2& at) const;

@@ -111,6 +111,37 @@ std::optional<double> touching_share(const Element& element, const Vec2& center)
     return found.share;
 }
 
+/// 0 beyond what the elements reach.
+double chamfer_length(const Element& a, const Element& b, double width) {
+    const std::optional<CornerCut> cut = chamfer(a, b, width);
+    return cut ? length(cut->piece) : 0;
+}
+
+/// So far an element reaches, rounding left aside.
+constexpr double kInside = 1 - 1e-12;
+
+/// Steps of the width in which a chamfer's length is looked for. Beside an arc it does not always
+/// grow with the width: an arc that bends towards the other element comes back to it.
+constexpr int kRiseSteps = 64;
+
+/// Between these widths the chamfer becomes as long as is wanted.
+struct Rise {
+    double low = 0;
+    double high = 0;
+};
+
+/// The first one.
+std::optional<Rise> rise_to(const Element& a, const Element& b, double length) {
+    const double longest = kInside * width_of_longest_chamfer(a, b);
+    Rise rise;
+    for (int i = 1; i <= kRiseSteps; ++i) {
+        rise.high = longest * i / kRiseSteps;
+        if (chamfer_length(a, b, rise.high) >= length) return rise;
+        rise.low = rise.high;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 double turn_between(const Element& a, const Element& b) {
@@ -135,18 +166,33 @@ std::optional<double> chamfer_width(const Element& a, const Element& b, double l
         const double half = std::cos(turn_between(a, b) / 2);  // sin(β/2), β = π − turn
         return half > kNoTurn ? std::optional(length / (2 * half)) : std::nullopt;
     }
-    const auto length_of = [&](double width) {
-        const std::optional<CornerCut> cut = chamfer(a, b, width);
-        return cut ? path::length(cut->piece) : length;
-    };
-    double low = 0;
-    double high = widest_chamfer(a, b) * (1 - 1e-12);
-    if (length_of(high) < length) return std::nullopt;
+    const std::optional<Rise> rise = rise_to(a, b, length);
+    if (!rise) return std::nullopt;
+    auto [low, high] = *rise;
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = (low + high) / 2;
-        (length_of(middle) < length ? low : high) = middle;
+        (chamfer_length(a, b, middle) < length ? low : high) = middle;
     }
     return high;
+}
+
+double width_of_longest_chamfer(const Element& a, const Element& b) {
+    if (!a.is_arc() && !b.is_arc()) return widest_chamfer(a, b);
+    const double widest = kInside * widest_chamfer(a, b);
+    int longest = 0;
+    const auto length_at = [&](double step) {
+        return chamfer_length(a, b, widest * step / kRiseSteps);
+    };
+    for (int i = 1; i <= kRiseSteps; ++i)
+        if (length_at(i) > length_at(longest)) longest = i;
+    double low = std::max(0, longest - 1);
+    double high = std::min(kRiseSteps, longest + 1);
+    for (int i = 0; i < kHalvings; ++i) {
+        const double third = (high - low) / 3;
+        if (length_at(low + third) < length_at(high - third)) low += third;
+        else high -= third;
+    }
+    return widest * high / kRiseSteps;
 }
 
 std::optional<CornerCut> rounding(const Element& a, const Element& b, double radius) {

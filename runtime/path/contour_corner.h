@@ -29,7 +29,9 @@ double turn_between(const Element& a, const Element& b);
 std::optional<CornerCut> chamfer(const Element& a, const Element& b, double width);
 /// The greatest width of a chamfer.
 double widest_chamfer(const Element& a, const Element& b);
-/// The width of the chamfer that is `length` long; none if an element does not reach so far.
+/// The width of the longest chamfer: beside an arc it may be less than the greatest.
+double width_of_longest_chamfer(const Element& a, const Element& b);
+/// The least width of a chamfer that is `length` long; none if an element does not reach so far.
 ///
 /// source  between two lines with the angle β inside the corner: length = 2 · width · sin(β/2)
 std::optional<double> chamfer_width(const Element& a, const Element& b, double length);
