@@ -28,6 +28,30 @@ constexpr double kRapidPart = pi / 18;
 
 bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
+/// Whether the tool is led under a transformation, which its block ends with whatever a corner cuts
+/// off its path. Where it keeps to a surface or a line in space, the path says how it stands.
+bool leads_tool(const Command& command) {
+    return !command.virtual_axes.is_on() &&
+           (command.turning == path::Turning::Axes || command.turning == path::Turning::Cone);
+}
+
+bool can_be_cut(path::Turning turning) {
+    return turning == path::Turning::None || turning == path::Turning::Axes ||
+           turning == path::Turning::Cone;
+}
+
+void set_rotary(AxisValues& values, const AxisValues& from) {
+    for (std::size_t i = 0; i < kAxes; ++i)
+        if ((kRotaryABC >> i & 1u) != 0) values[i] = from[i];
+}
+
+bool rotary_differs(const AxisValues& a, const AxisValues& b) {
+    constexpr double kSameAngle = 1e-9;  // deg
+    for (std::size_t i = 0; i < kAxes; ++i)
+        if ((kRotaryABC >> i & 1u) != 0 && std::fabs(a[i] - b[i]) > kSameAngle) return true;
+    return false;
+}
+
 /// Under inverse time F belongs to the length of its block; of a part it is as much greater.
 void keep_speed(Command& command, double share) {
     if (command.feed_mode == path::FeedMode::InverseTime && share > 0) command.feed /= share;
@@ -162,12 +186,13 @@ Corners::Fault Corners::take(Item& item) {
     plane_ = command.plane;
     axes_ = path::axes_of(plane_);
     const bool is_contour = (is_straight(command.op) || command.op == Op::Arc) &&
-                            command.turning != path::Turning::Straight &&
-                            !command.machine_coordinates && command.turns == 0;
+                            can_be_cut(command.turning) && !command.machine_coordinates &&
+                            command.turns == 0;
     if (!is_contour || (command.op == Op::Arc && !is_in_plane(command)))
         return take_other_motion(item);
     if (is_in_plane(command)) return take_motion(item);
     at_ = command.to;
+    tool_ = command.direction;
     pass(std::move(item));
     return nullptr;
 }
@@ -179,6 +204,7 @@ Corners::Fault Corners::take_other_motion(Item& item) {
     if (!waits_) place_ = block_place_;
     if (is_said) return is_thread ? &diag::CornerInThread : &diag::CornerNotContour;
     at_ = item.command.to;
+    tool_ = item.command.direction;
     waits_ = false;
     wish_ = {};
     release();
@@ -195,7 +221,15 @@ Corners::Fault Corners::take_motion(Item& item) {
     ++motions_;
     const AxisValues from = at_;
     at_ = item.command.to;
-    if (is_taken(item.command, from)) return nullptr;
+    tool_ = item.command.direction;
+    if (is_taken(item.command, from)) {
+        // The tool turns all the same.
+        if (leads_tool(item.command) && rotary_differs(from, at_)) {
+            item.command.op = Op::Line;
+            settled_.push_back(std::move(item));
+        }
+        return nullptr;
+    }
     if (wish_.kind == CornerWish::Kind::None && !wish_.is_open) {
         settled_.push_back(std::move(item));
         return nullptr;
@@ -287,7 +321,9 @@ std::optional<CornerCut> Corners::cut(const Element& a, const Element& b, Fault&
 void Corners::shorten(const CornerCut& cut) {
     Command& first = held_.front().command;
     const Vec2 end = cut.piece.from;
-    first.to = between(held_from_, first.to, cut.leaves, end);
+    const AxisValues whole = first.to;
+    first.to = between(held_from_, whole, cut.leaves, end);
+    if (leads_tool(first)) set_rotary(first.to, whole);
     if (first.op == Op::Arc) first.sweep *= cut.leaves;
     keep_speed(first, cut.leaves);
     for (auto item = held_.begin() + 1; item != held_.end(); ++item) {
@@ -313,11 +349,20 @@ void Corners::insert(const CornerCut& cut, const Command& first, Command& next) 
     inserted.exact_stop = first.exact_stop;
     inserted.moved = static_cast<AxisMask>(next.moved | bit(axes_.first) | bit(axes_.second));
     inserted.to = between(at_, next.to, cut.joins, piece.to);
+    if (leads_tool(next)) set_rotary(inserted.to, at_);
+    stand_tool(inserted);
     at_ = inserted.to;
     if (next.op == Op::Arc) next.sweep *= 1 - cut.joins;
     keep_speed(next, 1 - cut.joins);
     if (piece.is_arc()) return insert_arc(std::move(inserted), piece);
     settled_.emplace_back().command = std::move(inserted);
+}
+
+/// What a corner inserts the tool passes as it stands.
+void Corners::stand_tool(Command& command) const {
+    if (!leads_tool(command)) return;
+    command.turning = path::Turning::Axes;
+    command.direction = tool_;
 }
 
 void Corners::insert_arc(Command arc, const Element& piece) {

@@ -140,6 +140,7 @@ class Corners {
                       const path::Element& b) const;
     void shorten(const path::CornerCut& cut);
     void insert(const path::CornerCut& cut, const path::Command& first, path::Command& next);
+    void stand_tool(path::Command& command) const;
     void insert_arc(path::Command arc, const path::Element& piece);
     void insert_rapid_arc(path::Command part, const path::Element& arc);
     void release();
@@ -159,10 +160,11 @@ class Corners {
     bool waits_ = false;  // the first of `held_` is the motion before the corner
     CornerWish wish_;     // of the block that is being taken
     CornerWish held_wish_;
-    CornerPlace place_;        // of the block that wished
-    CornerPlace block_place_;  // of the block that is being taken
-    AxisValues held_from_{};   // start of the motion that waits
-    AxisValues at_{};          // end of the latest motion
+    CornerPlace place_;                      // of the block that wished
+    CornerPlace block_place_;                // of the block that is being taken
+    AxisValues held_from_{};                 // start of the motion that waits
+    AxisValues at_{};                        // end of the latest motion …
+    path::Vec3 tool_ = path::Vec3::UnitZ();  // … and how the tool stands there
     path::Plane plane_ = path::Plane::Xy;
     path::PlaneAxes axes_;
     int empty_blocks_ = 0;

@@ -299,6 +299,8 @@ void Preparer::State::turn_alone(const Command& command, const Segment& at, Axis
     turn.follower_rate[index(axis) - 3] = way / turn.turn.length;
     Command rapid = command;
     rapid.op = Op::Rapid;
+    // Its feed changes along the path, of which this is none.
+    if (has_law(rapid)) rapid.dynamics.front().law = {};
     last.must_stop = true;
     emit_way(rapid, turn, turn.turn.length);
     last.must_stop = true;

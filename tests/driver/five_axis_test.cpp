@@ -253,6 +253,21 @@ TEST_F(FiveAxis, TimesOfTheManualForFeedGroups) {
         EXPECT_NEAR(times.at(line), time, 0.1) << line;
 }
 
+/// At the pole R1 turns first, at rapid while the tip stands: the course of the feed is along the
+/// path alone. Counted along both it fell below zero, and was halved without an end.
+TEST_F(FiveAxis, AFeedThatChangesBeginsAtThePole) {
+    for (const std::string& machine : kMachines) {
+        for (const std::string feed : {"FLIN\nG1 Y-8\nX20 A3=0.48 B3=0.3 C3=1.09 F500\n",
+                                       "FCUB\nG1 Y-8\nX20 A3=0.48 B3=0.3 C3=1.09 F500\n",
+                                       "G1 X20 A3=0.48 C3=1.09 F=FPO(500,10,10)\n"}) {
+            save("f.mpf", "G17 G90 G54\nT1 D1 M6\nS6000 M3\nTRAORI\nG54\nF4000\nG0 X0 Y0 Z10\n" +
+                              feed + "M30\n");
+            const auto ran = kadr({"run", file("f.mpf"), "-d", "sinumerik", "-m", machine});
+            EXPECT_EQ(ran.status, 0) << machine << '\n' << feed << ran.err;
+        }
+    }
+}
+
 // F is the speed of all axes of a block, of which a degree is a millimetre, or an inch under G20:
 // of the tip alone under tool centre point control. Rotary axes alone turn by degrees a minute.
 // (FANUC operator's manual, linear interpolation: X20. B40. F300. is 0.14907 min; F reference 3.2.)
