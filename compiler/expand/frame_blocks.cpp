@@ -87,29 +87,30 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
         return std::array<double, 3>{numbers[first], numbers[first + 1], numbers[first + 2]};
     };
     const std::array<bool, 3> given{is_given[0], is_given[1], is_given[2]};
-    control::ProgramFrame next = modal.frame;
+    control::FrameSteps steps = modal.steps;
     switch (change) {
-        case sema::FrameChange::Shift: next.add_shift(three(0), given); break;
-        case sema::FrameChange::Rotate: {
-            const control::FrameFault why =
-                next.add_rotation(numbers[0], modal[Group::Plane], three(1));
-            if (why == control::FrameFault::None) break;
-            fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched,
-                  at);
-            return false;
-        }
+        case sema::FrameChange::Shift: steps.shift_add(three(0), given); break;
+        case sema::FrameChange::Rotate:
+            steps.rotate(numbers[0], modal[Group::Plane], three(1));
+            break;
         case sema::FrameChange::Scale: {
             std::array<double, 3> factors{};
             for (std::size_t i = 0; i < 3; ++i) {
                 factors[i] = is_given[4 + i] ? numbers[4 + i] : is_given[0] ? numbers[0] : 1;
                 if (!check_factor(factors[i], at)) return false;
             }
-            next.add_scale(factors, three(1));
+            steps.scale(factors, three(1));
             break;
         }
-        case sema::FrameChange::Mirror: next.add_mirror(given); break;
+        case sema::FrameChange::Mirror: steps.mirror(given); break;
+    }
+    const auto [next, why] = steps.frame();
+    if (why != control::FrameFault::None) {
+        fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+        return false;
     }
     write_frame(next, source, at, instruction.c);
+    modal.steps = steps;
     return !has_failed;
 }
 
@@ -206,7 +207,7 @@ void Expander::State::write_frame(const control::ProgramFrame& next, SourceId so
                        !is_equal && fz != 1});
     }
     if (!next.is_stretched(next.plane)) add_rotation();
-    modal.set_frame(next, source);
+    modal.say_frame(next, source);
     modal.lost &= ~sema::kFrameBit;
 }
 
@@ -216,7 +217,9 @@ void Expander::State::say_frame_again(SourceId source, std::uint32_t at, unsigne
     const bool is_known = (modal.lost & sema::kFrameBit) == 0;
     if (!is_known || modal.frame.is_identity()) return;
     modal.lost |= sema::kFrameBit;  // whatever acts is deleted
+    const control::FrameSteps steps = modal.steps;
     write_frame(modal.frame, source, at, depth);
+    modal.steps = steps;
 }
 
 }  // namespace kadr::expand

@@ -50,22 +50,30 @@ bool is_cycle_word(Function function) {
            nc::has_fact(function, nc::Fact::CycleWord);
 }
 
+/// The frame behind a deletion.
+control::FrameSteps::Made frame_behind(control::FrameSteps steps, const Invocation& invocation) {
+    if (invocation.function == Function::RotateOff) steps.rotate_off();
+    if (invocation.function == Function::ScaleOff) steps.scale_off();
+    if (invocation.function == Function::MirrorOff) steps.mirror_off(invocation.given);
+    return steps.frame();
+}
+
 }  // namespace
 
 bool Expander::State::needs_frame(const sema::Plan& plan) const {
     return std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
         switch (invocation.function) {
-            case Function::ShiftAdd:
-            case Function::RotateOff: return !target.can_write(invocation.function);
+            case Function::ShiftAdd: return !target.can_write(invocation.function);
             // Some of several mirrors: the others are said anew.
-            case Function::MirrorOff: {
-                control::ProgramFrame left = modal.frame;
-                left.remove_mirror(invocation.given);
-                return !target.can_write(invocation.function) || left.has_mirror();
-            }
-            // It has moved the origin, and where its centre was may not be known.
+            case Function::MirrorOff:
+                if (frame_behind(modal.steps, invocation).frame.has_mirror()) return true;
+                [[fallthrough]];
+            // What is left of the text's own steps may be another frame.
+            case Function::RotateOff:
             case Function::ScaleOff:
-                return !target.can_write(invocation.function) && modal.knows_unscaled();
+                return !target.can_write(invocation.function) ||
+                       !control::is_same(frame_behind(modal.steps, invocation).frame,
+                                         frame_behind(modal.said_steps, invocation).frame);
             case Function::Rotate:
                 return (plan.customs & custom::kRotateReplaces) != 0 && modal.frame.angle_deg != 0;
             default: return false;
@@ -107,20 +115,31 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     if (modal.lost != 0 && !knows_frame(false, at)) return false;
     sema::Plan rest = plan;
-    control::ProgramFrame next = modal.frame;
+    control::FrameSteps steps = modal.steps;
+    const auto say = [&] {
+        const auto [next, why] = steps.frame();
+        if (why != control::FrameFault::None) {
+            fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched,
+                  at);
+            return false;
+        }
+        write_frame(next, source, at, instruction.c);
+        modal.steps = steps;
+        return !has_failed;
+    };
     for (std::size_t i = 0; i < plan.functions.size(); ++i) {
         const Function function = plan.functions[i].function;
         if ((plan.customs & custom::kFrameOrder) != 0 && !is_frame_free(function, at)) return false;
-        if (function == Function::RotateOff) next.angle_deg = 0, next.center = {};
-        if (function == Function::MirrorOff) next.remove_mirror(plan.functions[i].given);
-        if (function == Function::ScaleOff && next.has_scale()) next = modal.unscaled;
+        if (function == Function::RotateOff) steps.rotate_off();
+        if (function == Function::MirrorOff) steps.mirror_off(plan.functions[i].given);
+        if (function == Function::ScaleOff) steps.scale_off();
         if (function != Function::ShiftAdd && function != Function::Rotate) continue;
         // These stand in blocks of their own: nothing is left to say.
         std::array<double, 4> values{};
         std::array<bool, 4> given{};
         if (!read_arguments(plan, i, instruction, registers, at, values, given)) return false;
         if (function == Function::ShiftAdd) {
-            next.add_shift({values[0], values[1], values[2]}, {given[0], given[1], given[2]});
+            steps.shift_add({values[0], values[1], values[2]}, {given[0], given[1], given[2]});
         } else {
             const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
             for (const std::size_t axis : {plane.first, plane.second}) {
@@ -128,21 +147,12 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
                 center_unknown(function, axis, at);
                 return false;
             }
-            next.angle_deg = 0;
-            next.center = {};
-            const control::FrameFault why = next.add_rotation(values[0], modal[Group::Plane],
-                                                              {values[1], values[2], values[3]});
-            if (why != control::FrameFault::None) {
-                fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched,
-                      at);
-                return false;
-            }
+            steps.rotate_off();
+            steps.rotate(values[0], modal[Group::Plane], {values[1], values[2], values[3]});
         }
-        write_frame(next, source, at, instruction.c);
-        return !has_failed;
+        return say();
     }
-    write_frame(next, source, at, instruction.c);
-    if (has_failed) return false;
+    if (!say()) return false;
     for (std::size_t i = rest.functions.size(); i-- > 0;) {
         const Function function = rest.functions[i].function;
         const bool is_said = function == Function::RotateOff || function == Function::MirrorOff ||

@@ -113,77 +113,70 @@ void ModalState::lose_corrected(double axis) {
                     : static_cast<AxisMask>(~kLinearXYZ);
 }
 
-void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) {
-    const auto vector = [&](std::array<double, 3>& values, std::array<bool, 3>& given) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            given[i] = (invocation.given >> i & 1u) != 0;
-            values[i] = block.argument(invocation, i);
-        }
+void ModalState::say_frame(const control::ProgramFrame& next, SourceId source) {
+    steps.say(next);
+    said_steps = steps;
+    set_frame(next, source);
+}
+
+namespace {
+
+/// What a function that stands in the text does to a frame; false: nothing. Factors that are none
+/// leave it to the control's alarm.
+bool add_step(control::FrameSteps& steps, const nc::Block& block, const nc::Invocation& invocation,
+              Function plane) {
+    const auto three = [&](std::size_t first, double fallback) {
+        return std::array<double, 3>{block.argument(invocation, first, fallback),
+                                     block.argument(invocation, first + 1, fallback),
+                                     block.argument(invocation, first + 2, fallback)};
     };
-    std::array<double, 3> values{};
-    std::array<bool, 3> given{};
-    control::ProgramFrame next = frame;
+    const std::array<bool, 3> given{invocation.has(0), invocation.has(1), invocation.has(2)};
     switch (invocation.function) {
-        case Function::Shift:
-            vector(values, given);
-            next = {};
-            next.add_shift(values, given);
-            set_frame(next, block.source);
-            lost &= ~sema::kFrameBit;  // it replaces all frames
-            return;
-        case Function::ShiftAdd:
-            vector(values, given);
-            next.add_shift(values, given);
-            set_frame(next, block.source);
-            return;
+        case Function::Shift: steps.shift(three(0, 0), given); return true;
+        case Function::ShiftAdd: steps.shift_add(three(0, 0), given); return true;
         case Function::Rotate:
-            for (std::size_t i = 0; i < 3; ++i) values[i] = block.argument(invocation, 1 + i);
-            if (next.add_rotation(block.argument(invocation, 0), (*this)[Group::Plane], values) !=
-                control::FrameFault::None)
-                known &= ~kLinearXYZ;
-            set_frame(next, block.source);
-            return;
-        case Function::Scale: {
-            std::array<double, 3> factors{};
-            const double all = block.argument(invocation, 0, 1);
-            for (std::size_t i = 0; i < 3; ++i) {
-                values[i] = block.argument(invocation, 1 + i);
-                factors[i] = block.argument(invocation, 4 + i, all);
-            }
-            if (std::ranges::any_of(factors, [](double factor) { return !(factor > 0); })) {
-                known &= ~kLinearXYZ;  // the control's alarm, or a mirror
-                return;
-            }
-            if (!next.has_scale()) unscaled = next;
-            next.add_scale(factors, values);
-            if (!frame.has_scale()) scaled = next;
-            set_frame(next, block.source);
-            return;
-        }
-        case Function::ScaleOff:
-            if (next.has_scale() && knows_unscaled()) {
-                set_frame(unscaled, block.source);
-                return;
-            }
-            // Where its center was is forgotten.
-            if (next.has_scale()) known &= ~kLinearXYZ;
-            next.scale = {1, 1, 1};
-            set_frame(next, block.source);
-            return;
-        case Function::RotateOff:
-            next.angle_deg = 0;
-            next.center = {};
-            set_frame(next, block.source);
-            return;
-        case Function::Mirror:
-            vector(values, given);
-            next.add_mirror(given);
-            set_frame(next, block.source);
-            return;
-        case Function::MirrorOff:
-            next.remove_mirror(invocation.given);
-            set_frame(next, block.source);
-            return;
+            steps.rotate(block.argument(invocation, 0), plane, three(1, 0));
+            return true;
+        case Function::Scale:
+            steps.scale(three(4, block.argument(invocation, 0, 1)), three(1, 0));
+            return true;
+        case Function::Mirror: steps.mirror(given); return true;
+        case Function::RotateOff: steps.rotate_off(); return true;
+        case Function::ScaleOff: steps.scale_off(); return true;
+        case Function::MirrorOff: steps.mirror_off(invocation.given); return true;
+        default: return false;
+    }
+}
+
+/// A factor that is none is the control's alarm, or a mirror.
+bool has_wrong_factor(const nc::Block& block, const nc::Invocation& invocation) {
+    if (invocation.function != Function::Scale) return false;
+    const double all = block.argument(invocation, 0, 1);
+    for (std::size_t i = 4; i < 7; ++i)
+        if (!(block.argument(invocation, i, all) > 0)) return true;
+    return false;
+}
+
+}  // namespace
+
+/// False: the function is none of frames.
+bool ModalState::take_frame(const nc::Block& block, const nc::Invocation& invocation) {
+    if (has_wrong_factor(block, invocation)) {
+        known &= static_cast<AxisMask>(~kLinearXYZ);
+        return true;
+    }
+    if (!add_step(steps, block, invocation, (*this)[Group::Plane])) return false;
+    add_step(said_steps, block, invocation, (*this)[Group::Plane]);
+    const auto [next, fault] = steps.frame();
+    if (fault != control::FrameFault::None) known &= static_cast<AxisMask>(~kLinearXYZ);
+    set_frame(next, block.source);
+    if (invocation.function == Function::Shift) lost &= ~sema::kFrameBit;  // it replaces all frames
+    return true;
+}
+
+void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) {
+    if (take_frame(block, invocation)) return;
+    switch (invocation.function) {
         case Function::ReferencePoint:
             forget_drift(static_cast<AxisMask>(invocation.given >> 1 & kLinearXYZ));
             known = 0;

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/axes.h"
+#include "control/frame_steps.h"
 #include "control/program_frame.h"
 #include "nc/block.h"
 #include "sema/code.h"
@@ -47,8 +48,8 @@ struct ModalState {
     bool is_diameter = false;       // words of X
     control::ProgramFrame frame;
     bool is_stretched = false;       // the frame makes ellipses of the circles of some plane
-    control::ProgramFrame scaled;    // the frame behind a scale in one that had none …
-    control::ProgramFrame unscaled;  // … and that one: what is left when the scale is deleted
+    control::FrameSteps steps;       // of the program, that make the frame …
+    control::FrameSteps said_steps;  // … and of its text
     /// A tilted plane that acts: of the control, which has frames in it (Own) or none (Closed), or
     /// a frame that stands for it.
     enum class Tilt : std::uint8_t { None, Own, Closed, Resolved };
@@ -122,15 +123,16 @@ struct ModalState {
     /// The block may be left out: what it changes, besides what the writer says again by itself.
     void take_skipped(const nc::Block& block);
     void set_frame(const control::ProgramFrame& frame, SourceId source);
+    /// The frame, as blocks have said it anew.
+    void say_frame(const control::ProgramFrame& frame, SourceId source);
     /// Coordinates of these axes were named: increments count from there.
     void forget_drift(AxisMask axes);
     /// 3, 4, 5 as in M3, M4, M5.
     void set_spindle(double code, SourceId source);
-    /// Whether it is known what is left of the frame without its scale.
-    bool knows_unscaled() const { return !frame.has_scale() || frame == scaled; }
 
   private:
     void take(const nc::Block& block, const nc::Invocation& invocation);
+    bool take_frame(const nc::Block& block, const nc::Invocation& invocation);
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
     void change_tool(SourceId source);
     void set_diameter(bool is_on);

@@ -44,6 +44,7 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
             return refuse_under_tcp("the end of a frame", at);
         write_frame(before.frame, source, at, depth);
         if (has_failed) return false;
+        modal.steps = before.steps;
     }
     // Another feed mode forgets F, so F goes back with it.
     sema::ModalMask mask = scope.mask & ~transformation;

@@ -1,0 +1,61 @@
+// frame_steps.h — what has been said of a programmable frame, in its order, since the last shift.
+//
+// A deletion takes its own steps out and leaves the others as they were said: behind
+// `rotate(90deg, x: 2mm); rotate(30deg, x: 7mm); rotate_off();` the origin is where it was before.
+// The normal form (program_frame.h) does not know any more which share of its shift a rotation has
+// made.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "control/program_frame.h"
+
+namespace kadr::control {
+
+class FrameSteps {
+  public:
+    /// A shift that replaces the whole frame, mm.
+    void shift(const std::array<double, 3>& by, const std::array<bool, 3>& given);
+    void shift_add(const std::array<double, 3>& by, const std::array<bool, 3>& given);
+    void rotate(double angle_deg, nc::Function plane, const std::array<double, 3>& about);
+    /// by  factors > 0
+    void scale(const std::array<double, 3>& by, const std::array<double, 3>& about);
+    void mirror(const std::array<bool, 3>& axes);
+
+    void rotate_off() { erase(Step::Kind::Rotation); }
+    void scale_off() { erase(Step::Kind::Scale); }
+    /// Of the axes of a mask, 0: of all.
+    void mirror_off(std::uint32_t axes);
+
+    /// A frame as blocks say it: the whole shift, then mirrors, scale and rotation, an unequal
+    /// scale inside of the rotation.
+    void say(const ProgramFrame& frame);
+
+    struct Made {
+        ProgramFrame frame;
+        FrameFault fault = FrameFault::None;
+    };
+    Made frame() const;
+
+  private:
+    struct Step {
+        enum class Kind : std::uint8_t { Shift, Rotation, Scale, Mirror };
+        Kind kind = Kind::Shift;
+        std::array<double, 3> values{};   // of the shift; point of a rotation or a scale
+        std::array<bool, 3> axes{};       // given, or mirrored
+        std::array<double, 3> factors{};  // Scale
+        double angle_deg = 0;             // Rotation …
+        nc::Function plane = nc::Function::PlaneXy;
+    };
+
+    void erase(Step::Kind kind);
+
+    std::vector<Step> steps_;
+};
+
+/// Whether two frames are one but for rounding.
+bool is_same(const ProgramFrame& a, const ProgramFrame& b);
+
+}  // namespace kadr::control
