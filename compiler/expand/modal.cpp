@@ -166,7 +166,13 @@ bool ModalState::take_frame(const nc::Block& block, const nc::Invocation& invoca
         return true;
     }
     if (!add_step(steps, block, invocation, (*this)[Group::Plane])) return false;
-    add_step(said_steps, block, invocation, (*this)[Group::Plane]);
+    if (rotates_outside_scale && invocation.function == Function::Rotate) {
+        said_steps.rotate_scaled(block.argument(invocation, 0), (*this)[Group::Plane],
+                                 {block.argument(invocation, 1), block.argument(invocation, 2),
+                                  block.argument(invocation, 3)});
+    } else {
+        add_step(said_steps, block, invocation, (*this)[Group::Plane]);
+    }
     const auto [next, fault] = steps.frame();
     if (fault != control::FrameFault::None) known &= static_cast<AxisMask>(~kLinearXYZ);
     set_frame(next, block.source);

@@ -28,6 +28,7 @@ struct ModalState {
     bool had_cutting_speed = false;     // S has been said under constant cutting speed
     bool is_feed_lost = false;          // it was given, and then the feed mode changed
     bool stops_at_tool_change = false;  // of the target: the spindle stands behind a tool change
+    bool rotates_outside_scale = false;  // of the target: FrameSteps::rotate_scaled
     double feed = 0;                    // as in Block
     double speed = 0;
     bool has_tool = false;

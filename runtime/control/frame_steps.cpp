@@ -18,6 +18,18 @@ void FrameSteps::rotate(double angle_deg, nc::Function plane, const std::array<d
     steps_.push_back({Step::Kind::Rotation, about, {}, {}, angle_deg, plane});
 }
 
+void FrameSteps::rotate_scaled(double angle_deg, nc::Function plane,
+                               const std::array<double, 3>& about) {
+    const auto scale = std::ranges::find(steps_, Step::Kind::Scale, &Step::kind);
+    if (scale == steps_.end()) return rotate(angle_deg, plane, about);
+    FrameSteps inner;
+    inner.steps_.assign(scale, steps_.end());
+    const ProgramFrame frame = inner.frame().frame;
+    KnownPoint point{about, {true, true, true}};
+    point = change_frame(point, frame, {});
+    steps_.insert(scale, {Step::Kind::Rotation, point.value, {}, {}, angle_deg, plane});
+}
+
 void FrameSteps::scale(const std::array<double, 3>& by, const std::array<double, 3>& about) {
     steps_.push_back({Step::Kind::Scale, about, {}, by, 0, nc::Function::PlaneXy});
 }

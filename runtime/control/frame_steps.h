@@ -20,6 +20,9 @@ class FrameSteps {
     void shift(const std::array<double, 3>& by, const std::array<bool, 3>& given);
     void shift_add(const std::array<double, 3>& by, const std::array<bool, 3>& given);
     void rotate(double angle_deg, nc::Function plane, const std::array<double, 3>& about);
+    /// The same on a control that scales first, wherever the rotation is said (F 3.7 G68): about
+    /// the scaled point, where it stays when the scale is deleted.
+    void rotate_scaled(double angle_deg, nc::Function plane, const std::array<double, 3>& about);
     /// by  factors > 0
     void scale(const std::array<double, 3>& by, const std::array<double, 3>& about);
     void mirror(const std::array<bool, 3>& axes);
