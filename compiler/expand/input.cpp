@@ -157,8 +157,7 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         const Function function = rest.functions[i].function;
         const bool is_said = function == Function::RotateOff || function == Function::MirrorOff ||
                              function == Function::ScaleOff;
-        const bool is_partial = function == Function::MirrorOff && rest.functions[i].given != 0;
-        if (!is_said || (target.can_write(function) && !is_partial)) continue;
+        if (!is_said) continue;
         rest.functions.erase(rest.functions.begin() + static_cast<std::ptrdiff_t>(i));
         for (sema::Filling& filling : rest.fillings) {
             if (filling.is_argument && filling.invocation > i) --filling.invocation;

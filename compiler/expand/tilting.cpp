@@ -40,7 +40,7 @@ double neat_angle(double angle_deg) { return std::fabs(angle_deg) < kNoAngle ? 0
 /// Whether the plan says a tilted plane, or something that does not stand in one.
 bool Expander::State::is_about_tilt(const sema::Plan& plan) const {
     for (const nc::Invocation& invocation : plan.functions) {
-        if (nc::has_fact(invocation.function, nc::Fact::TiltsOnce)) return true;
+        if (nc::has_fact(invocation.function, nc::Fact::BeginsOrEndsTilt)) return true;
         if (modal.tilt != ModalState::Tilt::None &&
             nc::has_fact(invocation.function, nc::Fact::MovesSystem))
             return true;
@@ -51,7 +51,7 @@ bool Expander::State::is_about_tilt(const sema::Plan& plan) const {
 bool Expander::State::emit_tilt(const sema::Plan& plan, const Instruction& instruction,
                                 const Slot* registers, std::uint32_t at) {
     const Function function = plan.functions.front().function;
-    if (!nc::has_fact(function, nc::Fact::TiltsOnce)) {
+    if (!nc::has_fact(function, nc::Fact::BeginsOrEndsTilt)) {
         const bool may_change = modal.tilt == ModalState::Tilt::Own;
         if (may_change && function != Function::WorkOffset && function != Function::SetPosition)
             return plan_of_frame(plan, instruction, registers, at);

@@ -255,6 +255,28 @@ Value Checker::call_function(std::uint32_t index, const Expr& expr) {
 
 // ---------------------------------------------------------------- vocabulary
 
+/// `mirror(x: true)`: the axis is named, at 0; nothing: it is not named, `false`. A mirror is about
+/// the zero point on every control, and takes no other coordinate.
+std::optional<Value> Checker::named_axis(const nc::FunctionInfo& info,
+                                         const nc::Parameter& parameter, const Value& value,
+                                         const SourceRange& range) {
+    const bool names = parameter.dimension == nc::Dimension::Length &&
+                       nc::has_fact(info.function, nc::Fact::NamesAxes);
+    if (!names || is_error(value)) return value;
+    if (value.is_constant() && kind(value.type) == Kind::Bool) {
+        if (value.constant.integer == 0) return std::nullopt;
+        return constant_number(0, types::kReal);
+    }
+    const bool is_zero =
+        value.is_constant() && types_.is_numeric(value.type) &&
+        (kind(value.type) == Kind::Int ? value.constant.integer == 0 : value.constant.number == 0);
+    if (is_zero || !nc::has_fact(info.function, nc::Fact::Mirrors)) return value;
+    report(diag::MirrorPlace, range)
+        .arg(parameter.name)
+        .fix(range, "true", "name the axis, and shift the zero point before");
+    return error_value();
+}
+
 Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
     std::vector<std::string_view> names;
     for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
@@ -283,14 +305,12 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
         } else {
             const Reg inner = emit_.mark();
             Value value = expression((*bound)[i]);
-            // `mirror(x: true)`: the axis is named, at 0.
-            const bool is_named = value.is_constant() && kind(value.type) == Kind::Bool &&
-                                  parameter.dimension == nc::Dimension::Length;
-            if (is_named && value.constant.integer == 0) {
+            const std::optional<Value> named = named_axis(info, parameter, value, range);
+            if (!named) {
                 emit_.release_to(inner);
                 continue;
             }
-            if (is_named) value = constant_number(0, types::kReal);
+            value = *named;
             if (parameter.dimension == nc::Dimension::Length &&
                 !takes_diameter(value, range, parameter.name))
                 value = error_value();

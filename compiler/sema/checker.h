@@ -288,6 +288,8 @@ class Checker {
     Value call(syntax::ExprId id, Reg hint);
     Value call_function(std::uint32_t function, const syntax::Expr& expr);
     void pass_argument(const ParameterDecl& parameter, syntax::ExprId argument, Reg first);
+    std::optional<Value> named_axis(const nc::FunctionInfo& info, const nc::Parameter& parameter,
+                                    const Value& value, const SourceRange& range);
     Value call_vocabulary(const nc::FunctionInfo& info, const syntax::Expr& expr);
     Value call_method(syntax::ExprId id, const syntax::Expr& callee, Reg hint);
     Value array_method(const Place& array, const syntax::Expr& callee, const syntax::Expr& expr);

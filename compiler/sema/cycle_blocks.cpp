@@ -264,7 +264,11 @@ void Checker::fill_cycle(const nc::BlockPlan& plan, std::span<const Value> value
         // A sign of the pattern holds for values with units as well (`{-pitch}`).
         const bool is_count = filling.form == Filling::Form::Count;
         if (hole.factor != 1 && !is_count) emit_.emit_number(Op::MulFK, reg, reg, hole.factor);
-        if (adds) emit_.emit(Op::AddF, place, place, reg);
+        if (adds) {
+            // A clearance is entered without its sign (S 9.1 SDIS).
+            emit_.emit(Op::Math1, reg, reg, static_cast<unsigned>(Math::Abs));
+            emit_.emit(Op::AddF, place, place, reg);
+        }
         else cycle.arguments.push_back({hole.parameter, is_count});
         emit_.release_to(mark);
     }

@@ -148,13 +148,9 @@ void Checker::frame_call(ExprId id) {
         if (info.parameters[i].dimension == nc::Dimension::Length &&
             !takes_diameter(value, range, names[i]))
             value = error_value();
-        const bool is_no =
-            value.is_constant() && kind(value.type) == Kind::Bool && value.constant.integer == 0;
-        // `mirror(x: true)`: the axis is named, at 0.
-        const bool is_named = value.is_constant() && kind(value.type) == Kind::Bool;
-        if (is_named) value = constant_number(0, types::kReal);
-        if (is_no) emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
-        else fill_value(value, info.parameters[i].dimension, range, names[i], reg);
+        const std::optional<Value> named = named_axis(info, info.parameters[i], value, range);
+        if (!named) emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
+        else fill_value(*named, info.parameters[i].dimension, range, names[i], reg);
         emit_.release_to(mark);
     }
     emit_.set_place(expr.range);

@@ -223,7 +223,7 @@ bool Executor::check_rotary_ways(const Block& block) {
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
         const nc::RotaryWay way = block.rotary_way(axis);
         const double place = block.at(nc::slot_of(axis));
-        const bool is_free = way == nc::RotaryWay::AsProgrammed || way == nc::RotaryWay::Shortest;
+        const bool is_free = way == nc::RotaryWay::AsProgrammed;
         if (is_free || (place >= 0 && place < 360)) continue;
         report(diag::RotaryRange, block, nc::slot_of(axis)).arg(place);
         return false;

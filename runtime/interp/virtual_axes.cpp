@@ -83,7 +83,7 @@ std::optional<Plane> plane_said_by(Function function) {
 
 /// F 3.6: what a control takes that takes little there.
 bool stands_there(Function function, VirtualKind kind) {
-    if (nc::has_fact(function, nc::Fact::InVirtual)) return true;
+    if (nc::has_fact(function, nc::Fact::UnderVirtualAxes)) return true;
     switch (function) {
         case Function::TcpOff: return kind == VirtualKind::Face;
         case Function::CylinderOn: return kind == VirtualKind::Cylinder;

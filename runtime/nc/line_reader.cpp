@@ -606,8 +606,10 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
                 .number;
         const double value =
             (number / text_scale(claim.dimension, units_, false) - claim.offset) / claim.factor;
-        const double old = claim.adds ? block.argument(*invocation, claim.parameter) : 0;
-        block.set_argument(*invocation, claim.parameter, old + value);
+        // A clearance is entered without its sign (S 9.1 SDIS).
+        const double sum =
+            claim.adds ? block.argument(*invocation, claim.parameter) + std::fabs(value) : value;
+        block.set_argument(*invocation, claim.parameter, sum);
         return true;
     }
     if (word.is_text && !word.is_known) return true;  // a name; it stands in the block's text

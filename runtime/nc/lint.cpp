@@ -9,6 +9,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/text.h"
 #include "nc/letters.h"
+#include "nc/match.h"
 #include "nc/quoted.h"
 #include "nc/reader.h"
 #include "nc/spelling.h"
@@ -69,6 +70,7 @@ class SenseCheck {
             if (element.name == "group" || element.name == "command") check_codes(element);
             if (element.name == "unsupported") check_unsupported(element);
             if (element.name == "rules") check_blanks(element);
+            if (element.name == "program") check_start(element);
             if (element.name == "language") check_language(element);
         }
     }
@@ -97,6 +99,31 @@ class SenseCheck {
             sink_.report(diag::DialectContradiction, form.range).arg(code.text);
         }
     }
+
+    /// The head brings the control to where a Kadr program begins: what it leaves otherwise no block
+    /// says again, and a cycle would drill along another axis.
+    void check_start(const XmlElement& program) {
+        const auto start = std::ranges::find(program.children, "start", &XmlElement::name);
+        if (start == program.children.end()) return;
+        ModalFunctions modal{tables_.power_on};
+        for (const Block& block : blocks_of_head(dialect_)) follow_modal(block, modal);
+        const Function plane = tables_.power_on[index(Group::Plane)] == Function::PlaneZx
+                                   ? Function::PlaneZx  // of a lathe
+                                   : Function::PlaneXy;
+        for (const Function wanted : {plane, Function::Absolute, Function::FeedPerMinute,
+                                      Function::RadiusCompOff}) {
+            const Function begun = modal[index(info(wanted).group)];
+            if (begun == wanted || !dialect_.can_write(wanted)) continue;
+            std::string why = "a program begins under " + quoted(info(wanted).name) + ", and ";
+            if (begun == Function::None) why += "nothing says so";
+            else why += quoted(info(begun).name) + " acts behind this head";
+            sink_.report(diag::DialectBadValue, start->range)
+                .arg(start->text)
+                .arg("start")
+                .arg(why);
+        }
+    }
+    static constexpr std::size_t index(Group group) { return static_cast<std::size_t>(group); }
 
     void check_forms() {
         for (const Form& form : tables_.forms) {

@@ -34,7 +34,7 @@ std::string spelling_of_offset(const Dialect& dialect, std::int64_t number) {
     return spelling.fault.empty() ? std::move(spelling.text) : std::string();
 }
 
-std::optional<int> offset_of_head(const Dialect& dialect) {
+std::vector<Block> blocks_of_head(const Dialect& dialect) {
     DiagnosticList messages;
     Writer writer(dialect, {}, messages);
     std::string text;
@@ -43,12 +43,18 @@ std::optional<int> offset_of_head(const Dialect& dialect) {
     WholeText source(text);
     Reader reader(dialect, source, "head", messages);
     std::array<Block, 8> batch;
+    std::vector<Block> blocks;
+    while (const std::size_t count = reader.pull(batch))
+        blocks.insert(blocks.end(), batch.begin(),
+                      batch.begin() + static_cast<std::ptrdiff_t>(count));
+    return blocks;
+}
+
+std::optional<int> offset_of_head(const Dialect& dialect) {
     std::optional<int> offset;
-    while (const std::size_t count = reader.pull(batch)) {
-        for (const Block& block : std::span(batch).first(count)) {
-            if (const Invocation* said = block.find(Function::WorkOffset))
-                offset = static_cast<int>(block.argument(*said, 0));
-        }
+    for (const Block& block : blocks_of_head(dialect)) {
+        if (const Invocation* said = block.find(Function::WorkOffset))
+            offset = static_cast<int>(block.argument(*said, 0));
     }
     return offset;
 }

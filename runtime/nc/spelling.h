@@ -30,6 +30,9 @@ Spelling spelling_of(const Dialect& dialect, std::span<const Block> blocks,
 /// The word of a work offset by its number: `G55`, `G505`; empty if the control has none such.
 std::string spelling_of_offset(const Dialect& dialect, std::int64_t number);
 
+/// What the lines say that stand before the first block of a program.
+std::vector<Block> blocks_of_head(const Dialect& dialect);
+
 /// The number of the work offset that the head of every program of the control says
 /// (`<start>G54 …`); nothing if it says none.
 std::optional<int> offset_of_head(const Dialect& dialect);

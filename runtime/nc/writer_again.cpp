@@ -61,7 +61,11 @@ void BlockWriter::say_doubtful(const Block& block, std::string& out) {
     again.skip = block.skip;
     for (std::size_t i = 0; i < kGroups; ++i) {
         const auto group = static_cast<Group>(i);
-        if (is_said_again(group)) again.add(modal_.meant[i]);
+        const Function meant = modal_.meant[i];
+        // Another plane is another tool axis; a head that leaves it open is no head of ours.
+        const bool is_other_plane = group == Group::Plane && meant != Function::None &&
+                                    modal_.text[i] != Function::None && modal_.text[i] != meant;
+        if (is_said_again(group) || is_other_plane) again.add(meant);
     }
     if (again.function_count != 0) write_block(again, out);
 }
