@@ -116,7 +116,10 @@ void Modules::report_missing(std::string_view import, const std::string& relativ
     const std::vector<std::string> names = module_names(folders);
     const std::vector<std::string_view> views(names.begin(), names.end());
     if (const auto near = nearest_name(import, views.data(), views.size())) {
-        report.fix("there is a module `" + std::string(*near) + "`");
+        const std::string name(*near);
+        if (name == import)
+            report.fix("a module's name stands without quotes: `import " + name + ";`");
+        else report.fix("there is a module `" + name + "`");
     }
 }
 

@@ -127,7 +127,18 @@ bool Expander::State::take_cycle_words(const Block& block, const nc::Invocation&
             set_argument(said_cycle, parameter, value);
         else said_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())] = value;
     }
-    return true;
+    return keeps_no_stroke(at);
+}
+
+/// `G73 … Q3.`, then `G84`: the stroke is kept, and makes another cycle of the code, which only the
+/// block itself can choose.
+bool Expander::State::keeps_no_stroke(std::uint32_t at) {
+    const auto word = std::ranges::find(kHeldWords, "peck", &HeldWord::parameter);
+    const double stroke =
+        said_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())].value_or(0);
+    if (!said_cycle.said->has_other_in_strokes || stroke == 0) return true;
+    fault(diag::SourceCycleStroke, at).arg(std::string(1, word->letter)).arg(said_cycle.said->word);
+    return false;
 }
 
 /// `X10. Z-12. R3.` among the places: from here on the cycle has these levels.
@@ -200,7 +211,7 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
     said_cycle.is_due = said.kind != SourceCycle::Kind::Called;
     const std::uint32_t own = said_cycle.given;
     if (goes_on) take_kept_words();
-    return has_words(at) && take_distances(own, at);
+    return keeps_no_stroke(at) && has_words(at) && take_distances(own, at);
 }
 
 /// What the cycle so far had said holds for the next one of the mode, too. What its code says by

@@ -254,6 +254,7 @@ struct Expander::State {
     bool take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     bool take_levels(nc::Block& block, std::uint32_t at);
     /// `Q2.` or `P100` beside a place: the stroke or the dwell from here on.
+    bool keeps_no_stroke(std::uint32_t at);
     bool take_cycle_words(const nc::Block& block, const nc::Invocation& invocation,
                           std::uint32_t at);
     bool say_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);

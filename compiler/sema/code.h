@@ -280,11 +280,12 @@ struct SourceCycle {
         bool is_count = false;  // a whole number in its register
     };
     Kind kind = Kind::Once;
-    std::uint32_t function = 0;        // of the library, index into Code::functions
-    bool has_distances = false;        // under incremental dimensions its levels are distances
-    bool stops_rigid_spindle = false;  // a rigid tap leaves the spindle standing
-    std::string word;                  // `G83`, `CYCLE81`
-    std::vector<Argument> arguments;   // of the registers, in their order; not given: NaN
+    std::uint32_t function = 0;         // of the library, index into Code::functions
+    bool has_distances = false;         // under incremental dimensions its levels are distances
+    bool stops_rigid_spindle = false;   // a rigid tap leaves the spindle standing
+    bool has_other_in_strokes = false;  // beside a stroke its code is another cycle
+    std::string word;                   // `G83`, `CYCLE81`
+    std::vector<Argument> arguments;    // of the registers, in their order; not given: NaN
     std::vector<std::pair<std::uint8_t, double>> fixed;  // parameters that the word itself says
 };
 

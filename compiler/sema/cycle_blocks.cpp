@@ -4,6 +4,7 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
+#include "nc/cycle_codes.h"
 #include "nc/tables.h"
 #include "sema/checker.h"
 
@@ -79,6 +80,7 @@ bool Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange&
     cycle.function = found->index + 1;
     cycle.has_distances = dialect.rules().cycle_levels_incremental;
     cycle.stops_rigid_spindle = dialect.rules().rigid_tap_stops_spindle;
+    cycle.has_other_in_strokes = nc::cycle_with_strokes(dialect, id).has_value();
     return true;
 }
 
@@ -268,8 +270,7 @@ void Checker::fill_cycle(const nc::BlockPlan& plan, std::span<const Value> value
             // A clearance is entered without its sign (S 9.1 SDIS).
             emit_.emit(Op::Math1, reg, reg, static_cast<unsigned>(Math::Abs));
             emit_.emit(Op::AddF, place, place, reg);
-        }
-        else cycle.arguments.push_back({hole.parameter, is_count});
+        } else cycle.arguments.push_back({hole.parameter, is_count});
         emit_.release_to(mark);
     }
 }

@@ -128,15 +128,21 @@ bool Complaints::explain_number(const Place& place) {
     const Lexeme& offending = place.offending;
     const bool is_number = previous.token == Token::Number || previous.token == Token::LiteralWord;
     if (!is_number || place.is_new_line) return false;
+    if (previous.unit != Unit::None && offending.token == Token::Comma) return false;
     const std::string spelled(file_.spelling(previous));
     const auto& next = stream_.lexeme(std::min(place.index + 1, stream_.size() - 1));
     const bool is_whole = spelled.find('.') == std::string::npos;
     if (offending.token == Token::Comma && next.token == Token::Number && is_whole &&
         previous.end == offending.begin && next.begin == offending.end) {
         const SourceRange whole = file_.range(previous.begin, next.end);
-        file_.sink.report(diag::DecimalComma, whole)
-            .arg(file_.text.substr(previous.begin, next.end - previous.begin))
-            .fix(file_.range(offending), ".", "write a point");
+        auto message = file_.sink.report(diag::DecimalComma, whole);
+        message.arg(file_.text.substr(previous.begin, next.end - previous.begin));
+        // `1,234.5`, `1,2,3`: what is meant, only the author knows.
+        const bool is_list = next.end < file_.text.size() && file_.text[next.end] == ',';
+        const bool has_point = file_.spelling(next).find('.') != std::string_view::npos;
+        if (has_point) message.fix("thousands are not set apart: `1234.5`");
+        else if (is_list) message.fix("a list stands in braces: `{1, 2, 3}`");
+        else message.fix(file_.range(offending), ".", "write a point");
         return true;
     }
     if (offending.token != Token::Identifier || previous.unit != Unit::None) return false;
@@ -598,10 +604,33 @@ bool Complaints::explain_comma(const Place& place) {
     const bool is_preserved = place.expects(Token::OpenBrace) && is_word(token) &&
                               is_word(place.previous.token) && begins_declaration(place.head);
     if (!(closes_list && begins_item && place.head != Token::Switch) && !is_preserved) return false;
+    if (explain_name_in_list(place)) return true;
     file_.sink.report(diag::CommaMissing, gap)
         .arg(quoted(place.previous))
         .arg(quoted(place.offending))
         .fix(gap, ",", "separate them");
+    return true;
+}
+
+/// `drill(to: -5mm, dwell 0.2s)`, `int n 3` among parameters: a name and its value.
+bool Complaints::explain_name_in_list(const Place& place) {
+    const Token token = place.offending.token;
+    const bool is_value = token == Token::Number || token == Token::Text || token == Token::True ||
+                          token == Token::False;
+    if (place.previous.token != Token::Identifier || !is_value || place.index < 2) return false;
+    const Token before = stream_.lexeme(place.index - 2).token;
+    const bool is_argument = place.rule == KadrParser::RuleSuffix &&
+                             (before == Token::Comma || before == Token::OpenParen) &&
+                             !is_declared(file_.spelling(place.previous));
+    const bool is_default = place.rule == KadrParser::RuleParameters;
+    if (!is_argument && !is_default) return false;
+    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    file_.sink.report(diag::SignMissing, gap)
+        .arg(is_argument ? ":" : "=")
+        .arg(quoted(place.previous))
+        .fix(gap, is_argument ? ":" : " =",
+             is_argument ? "between an argument's name and its value"
+                         : "in front of the value of a parameter that is left out");
     return true;
 }
 

@@ -143,6 +143,8 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     bool explain_closing(const Place& place);
     bool explain_assignment(const Place& place);
     bool is_foreign_word(const Place& place) const;
+    bool explain_name_in_list(const Place& place);
+    bool is_closed_behind(std::size_t last) const;
     bool explain_small_address(const Place& place);
     bool explain_comma(const Place& place);
     bool explain_declaration(const Place& place);

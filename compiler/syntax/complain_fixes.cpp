@@ -176,6 +176,11 @@ void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) 
         if (opens(token)) ++depth;
         if (closes(token) && depth > 0) --depth;
     }
+    if (end > place.index && is_closed_behind(end - 1)) {  // `for point p : ps) {`
+        const std::uint32_t begin = place.offending.begin;
+        report.fix(file_.range(begin, begin), "(", "open it");
+        return;
+    }
     if (end == place.index) {
         const bool is_empty = place.previous.token == Token::Identifier;  // `program p {`
         const SourceRange gap = file_.range(place.previous.end, place.previous.end);
@@ -184,13 +189,18 @@ void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) 
         return;
     }
     SourceRange range = file_.range(place.offending.begin, stream_.lexeme(end - 1).end);
+    // `if n > 2:`
+    const bool has_colon = end > place.index + 1 && stream_.lexeme(end - 1).token == Token::Colon;
+    const std::uint32_t inner_end = has_colon ? stream_.lexeme(end - 2).end : range.end;
     // `for i in 1..5`
     const bool is_loop = place.previous.token == Token::For && end > place.index + 2 &&
                          place.offending.token == Token::Identifier &&
                          lower_ascii(file_.spelling(stream_.lexeme(place.index + 1))) == "in";
     if (is_loop) {
         const Lexeme& first = stream_.lexeme(place.index + 2);
-        const std::string list(file_.text.substr(first.begin, range.end - first.begin));
+        const std::string list(file_.text.substr(first.begin, inner_end - first.begin));
+        if (list.starts_with("range("))
+            return report.fix("a loop counts: `for (int i = 0; i < 5; i++)`"), void();
         const std::string type = list.find("..") != list.npos ? "int " : "auto ";
         report.fix(range,
                    '(' + type + std::string(file_.spelling(place.offending)) + " : " + list + ')',
@@ -209,9 +219,16 @@ void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) 
                    "a loop over a range counts");
         return;
     }
-    const std::string inside(file_.text.substr(range.begin, range.end - range.begin));
+    const std::string inside(file_.text.substr(range.begin, inner_end - range.begin));
     if (is_then(end)) range.end = stream_.lexeme(end).end;
     report.fix(range, "(" + inside + ")", "put it in parentheses");
+}
+
+/// Whether a round bracket is closed right behind a lexeme that nothing has opened.
+bool Complaints::is_closed_behind(std::size_t last) const {
+    std::size_t at = stream_.lexeme(last).end;
+    while (at < file_.text.size() && file_.text[at] == ' ') ++at;
+    return at < file_.text.size() && file_.text[at] == ')';
 }
 
 /// The text between a bracket and the one that closes it, with round brackets for the square ones

@@ -1,6 +1,7 @@
 #include "syntax/retype.h"
 
 #include <algorithm>
+#include <cctype>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -28,6 +29,13 @@ enum class Head : std::uint8_t {
     Struct,
     Enum,
 };
+
+/// Whether `//` stands right behind a place, and a value right behind it.
+bool is_quotient_comment(std::string_view text, std::size_t place) {
+    const std::string_view rest = text.substr(place);
+    return rest.size() > 2 && rest.starts_with("//") &&
+           (rest[2] == '(' || std::isalnum(static_cast<unsigned char>(rest[2])) != 0);
+}
 
 class Retyping {
   public:
@@ -291,9 +299,12 @@ void Retyping::end_forgotten_statement() {
                                       first == Token::Percent || first == Token::Colon);
     const bool is_told = is_stray || out_.back().is_repair;
     if (!is_told) {
-        file_.sink.report(diag::SemicolonMissing, file_.range(semicolon))
-            .arg(head_text())
-            .fix(file_.range(semicolon), ";", "end it");
+        auto message = file_.sink.report(diag::SemicolonMissing, file_.range(semicolon));
+        message.arg(head_text());
+        // `n//2`: with a semicolon in front the rest of the line would be lost.
+        if (is_quotient_comment(file_.text, semicolon.begin))
+            message.fix("`//` begins a comment; a whole quotient is `trunc(a/b)`");
+        else message.fix(file_.range(semicolon), ";", "end it");
     }
     out_.push_back(semicolon);
     at_start_ = true;
