@@ -265,7 +265,11 @@ bool Checker::switch_statement(const Stmt& stmt) {
     std::vector<Label> labels(cases.size());
     Label done;
     std::int64_t default_case = -1;
-    std::vector<std::pair<std::int64_t, SourceRange>> numbers;
+    struct Choice {
+        std::int64_t first, last;
+        SourceRange range;
+    };
+    std::vector<Choice> choices;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Stmt& entry = ast()[cases[i]];
         const auto values = ast().exprs(entry.expressions);
@@ -292,17 +296,17 @@ bool Checker::switch_statement(const Stmt& stmt) {
                 report(diag::NotConstant, at).arg("a case");
                 continue;
             }
-            const auto same = std::find_if(numbers.begin(), numbers.end(), [&](const auto& other) {
-                return other.first >= first.constant.integer &&
-                       other.first <= last.constant.integer;
+            const auto same = std::ranges::find_if(choices, [&](const Choice& other) {
+                return other.first <= last.constant.integer &&
+                       other.last >= first.constant.integer;
             });
-            if (same != numbers.end()) {
+            if (same != choices.end()) {
                 report(diag::CaseTwice, at)
                     .arg(sources_.text(at))
-                    .note(same->second, "it stands here");
+                    .note(same->range, "it stands here");
                 continue;
             }
-            numbers.emplace_back(first.constant.integer, at);
+            choices.push_back({first.constant.integer, last.constant.integer, at});
             const Reg mark = emit_.mark();
             if (k == Kind::String) {
                 const Reg order = emit_.take(1);

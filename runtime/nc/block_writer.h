@@ -171,6 +171,7 @@ class BlockWriter {
     void follow_scale(const Block& block, const Invocation& invocation);
     void follow_shift(const Block& block, const Invocation& invocation);
     void turn_axes(std::size_t axis);
+    void forget_unsaid(const Block& block);
     void change_length(const Block& block);
     void change_diameter(Function before);
     void forget_motion();

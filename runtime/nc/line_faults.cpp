@@ -131,6 +131,20 @@ std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
     return words.append(ending).append(" argument");
 }
 
+/// `ENDWIHLE`: the word of a statement that is written nearly so.
+std::optional<std::string_view> nearest_statement(const DialectTables& tables,
+                                                  std::string_view word) {
+    constexpr std::size_t kShortest = 4;  // below it nearly everything is near
+    if (word.size() < kShortest) return std::nullopt;
+    std::vector<std::string_view> names;
+    for (const StatementForm& form : tables.language.statements) {
+        const std::string& first = form.tokens[0].text;
+        if (form.tokens[0].kind == StatementToken::Kind::Word && first.size() >= kShortest)
+            names.push_back(first);
+    }
+    return nearest_name(word, names.data(), names.size());
+}
+
 }  // namespace
 
 LinePlace LineReader::place(const std::string& file, std::string_view line, std::uint64_t number,
@@ -244,6 +258,9 @@ DiagnosticBuilder LineReader::report(std::string_view line, const LineFault& fau
         builder.fix("name the axis of the machine: `" + fault.arguments[1].substr(0, 1) + "1=0`");
     else if (is_small && fault.row == &diag::IsoSyntax)
         builder.fix(fix_of_small_letters(tables_, line, at));
+    else if (fault.row == &diag::IsoUnknownWord)
+        if (const auto meant = nearest_statement(tables_, fault.arguments[0]))
+            builder.fix("is `" + std::string(*meant) + "` meant?");
     write_notes(builder);
     return builder;
 }

@@ -147,7 +147,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::Tilt:
         case Function::TiltEuler:
         case Function::TiltAlign:
-        case Function::WorkOffset:
+        case Function::WorkOffset: forget_unsaid(block); break;
         case Function::WorkOffsetData:
         case Function::ToolSelect: modal_.position.forget(); break;
         case Function::LengthOffset: change_length(block); break;
@@ -172,6 +172,16 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::EndRewind: has_ended_ = true; break;
         default: break;  // the others move nothing and end nothing
     }
+}
+
+/// Another zero point: the axes that the block itself does not bring to a coordinate have others.
+void BlockWriter::forget_unsaid(const Block& block) {
+    SlotMask said = block.given & kTargetSlots;
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+        if (is_distance(block, axis)) said &= static_cast<SlotMask>(~bit(static_cast<Slot>(axis)));
+    const SlotMask known = modal_.position.known;
+    modal_.position.forget();
+    modal_.position.known = known & said;
 }
 
 /// X means something else from here on: where the tool stands has another number.

@@ -12,6 +12,7 @@
 namespace kadr::interp {
 namespace {
 
+using path::linear;
 using path::Mat3;
 using path::Vec3;
 
