@@ -93,9 +93,7 @@ void Preparer::State::take_corner(Piece& piece) const {
     if (axes.limits_jerk()) {
         piece.entry_acceleration = ramp * std::min(last.acceleration, piece.acceleration);
         if (ends_smoothly(piece)) {
-            const double least = std::min(last.jerk, piece.jerk);
-            if (share.is_alone)
-                piece.smooth_corner_jerk = std::max(least, piece.entry_acceleration / tick);
+            if (share.is_alone) piece.smooth_corner_jerk = std::min(last.jerk, piece.jerk);
             return;
         }
     }
