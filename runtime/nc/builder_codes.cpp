@@ -68,13 +68,14 @@ void add_builder_form(DialectTables& tables) {
     form.range = usual->range;
     form.is_read = false;
     form.is_by_number = true;
-    form.when.push_back({0, codes.least, codes.most});
+    constexpr int kNumber = parameter_of<Function::MachineFunction>("number");
+    form.when.push_back({kNumber, codes.least, codes.most});
     FormWord word;
     word.kind = FormWord::Kind::Value;
     word.address = tables.builder_address;
     word.text = tables.addresses[word.address].name;
     word.dimension = Dimension::Count;
-    word.parameter = 0;
+    word.parameter = kNumber;
     form.pattern = word.text + "{number}";
     form.words.push_back(std::move(word));
     tables.forms.push_back(std::move(form));

@@ -540,7 +540,8 @@ bool LineReader::apply(Block& block, std::string_view line) {
     if (!is_fine) modal_ = before;
     if (const Invocation* master = block.find(Function::MasterSpindle)) {
         knows_masters_ = true;
-        has_other_master_ = block.argument(*master, 0, 1) != 1;
+        has_other_master_ =
+            block.argument(*master, parameter_of<Function::MasterSpindle>("spindle"), 1) != 1;
     }
     return is_fine;
 }

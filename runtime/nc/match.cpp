@@ -152,7 +152,8 @@ class Matcher {
     Fault take_for_builder(std::size_t i) {
         used_[i] = true;
         if (Fault fault = say(Function::MachineFunction, i, 1)) return fault;
-        block_.set_argument(block_.functions[block_.function_count - 1u], 0, words_[i].number);
+        block_.set_argument(block_.functions[block_.function_count - 1u],
+                            parameter_of<Function::MachineFunction>("number"), words_[i].number);
         return {};
     }
 

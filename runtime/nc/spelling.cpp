@@ -7,6 +7,8 @@
 
 namespace kadr::nc {
 
+static constexpr std::size_t kOffsetNumber = parameter_of<Function::WorkOffset>("number");
+
 std::string_view WholeText::next() { return std::exchange(text_, {}); }
 
 Spelling spelling_of(const Dialect& dialect, std::span<const Block> blocks,
@@ -29,7 +31,8 @@ Spelling spelling_of(const Dialect& dialect, std::span<const Block> blocks,
 
 std::string spelling_of_offset(const Dialect& dialect, std::int64_t number) {
     Block block;
-    block.set_argument(*block.add(Function::WorkOffset, 1), 0, static_cast<double>(number));
+    block.set_argument(*block.add(Function::WorkOffset, 1), kOffsetNumber,
+                       static_cast<double>(number));
     Spelling spelling = spelling_of(dialect, std::span(&block, 1));
     return spelling.fault.empty() ? std::move(spelling.text) : std::string();
 }
@@ -54,7 +57,7 @@ std::optional<int> offset_of_head(const Dialect& dialect) {
     std::optional<int> offset;
     for (const Block& block : blocks_of_head(dialect)) {
         if (const Invocation* said = block.find(Function::WorkOffset))
-            offset = static_cast<int>(block.argument(*said, 0));
+            offset = static_cast<int>(block.argument(*said, kOffsetNumber));
     }
     return offset;
 }

@@ -80,8 +80,11 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
         const double value = argument(c.parameter, c.least);
         expect(c.parameter, value >= c.least && value <= c.most);
     }
-    if (form.is_by_number)
-        expect(0, is_builder_code(tables_, form.words[0].address, argument(0, 0)));
+    if (form.is_by_number) {
+        constexpr int kNumber = parameter_of<Function::MachineFunction>("number");
+        const double number = argument(kNumber, 0);
+        expect(kNumber, is_builder_code(tables_, form.words[0].address, number));
+    }
     misfit.parameters |= invocation.given & ~said;
     misfit.lacking = misfit.parameters & ~invocation.given;
     for (const Function needed : form.during) {
@@ -225,7 +228,9 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     } else if (is_new_message(block, what)) {
         DiagnosticBuilder builder = sink_.report(diag::CannotExpress, place(block));
         builder.arg(tables_.name).arg(what);
-        say_whose(builder, block.argument(invocation, 0), tables_, candidates.front());
+        const double number =
+            block.argument(invocation, parameter_of<Function::MachineFunction>("number"));
+        say_whose(builder, number, tables_, candidates.front());
     }
     return kNoForm;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "nc/block_writer.h"
+#include "nc/parameters.h"
 
 namespace kadr::nc {
 
@@ -42,20 +43,22 @@ Function BlockWriter::spindle_behind(const Form& form, const Block& block,
 }
 
 /// A cycle that names the level to which it goes back first stands there, and not where it began;
-/// and one that has a place of its own is somewhere at it.
+/// and one that has a place of its own is somewhere at it. Behind other parameters `back` is no
+/// level.
 void BlockWriter::follow_back(const Block& block, const Invocation& cycle) {
     const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
-    if (parameters.empty() || parameters[0].name != "back") return;
+    const std::optional<std::size_t> back = find_parameter(parameters, "back");
+    if (back != std::size_t{0}) return;
     WrittenPosition& position = modal_.position;
-    if (std::ranges::find(parameters, "x", &Parameter::name) != parameters.end())
+    if (find_parameter(parameters, "x"))
         position.known &= static_cast<SlotMask>(~(bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z)));
     const std::size_t across = plane_axes()[2];
     const SlotMask mask = bit(static_cast<Slot>(across));
     position.known &= static_cast<SlotMask>(~mask);
-    if ((cycle.given & 1u) == 0) return;
+    if (!cycle.has(*back)) return;
     const auto slot = static_cast<Slot>(across);
     const double scale = to_text(slot, 1);
-    position.meant[across] = block.argument(cycle, 0);
+    position.meant[across] = block.argument(cycle, *back);
     position.text[across] = round_to(position.meant[across] * scale, decimals(slot)) / scale;
     position.known |= mask;
     position.told |= mask;

@@ -20,7 +20,8 @@ void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
     Block edge;
     edge.source = block.source;
     Invocation* invocation = edge.add(Function::ToolEdge, 1);
-    edge.set_argument(*invocation, 0, std::exchange(modal_.waiting_edge, 0));
+    edge.set_argument(*invocation, parameter_of<Function::ToolEdge>("edge"),
+                      std::exchange(modal_.waiting_edge, 0));
     const WrittenPosition position = modal_.position;
     write_block(edge, out);
     modal_.position = position;

@@ -34,12 +34,12 @@ void BlockWriter::follow_functions(const Block& block) {
 /// Whether the tool length acts behind a reference return differs between series of a control: what
 /// a tool change holds back for its axis is said again.
 void BlockWriter::defer_length(const Block& block, const Invocation& invocation) {
-    constexpr std::uint32_t kFirstAxis = 1;  // behind the number of the point
+    constexpr std::size_t kFirstAxis = parameter_of<Function::ReferencePoint>("x");
     for (const Deferred& deferred : tables_.deferred) {
         if (deferred.axis < 0 || !modal_.tool.is_known) continue;
-        const auto axis = static_cast<std::uint32_t>(deferred.axis);
+        const auto axis = static_cast<std::size_t>(deferred.axis);
         const bool is_named = invocation.function == Function::ReferencePoint
-                                  ? (invocation.given >> (kFirstAxis + axis) & 1u) != 0
+                                  ? invocation.has(kFirstAxis + axis)
                                   : block.has(static_cast<Slot>(axis));
         if (!is_named) continue;
         std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
@@ -53,7 +53,8 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::Shift: follow_shift(block, invocation); break;
         case Function::ShiftAdd:
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                if (block.argument(invocation, axis) == 0) continue;
+                if (block.argument(invocation, parameter_of<Function::ShiftAdd>("x") + axis) == 0)
+                    continue;
                 modal_.origin[axis].is_known = false;
                 modal_.position.known &= ~bit(static_cast<Slot>(axis));
             }
@@ -82,7 +83,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::Mirror:
             modal_.mirror = Activity::Yes;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                if ((invocation.given >> axis & 1u) != 0) turn_axes(axis);
+                if (invocation.has(parameter_of<Function::Mirror>("x") + axis)) turn_axes(axis);
             }
             break;
         case Function::MirrorOff:
@@ -95,8 +96,9 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::OffsetToMiddle: modal_.position.forget(); break;
         case Function::SetPosition:
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                if ((invocation.given >> axis & 1u) == 0) continue;
-                const double value = block.argument(invocation, axis);
+                const std::size_t word = parameter_of<Function::SetPosition>("x") + axis;
+                if (!invocation.has(word)) continue;
+                const double value = block.argument(invocation, word);
                 modal_.position.meant[axis] = value;
                 const auto slot = static_cast<Slot>(axis);
                 const double scale = to_text(slot, 1);
@@ -106,11 +108,11 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             break;
         case Function::Tool:
             forget_motion();
+            modal_.tool = {true, block.argument(invocation, parameter_of<Function::Tool>("tool"))};
             for (const Deferred& deferred : tables_.deferred) {
                 std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
-                pending_.push_back({&deferred, block.argument(invocation, 0)});
+                pending_.push_back({&deferred, modal_.tool.value});
             }
-            modal_.tool = {true, block.argument(invocation, 0)};
             modal_.edge = {true, 1};
             modal_.is_edge_lost = false;
             // Behind a move without length the new one is not travelled yet, either.
@@ -129,7 +131,8 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             leave_changer();
             break;
         case Function::ToolEdge:
-            modal_.edge = {true, block.argument(invocation, 0)};
+            modal_.edge = {true,
+                           block.argument(invocation, parameter_of<Function::ToolEdge>("edge"))};
             modal_.is_edge_lost = false;
             modal_.waiting_edge = 0;
             modal_.is_length_due = false;
@@ -243,11 +246,11 @@ void BlockWriter::turn_axes(std::size_t axis) {
 
 /// Its factors are multiplied with those that act, where a second one does not replace the first.
 void BlockWriter::follow_scale(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kOfAll = 0;
-    constexpr std::size_t kFirstOfAxes = 4;  // behind the centre
+    constexpr std::size_t kOfAll = parameter_of<Function::Scale>("factor");
+    constexpr std::size_t kOfX = parameter_of<Function::Scale>("fx");
     for (std::size_t axis = 0; axis < modal_.factors.size(); ++axis) {
         const double of_all = block.argument(invocation, kOfAll, 1);
-        const double factor = block.argument(invocation, kFirstOfAxes + axis, of_all);
+        const double factor = block.argument(invocation, kOfX + axis, of_all);
         modal_.factors[axis] = rules_.scale_replaces ? factor : modal_.factors[axis] * factor;
     }
 }
@@ -258,7 +261,7 @@ void BlockWriter::follow_scale(const Block& block, const Invocation& invocation)
 void BlockWriter::follow_shift(const Block& block, const Invocation& invocation) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const SlotMask mask = bit(static_cast<Slot>(axis));
-        const double shift = block.argument(invocation, axis);
+        const double shift = block.argument(invocation, parameter_of<Function::Shift>("x") + axis);
         Standing& origin = modal_.origin[axis];
         const bool stays = (modal_.turned & mask) == 0 && origin.is_known && origin.value == shift;
         if (!stays) modal_.position.known &= ~mask;

@@ -362,7 +362,7 @@ void BlockWriter::append_edge(const Block& block, int edge, std::string& out) {
     Block words;
     words.source = block.source;
     Invocation* invocation = words.add(Function::ToolEdge, 1);
-    words.set_argument(*invocation, 0, edge);
+    words.set_argument(*invocation, parameter_of<Function::ToolEdge>("edge"), edge);
     append_words(words, form.words, invocation, false, out);
 }
 

@@ -39,8 +39,10 @@ void BlockWriter::note_turn(const Block& block, const Invocation& invocation, do
         case Function::Rotate:
             modal_.turn.miss += rad_from_deg(miss);
             modal_.turn.source = block.source;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                modal_.turn.center[axis] = block.argument(invocation, 1 + axis);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                modal_.turn.center[axis] =
+                    block.argument(invocation, parameter_of<Function::Rotate>("x") + axis);
+            }
             break;
         case Function::Tilt:
         case Function::TiltEuler:
