@@ -10,6 +10,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Group;
+using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
 using path::Vec2;
@@ -18,6 +19,8 @@ namespace {
 
 /// Sine of the angle below which two directions are one.
 constexpr double kParallel = 1e-9;
+
+constexpr std::size_t kAngle = parameter_of<Function::ContourAngle>("angle");
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -91,8 +94,8 @@ void Executor::close_line(const Block& block) {
     const Vec2 from{position_.here[index(axes.first)], position_.here[index(axes.second)]};
     const Vec2 to{block.at(slots[0]) * axes_.word_scale[index(axes.first)],
                   block.at(slots[1]) * axes_.word_scale[index(axes.second)]};
-    const Vec2 out = direction_of(first.argument(*first.find(Function::ContourAngle), 0));
-    const Vec2 in = direction_of(block.argument(*angle, 0));
+    const Vec2 out = direction_of(first.argument(*first.find(Function::ContourAngle), kAngle));
+    const Vec2 in = direction_of(block.argument(*angle, kAngle));
     const double w = cross(out, in);
     // Both ways go forward.
     const double along = std::abs(w) < kParallel ? -1 : cross(to - from, in) / w;
@@ -137,7 +140,7 @@ const Block* Executor::with_angle(const Block& block, const nc::Invocation& angl
     const Target said = target_of(block, words);
     const Vec2 from = place_in_plane();
     const Vec2 to{said.here[index(plane.first)], said.here[index(plane.second)]};
-    const Vec2 along = direction_of(block.argument(angle, 0));
+    const Vec2 along = direction_of(block.argument(angle, kAngle));
     const bool has_first = block.has(nc::slot_of(plane.first));
     const bool has_second = block.has(nc::slot_of(plane.second));
     if (has_first && has_second) {

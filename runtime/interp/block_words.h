@@ -12,9 +12,10 @@
 
 namespace kadr::interp {
 
-/// The first parameter of a function, which counts or numbers something.
-inline std::int64_t count_of(const nc::Block& block, const nc::Invocation& invocation) {
-    return std::llround(block.argument(invocation, 0));
+/// A parameter of a function that counts or numbers something.
+inline std::int64_t count_of(const nc::Block& block, const nc::Invocation& invocation,
+                             std::size_t parameter) {
+    return std::llround(block.argument(invocation, parameter));
 }
 
 /// slots  not empty
@@ -50,7 +51,8 @@ inline bool is_running(path::SpindleMode mode) {
 inline bool probes_at_rapid(const nc::Block& block) {
     if (block.function_count == 0) return false;
     const nc::Invocation* const call = block.find(nc::Function::Probe);
-    return call != nullptr && (call->given & 4u) != 0 && block.argument(*call, 2) != 0;
+    return call != nullptr &&
+           block.argument(*call, nc::parameter_of<nc::Function::Probe>("rapid")) != 0;
 }
 
 /// X, Y, Z of a frame function, from its parameter `first` on, or more axes.

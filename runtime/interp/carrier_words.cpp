@@ -20,6 +20,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using nc::Quantity;
 using path::Vec3;
 using Write = ControlAccess::Write;
@@ -49,11 +50,13 @@ std::size_t name_place(Quantity quantity) {
 void Executor::choose_carrier(const Block& block, const Invocation& invocation, Actions& actions) {
     switch (invocation.function) {
         case Function::ToolCarrier:
-            carrier_.number = std::llround(block.argument(invocation, 0));
+            carrier_.number = std::llround(
+                block.argument(invocation, parameter_of<Function::ToolCarrier>("number")));
             break;
         case Function::CarrierByFrame:
-            carrier_.frame_axis =
-                static_cast<int>(std::clamp(block.argument(invocation, 0), 0.0, 3.0));
+            carrier_.frame_axis = static_cast<int>(std::clamp(
+                block.argument(invocation, parameter_of<Function::CarrierByFrame>("axis")), 0.0,
+                3.0));
             break;
         default: carrier_.frame_axis = 0;
     }

@@ -18,6 +18,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 
 namespace {
 
@@ -37,7 +38,8 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
     actions.comp_changed = true;
     switch (invocation.function) {
         case Function::RadiusOffset:
-            tool_.radius_offset = std::llround(block.argument(invocation, 0));
+            tool_.radius_offset = std::llround(
+                block.argument(invocation, parameter_of<Function::RadiusOffset>("offset")));
             break;
         case Function::CompStartNormal:
         case Function::CompStartAround:
@@ -46,7 +48,8 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompCornerArc:
         case Function::CompCornerIntersection: comp_.corner = invocation.function; break;
         case Function::CompCornerPointed:
-            comp_.pointed = block.argument(invocation, 0);
+            comp_.pointed =
+                block.argument(invocation, parameter_of<Function::CompCornerPointed>("percent"));
             if (comp_.pointed < 0 || comp_.pointed > 100)
                 report(diag::CompPointedRange, block, invocation.function).arg(comp_.pointed);
             break;
@@ -54,9 +57,14 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompCheckOff: comp_.has_check = false; break;
         case Function::CompOpenEnd:
             comp_.open_end = static_cast<path::OpenEnd>(
-                std::clamp(static_cast<int>(block.argument(invocation, 0)), 0, 2));
+                std::clamp(static_cast<int>(block.argument(
+                               invocation, parameter_of<Function::CompOpenEnd>("kind"))),
+                           0, 2));
             break;
-        case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
+        case Function::CompAllowance:
+            comp_.allowance =
+                block.argument(invocation, parameter_of<Function::CompAllowance>("allowance"));
+            break;
         case Function::CompInPlane:
         case Function::CompInFrame:
             comp_.system = Function::CompInPlane;
@@ -83,7 +91,9 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompTurnBefore:
             comp_.turns_on_arc = invocation.function == Function::CompTurnOnArc;
             break;
-        case Function::CompDepth: comp_.depth = block.argument(invocation, 0); break;
+        case Function::CompDepth:
+            comp_.depth = block.argument(invocation, parameter_of<Function::CompDepth>("depth"));
+            break;
         default: actions.radius_comp = invocation.function; break;
     }
 }
@@ -148,8 +158,10 @@ void Executor::round_comp_corner(const Block& block, const Invocation& invocatio
     }
     if (!check_feed(block, "arc")) return;
     path::Vec3 direction = path::Vec3::Zero();
-    for (std::size_t i = 0; i < 3; ++i)
-        direction[static_cast<Eigen::Index>(i)] = block.argument(invocation, i);
+    for (std::size_t i = 0; i < 3; ++i) {
+        direction[static_cast<Eigen::Index>(i)] =
+            block.argument(invocation, parameter_of<Function::CompCornerHere>("x") + i);
+    }
     CompChange change{CompChange::Kind::RoundCorner, {}, modal_.plane, 0, position_.base,
                       direction_in_base(direction),  {}};
     change.motion.op = path::Op::Arc;
@@ -272,7 +284,8 @@ void Executor::begin_comp(const Block& block, Function side) {
         DiagnosticBuilder message = report(diag::CompWithoutOffset, block, comp_.side);
         message.arg(word_of(block, comp_.side)).arg(has_word ? "D" : "T");
         if (const Invocation* const length = block.find(Function::LengthOffset)) {
-            const std::string number = std::to_string(std::llround(block.argument(*length, 0)));
+            const std::string number = std::to_string(std::llround(
+                block.argument(*length, parameter_of<Function::LengthOffset>("offset"))));
             message.fix("`D" + number + "` calls the radius; `H` does where No.5001#2 is set");
         }
     }

@@ -6,12 +6,15 @@
 #include "base/diagnostics/orienting.h"
 #include "interp/executor.h"
 #include "interp/said_words.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using nc::Slot;
 using nc::SlotMask;
 
@@ -24,24 +27,29 @@ Slot slot_across(Axis axis) {
 }  // namespace
 
 void Executor::choose_corner(const Block& block, const Invocation& invocation, Actions& actions) {
-    const double value = block.argument(invocation, 0);
     switch (invocation.function) {
-        case Function::CornerRoundModal:
-            if (value < 0) {
-                report(diag::CornerNegative, block, invocation.function).arg(value);
+        case Function::CornerRoundModal: {
+            const double radius =
+                block.argument(invocation, parameter_of<Function::CornerRoundModal>("radius"));
+            if (radius < 0) {
+                report(diag::CornerNegative, block, invocation.function).arg(radius);
                 return;
             }
-            rounding_ = value;
+            rounding_ = radius;
             break;
+        }
         case Function::CornerFeed:
         case Function::CornerFeedModal: {
-            const bool is_off = invocation.function == Function::CornerFeedModal && value == 0;
-            if (!(value > 0) && !is_off) {
-                report(diag::CornerFeedInvalid, block, invocation.function).arg(value);
+            constexpr std::size_t kFeed =
+                parameter_of_all<"feed", Function::CornerFeed, Function::CornerFeedModal>();
+            const double feed = block.argument(invocation, kFeed);
+            const bool is_off = invocation.function == Function::CornerFeedModal && feed == 0;
+            if (!(feed > 0) && !is_off) {
+                report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
                 return;
             }
             (invocation.function == Function::CornerFeed ? actions.corner_feed : corner_feed_) =
-                value;
+                feed;
             break;
         }
         default: {
@@ -64,8 +72,10 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
 /// The feed that stands in the same form as the chamfer or the rounding.
 void Executor::take_corner_feed(const Block& block, const Invocation& invocation,
                                 Actions& actions) {
-    const std::size_t place = invocation.function == Function::CornerRound ? 1 : 2;
-    if ((invocation.given >> place & 1u) == 0) return;
+    const std::size_t place = invocation.function == Function::CornerRound
+                                  ? parameter_of<Function::CornerRound>("feed")
+                                  : parameter_of<Function::CornerChamfer>("feed");
+    if (!invocation.has(place)) return;
     const double feed = block.argument(invocation, place);
     if (feed > 0) actions.corner_feed = feed;
     else report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
@@ -92,11 +102,14 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
             return;
         }
         const bool is_round = said.function == Function::CornerRound;
-        const bool is_width = !is_round && (said.given & 2u) != 0;
+        constexpr std::size_t kLength = parameter_of<Function::CornerChamfer>("length");
+        constexpr std::size_t kWidth = parameter_of<Function::CornerChamfer>("width");
+        static_assert(kLength == parameter_of<Function::CornerRound>("radius"));
+        const bool is_width = !is_round && said.has(kWidth);
         wish.kind = is_round   ? CornerWish::Kind::Round
                     : is_width ? CornerWish::Kind::Width
                                : CornerWish::Kind::Length;
-        wish.size = block.argument(said, is_width ? 1 : 0);
+        wish.size = block.argument(said, is_width ? kWidth : kLength);
         if (wish.size < 0) {
             report(diag::CornerNegative, block, said.function).arg(wish.size);
             return;

@@ -14,10 +14,12 @@
 #include "interp/executor.h"
 #include "interp/named_shape.h"
 #include "interp/said_words.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
+using nc::find_parameter;
 using nc::Function;
 using nc::Invocation;
 using nc::Slot;
@@ -29,14 +31,6 @@ constexpr std::size_t kCycleBatch = 16;
 
 /// … and this one of a cycle whose tool axis is X of a lathe.
 constexpr std::string_view kAcrossParameter = "across";
-
-/// Where the cycle's parameter of this name stands, if it has one.
-std::optional<std::size_t> find_parameter(const nc::CycleInfo& cycle, std::string_view name) {
-    for (std::size_t i = 0; i < cycle.parameters.size(); ++i) {
-        if (cycle.parameters[i].name == name) return i;
-    }
-    return std::nullopt;
-}
 
 void set_argument(ModalCycle& call, std::optional<std::size_t> parameter, double value) {
     if (!parameter) return;
@@ -126,7 +120,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     }
     complete_call(call);
     if (!check_counts(block, call)) return;
-    cycle_.is_across = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
+    cycle_.is_across = is_lathe_ && find_parameter(info.parameters, kAcrossParameter).has_value();
     cycle_.lies_flat = !cycle_.is_across && (is_lathe_ || cycles_->turns(info.name));
     if (!check_surroundings(block, call) || !check_cycle_words(block, actions)) return;
     complete_surroundings(call, calls_program_at(block));
@@ -137,9 +131,9 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     call.is_active = is_modal(call.cycle);
     if (taps_rigidly_) {
         constexpr double kStop = 5;  // M5
-        set_argument(call, find_parameter(info, "floating"), 0);
+        set_argument(call, find_parameter(info.parameters, "floating"), 0);
         if (rules_.rigid_tap_stops_spindle)
-            set_argument(call, find_parameter(info, "after"), kStop);
+            set_argument(call, find_parameter(info.parameters, "after"), kStop);
     }
     if (call.is_active) {
         if (block.motion != Function::None)
@@ -161,7 +155,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         warn_levels(block);
     }
     // A pattern leaves the modal cycle as it is, which is called at its places.
-    if (find_parameter(info, kPatternParameter)) return start_cycle(block, call);
+    if (find_parameter(info.parameters, kPatternParameter)) return start_cycle(block, call);
     cycles_said_.modal = call;
     if (count_times(actions.cycle_words)) start_cycle(block, call);
 }
@@ -332,7 +326,7 @@ void Executor::complete_words(ModalCycle& call) {
 
     // A level under the bottom (boring from below) is no place to come back to.
     const bool stays_low = cycles_said_.returns_to_retract && retract > depth;
-    set_argument(call, find_parameter(info, "initial"),
+    set_argument(call, find_parameter(info.parameters, "initial"),
                  stays_low ? retract : cycles_said_.data.initial);
 }
 
@@ -345,7 +339,7 @@ void Executor::take_off_scale(ModalCycle& call) {
     std::array<AxisValues, 3> places;
     const std::array<std::optional<std::size_t>, 3> levels = {
         static_cast<std::size_t>(info.roles.depth), static_cast<std::size_t>(info.roles.retract),
-        find_parameter(info, "initial")};
+        find_parameter(info.parameters, "initial")};
     for (std::size_t i = 0; i < levels.size(); ++i) {
         places[i] = position_.here;
         if (is_given(call, levels[i])) places[i][normal] = call.arguments[*levels[i]];
@@ -368,7 +362,7 @@ void Executor::go_straight(ModalCycle& call) {
     cycle_.begins_at.reset();
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const nc::CycleInfo::Roles& roles = info.roles;
-    const std::optional<std::size_t> initial = find_parameter(info, "initial");
+    const std::optional<std::size_t> initial = find_parameter(info.parameters, "initial");
     if (!is_given(call, initial) || roles.retract < 0 || roles.depth < 0) return;
     const double back = call.arguments[*initial];
     const double retract = call.arguments[static_cast<std::size_t>(roles.retract)];
@@ -438,7 +432,7 @@ void Executor::take_ends(const Block& block, ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
         const Slot slot = nc::slot_of(axis);
         const std::optional<std::size_t> end =
-            find_parameter(dialect_.cycles()[call.cycle], end_name(axis));
+            find_parameter(dialect_.cycles()[call.cycle].parameters, end_name(axis));
         if (!end) continue;
         const double here = position_in_cycle()[index(axis)];
         if (is_given(call, end) && modal_.is_incremental) call.arguments[*end] += here;
@@ -453,7 +447,7 @@ void Executor::take_ends(const Block& block, ModalCycle& call) const {
 /// the end is where the tool stands.
 void Executor::complete_ends(ModalCycle& call) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    if (!is_modal(call.cycle) || !find_parameter(info, "x")) return;
+    if (!is_modal(call.cycle) || !find_parameter(info.parameters, "x")) return;
     const bool goes_on = cycles_said_.modal.is_active && cycles_said_.modal.cycle == call.cycle;
     for (std::size_t i = 0; goes_on && i < info.parameters.size(); ++i) {
         if (static_cast<int>(i) == info.roles.start) continue;  // of its block alone
@@ -467,7 +461,7 @@ void Executor::complete_ends(ModalCycle& call) const {
 void Executor::end_where_tool_stands(ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Z}) {
         const std::optional<std::size_t> end =
-            find_parameter(dialect_.cycles()[call.cycle], end_name(axis));
+            find_parameter(dialect_.cycles()[call.cycle].parameters, end_name(axis));
         if (end && !is_given(call, end)) set_argument(call, end, position_in_cycle()[index(axis)]);
     }
 }
@@ -478,7 +472,7 @@ void Executor::forget_ends() {
     ModalCycle& modal = cycles_said_.modal;
     for (const std::string_view name : {"x", "z", "taper"}) {
         const std::optional<std::size_t> said =
-            find_parameter(dialect_.cycles()[modal.cycle], name);
+            find_parameter(dialect_.cycles()[modal.cycle].parameters, name);
         if (said) modal.given &= ~(1u << *said);
     }
 }
@@ -486,7 +480,7 @@ void Executor::forget_ends() {
 /// Whether a modal cycle acts among whose places no other motion stands.
 bool Executor::is_among_places() const {
     const ModalCycle& modal = cycles_said_.modal;
-    return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle], "x");
+    return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle].parameters, "x");
 }
 
 /// Whether all that the block says beside a cycle to an end in X and Z is the cycle's; false: it is
@@ -496,7 +490,7 @@ bool Executor::check_cycle_words(const Block& block, const Actions& actions) {
     const bool is_called = actions.cycle != nullptr;
     const nc::CycleInfo& info =
         dialect_.cycles()[is_called ? block.cycle : cycles_said_.modal.cycle];
-    const bool is_turning = info.takes_shape() || find_parameter(info, "x").has_value();
+    const bool is_turning = info.takes_shape() || find_parameter(info.parameters, "x").has_value();
     if (!rules_.modal_cycles || !is_turning || info.roles.depth >= 0) return true;
     const CycleWords& words = actions.cycle_words;
     if (words.stroke || words.dwell || words.times) {
@@ -507,7 +501,7 @@ bool Executor::check_cycle_words(const Block& block, const Actions& actions) {
     for (std::size_t i = 0; i < kAxes; ++i) {
         const auto axis = static_cast<Axis>(i);
         const Slot slot = nc::slot_of(axis);
-        if (!block.has(slot) || find_parameter(info, end_name(axis))) continue;
+        if (!block.has(slot) || find_parameter(info.parameters, end_name(axis))) continue;
         report(info.is_modal ? diag::CycleAxis : diag::CycleAxisBeside, block, slot)
             .arg(kAxisNames[i]);
         return false;
@@ -528,9 +522,10 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         if ((ends.given >> i & 1u) != 0) set_argument(cycles_said_.modal, i, ends.arguments[i]);
     }
-    if (find_parameter(info, "x")) end_where_tool_stands(cycles_said_.modal);
+    if (find_parameter(info.parameters, "x")) end_where_tool_stands(cycles_said_.modal);
     if (block.has(Slot::Radius)) {
-        set_argument(cycles_said_.modal, find_parameter(info, "taper"), block.at(Slot::Radius));
+        set_argument(cycles_said_.modal, find_parameter(info.parameters, "taper"),
+                     block.at(Slot::Radius));
     }
     if (info.roles.start >= 0) {
         const auto start = static_cast<std::size_t>(info.roles.start);
@@ -551,7 +546,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     const SlotMask place =
         block.given & nc::kTargetSlots & ~SlotMask{bit(nc::slot_of(plane.normal))};
     if (!check_axes(block, place)) return;
-    const bool has_end = find_parameter(dialect_.cycles()[call.cycle], "x").has_value();
+    const bool has_end = find_parameter(dialect_.cycles()[call.cycle].parameters, "x").has_value();
     if (place != 0 && !has_end)
         line(block, target_of(block, place), path::Op::Rapid, stops_exactly());
     if (ended_) return;
@@ -595,7 +590,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     cycle_.name = info.name;
     cycle_.number = static_cast<std::uint16_t>(call.cycle + 1);
     cycle_.taps = info.taps;
-    if (is_given(call, find_parameter(info, kPatternParameter)))
+    if (is_given(call, find_parameter(info.parameters, kPatternParameter)))
         return begin_pattern(block, std::move(blocks));
     open_cycle(block, std::move(blocks));
 }
@@ -620,7 +615,8 @@ void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blo
 /// A tapping cycle whose words do not say the pitch has it from the feed: F itself where it counts
 /// by the revolution, else F divided by the speed. False: there is none, and it was said.
 bool Executor::complete_tap(const Block& block, ModalCycle& call) {
-    const std::optional<std::size_t> pitch = find_parameter(dialect_.cycles()[call.cycle], "pitch");
+    const std::optional<std::size_t> pitch =
+        find_parameter(dialect_.cycles()[call.cycle].parameters, "pitch");
     if (!pitch || is_given(call, pitch)) return true;
     if (!modal_.has_feed || !(modal_.feed > 0) || modal_.feed_mode == path::FeedMode::InverseTime) {
         report(diag::TapPitchMissing, block, Function::Cycle);
@@ -642,7 +638,8 @@ bool Executor::complete_tap(const Block& block, ModalCycle& call) {
 /// Where F is the pitch of a thread, that of a cycle is F too. False: there is none, and it was
 /// said.
 bool Executor::complete_thread(const Block& block, ModalCycle& call) {
-    const std::optional<std::size_t> lead = find_parameter(dialect_.cycles()[call.cycle], "lead");
+    const std::optional<std::size_t> lead =
+        find_parameter(dialect_.cycles()[call.cycle].parameters, "lead");
     if (!lead || is_given(call, lead) || !rules_.thread_pitch_is_feed) return true;
     if (!modal_.has_feed || !(modal_.feed > 0)) {
         DiagnosticBuilder message = report(diag::ThreadPitchMissing, block);
@@ -693,11 +690,13 @@ void Executor::refuse_cycle(const Block& block, std::string_view words) {
 /// was said.
 bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    const auto has = [&](std::string_view name) { return find_parameter(info, name).has_value(); };
+    const auto has = [&](std::string_view name) {
+        return find_parameter(info.parameters, name).has_value();
+    };
     if (!rules_.cycles_check_surroundings || has(kPatternParameter)) return true;
     const bool has_feed = (modal_.has_feed && modal_.feed > 0) ||
-                          is_given(call, find_parameter(info, "cut")) ||
-                          is_given(call, find_parameter(info, "in_feed"));
+                          is_given(call, find_parameter(info.parameters, "cut")) ||
+                          is_given(call, find_parameter(info.parameters, "in_feed"));
     const bool needs_feed =
         !has("lead") && !has("pitch") && !has("per_turn") && !has("thread_size");
     const bool turns_by_itself = has("turns") || has("after");
@@ -725,16 +724,16 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
 /// 19), and whether a cycle is called at the places of a pattern.
 void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    set_argument(call, find_parameter(info, "tool_d"),
+    set_argument(call, find_parameter(info.parameters, "tool_d"),
                  2 * tool_offsets_.radius(tool_.edge_number()));
-    const auto said = find_parameter(info, "radius_offset");
+    const auto said = find_parameter(info.parameters, "radius_offset");
     const std::int64_t offset =
         is_given(call, said) ? std::llround(call.arguments[*said]) : tool_.radius_offset;
-    set_argument(call, find_parameter(info, "offset_r"), tool_offsets_.radius(offset));
+    set_argument(call, find_parameter(info.parameters, "offset_r"), tool_offsets_.radius(offset));
     const bool calls = calls_program || cycles_said_.behind_motions || cycles_said_.modal.is_active;
-    set_argument(call, find_parameter(info, kPatternParameter), calls ? 1 : 0);
+    set_argument(call, find_parameter(info.parameters, kPatternParameter), calls ? 1 : 0);
     const path::Plane plane = cycle_plane();
-    set_argument(call, find_parameter(info, "plane"),
+    set_argument(call, find_parameter(info.parameters, "plane"),
                  plane == path::Plane::Xy   ? 17
                  : plane == path::Plane::Zx ? 18
                                             : 19);

@@ -14,6 +14,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 
 namespace {
 
@@ -29,18 +30,19 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
     constexpr std::int64_t kAxisKind = 1006;  // bit 3: the axis is programmed as a diameter
     constexpr std::int64_t kArcTolerance = 3410;
     constexpr int kDiameter = 3;
+    constexpr std::size_t kAxis = parameter_of<Function::ParameterData>("axis");
     const std::int64_t number = block.number;
     if (number < 0) {
         report(diag::ParameterNumber, block, Function::ParameterData);
         return;
     }
-    const double value = block.argument(invocation, 1);
-    const bool has_axis = (invocation.given & 1u) != 0;
+    const double value = block.argument(invocation, parameter_of<Function::ParameterData>("value"));
+    const bool has_axis = invocation.has(kAxis);
     const auto axis =
-        has_axis ? axis_of(std::llround(block.argument(invocation, 0))) : std::optional<Axis>();
+        has_axis ? axis_of(std::llround(block.argument(invocation, kAxis))) : std::optional<Axis>();
     if (has_axis && !axis) {
         report(diag::ParameterAxis, block, Function::ParameterData)
-            .arg(block.argument(invocation, 0));
+            .arg(block.argument(invocation, kAxis));
         return;
     }
     if (number == kAxisKind && axis == Axis::X) {

@@ -14,6 +14,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using nc::Slot;
 using path::Command;
 using path::FeedMode;
@@ -110,12 +111,13 @@ double Executor::bounded_speed(const Block& block) {
 }
 
 void Executor::set_area_limit(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kFirst = 1;
+    const bool is_upper =
+        count_of(block, invocation, parameter_of<Function::AreaLimit>("upper")) != 0;
     const control::FrameWords words =
-        frame_words(block, invocation, kFirst, axes_.word_scale[index(Axis::X)]);
+        frame_words(block, invocation, parameter_of<Function::AreaLimit>("x"),
+                    axes_.word_scale[index(Axis::X)]);
     for (std::size_t i = 0; i < 3; ++i) {
-        if (words.has(i))
-            area_.set(static_cast<Axis>(i), count_of(block, invocation) != 0, words.values[i]);
+        if (words.has(i)) area_.set(static_cast<Axis>(i), is_upper, words.values[i]);
     }
 }
 
@@ -139,9 +141,11 @@ void Executor::update_spindle(const Block& block) {
 }
 
 void Executor::orient_spindle(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kBy = 1;
-    const bool is_by = (invocation.given >> kBy & 1u) != 0;
-    stand_spindle(block, invocation.function, block.argument(invocation, is_by ? kBy : 0), is_by);
+    constexpr std::size_t kAngle = parameter_of<Function::SpindleOrient>("angle");
+    constexpr std::size_t kBy = parameter_of<Function::SpindleOrient>("by");
+    const bool is_by = invocation.has(kBy);
+    stand_spindle(block, invocation.function, block.argument(invocation, is_by ? kBy : kAngle),
+                  is_by);
 }
 
 /// is_by  the angle counts from where the spindle stands

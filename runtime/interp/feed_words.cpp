@@ -9,12 +9,15 @@
 #include "base/units.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using path::Op;
 
 void Executor::set_feed_words(const Block& block, const Invocation& invocation) {
@@ -25,8 +28,8 @@ void Executor::set_feed_words(const Block& block, const Invocation& invocation) 
         case Function::FeedCourse: break;
         default: return set_axis_speed(block, invocation);
     }
-    panel_.course =
-        static_cast<path::FeedLawKind>(std::clamp<std::int64_t>(count_of(block, invocation), 0, 2));
+    panel_.course = static_cast<path::FeedLawKind>(std::clamp<std::int64_t>(
+        count_of(block, invocation, parameter_of<Function::FeedCourse>("kind")), 0, 2));
     panel_.says_course |= panel_.course != path::FeedLawKind::Constant;
 }
 
@@ -51,10 +54,11 @@ std::optional<Axis> Executor::known_axis(const Block& block, const Invocation& i
 
 void Executor::choose_feed_axes(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kMost = kAxes;
+    constexpr std::size_t kFirst = parameter_of<Function::FeedAxes>("axis");
     AxisMask axes = 0;
     for (std::size_t i = 0; i < kMost; ++i) {
-        if ((invocation.given >> i & 1u) == 0) continue;
-        const std::optional<Axis> axis = known_axis(block, invocation, i);
+        if (!invocation.has(kFirst + i)) continue;
+        const std::optional<Axis> axis = known_axis(block, invocation, kFirst + i);
         if (!axis) return;
         axes |= bit(*axis);
     }
@@ -64,12 +68,13 @@ void Executor::choose_feed_axes(const Block& block, const Invocation& invocation
 }
 
 void Executor::set_feed_radius(const Block& block, const Invocation& invocation) {
-    const double radius = block.argument(invocation, 1);
+    const double radius = block.argument(invocation, parameter_of<Function::FeedRadius>("radius"));
     if (!(radius > 0)) {
         report(diag::FeedRadiusRange, block, invocation.function).arg(radius);
         return;
     }
-    const std::optional<Axis> axis = known_axis(block, invocation, 0);
+    const std::optional<Axis> axis =
+        known_axis(block, invocation, parameter_of<Function::FeedRadius>("axis"));
     if (!axis) return;
     said_dynamics().feed_radius[index(*axis)] = radius;
 }
@@ -106,13 +111,19 @@ void Executor::count_degrees(const Block& block, path::Command& command) const {
 /// What a word says of the speed of one axis: of one that is not among the feed axes (motion/ asks
 /// whether it is), or of one that positions by itself.
 void Executor::set_axis_speed(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kTurning = 2;
-    const std::optional<Axis> axis = known_axis(block, invocation, 0);
+    constexpr std::size_t kAxis =
+        parameter_of_all<"axis", Function::AxisSpeed, Function::AxisFeed, Function::AxisOverride>();
+    constexpr std::size_t kSpeed =
+        parameter_of_all<"speed", Function::AxisSpeed, Function::AxisFeed>();
+    constexpr std::size_t kTurning =
+        parameter_of_all<"turning", Function::AxisSpeed, Function::AxisFeed>();
+    const std::optional<Axis> axis = known_axis(block, invocation, kAxis);
     if (!axis) return;
     const std::size_t i = index(*axis);
     PanelState::Positioning& positioning = panel_.positioning;
     if (invocation.function == Function::AxisOverride) {
-        const double percent = block.argument(invocation, 1);
+        const double percent =
+            block.argument(invocation, parameter_of<Function::AxisOverride>("percent"));
         constexpr double kMost = 200;
         if (!(percent >= 0 && percent <= kMost)) {
             report(diag::OverrideRange, block, invocation.function).arg(percent).arg(kMost);
@@ -124,7 +135,7 @@ void Executor::set_axis_speed(const Block& block, const Invocation& invocation) 
     }
     const bool turns = is_rotary(*axis);
     const bool is_positioning = invocation.function == Function::AxisFeed;
-    const double speed = block.argument(invocation, turns ? kTurning : 1);
+    const double speed = block.argument(invocation, turns ? kTurning : kSpeed);
     if (!(speed > 0)) {
         report(is_positioning ? diag::AxisFeedRange : diag::AxisSpeedRange, block,
                invocation.function)
@@ -163,15 +174,16 @@ void Executor::take_polynomial(const Block& block, const Invocation& invocation)
         report(diag::FeedPolynomialMode, block, invocation.function);
         return;
     }
-    modal_.feed = block.argument(invocation, 0);
+    modal_.feed = block.argument(invocation, parameter_of<Function::FeedPolynomial>("end"));
     modal_.has_feed = true;
     tooth_feed_ = 0;
     panel_.says_course = true;
-    panel_.polynomial = {path::FeedLawKind::Polynomial,
-                         static_cast<std::uint32_t>(block_count_),
-                         block.argument(invocation, 1),
-                         block.argument(invocation, 2),
-                         {}};
+    panel_.polynomial = {
+        path::FeedLawKind::Polynomial,
+        static_cast<std::uint32_t>(block_count_),
+        block.argument(invocation, parameter_of<Function::FeedPolynomial>("square")),
+        block.argument(invocation, parameter_of<Function::FeedPolynomial>("cube")),
+        {}};
 }
 
 /// How the feed of a motion comes to F; feed_courses.h works it out when the motions of its block

@@ -8,12 +8,15 @@
 #include "base/units.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using path::Op;
 
 void Executor::select_work_offset(const Block& block, std::int64_t number) {
@@ -45,8 +48,13 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     const bool is_of_axes = invocation.function == Function::ShiftAxes ||
                             invocation.function == Function::ShiftAxesAdd ||
                             invocation.function == Function::SetPositionAxes;
+    constexpr std::size_t kX =
+        parameter_of_all<"x", Function::Shift, Function::ShiftAdd, Function::ShiftAxes,
+                         Function::ShiftAxesAdd, Function::ShiftCoarse, Function::ShiftFine,
+                         Function::Mirror, Function::MirrorOff, Function::SetPosition,
+                         Function::SetPositionAxes, Function::PositionReset>();
     const control::FrameWords words =
-        frame_words(block, invocation, 0, x_scale, is_of_axes ? std::size_t{6} : std::size_t{3});
+        frame_words(block, invocation, kX, x_scale, is_of_axes ? std::size_t{6} : std::size_t{3});
     if (is_of_axes && !has_axes(block, invocation, static_cast<AxisMask>(words.given))) return;
     switch (invocation.function) {
         case Function::Shift:
@@ -58,9 +66,11 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         case Function::RotateSpace:
         case Function::RotateSolid: rotate_in_space(block, invocation); break;
         case Function::Rotate:
-            frames_.rotate(plane_in(block),
-                           rad_from_deg(block.argument(invocation, 0, rules_.rotation_angle)),
-                           center_of(block, invocation));
+            frames_.rotate(
+                plane_in(block),
+                rad_from_deg(block.argument(invocation, parameter_of<Function::Rotate>("angle"),
+                                            rules_.rotation_angle)),
+                center_of(block, invocation));
             break;
         case Function::Scale: scale(block, invocation); break;
         case Function::ScaleOff: frames_.scale_off(); break;
@@ -95,11 +105,11 @@ bool Executor::has_axes(const Block& block, const Invocation& invocation, AxisMa
     return false;
 }
 
-/// Center of a rotation or a scaling; it stands behind their first parameter.
+/// Center of a rotation or a scaling.
 control::FrameWords Executor::center_of(const Block& block, const Invocation& invocation) const {
-    constexpr std::size_t kFirst = 1;
+    constexpr std::size_t kX = parameter_of_all<"x", Function::Rotate, Function::Scale>();
     const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
-    control::FrameWords center = frame_words(block, invocation, kFirst, x_scale);
+    control::FrameWords center = frame_words(block, invocation, kX, x_scale);
     for (std::size_t i = 0; rules_.frame_center_at_tool && i < 3; ++i) {
         if (!center.has(i)) center.values[i] = position_.here[i];
     }
@@ -108,10 +118,12 @@ control::FrameWords Executor::center_of(const Block& block, const Invocation& in
 
 /// About X, Y and Z, as far as they are named.
 void Executor::rotate_in_space(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kX =
+        parameter_of_all<"x", Function::RotateSpace, Function::RotateSolid>();
     std::vector<control::AxisAndValue> angles;
     for (std::size_t i = 0; i < 3; ++i) {
-        if ((invocation.given >> i & 1u) != 0)
-            angles.push_back({static_cast<Axis>(i), block.argument(invocation, i)});
+        if (invocation.has(kX + i))
+            angles.push_back({static_cast<Axis>(i), block.argument(invocation, kX + i)});
     }
     if (invocation.function == Function::RotateSpace) {
         frames_.turn(rotation_frame(angles).linear);
@@ -124,8 +136,8 @@ void Executor::rotate_in_space(const Block& block, const Invocation& invocation)
 
 /// One factor, or one for each axis; the axes that nothing is said of keep their size.
 void Executor::scale(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kFactors = 4;
-    const double all = block.argument(invocation, 0, 1);
+    constexpr std::size_t kFactors = parameter_of<Function::Scale>("fx");
+    const double all = block.argument(invocation, parameter_of<Function::Scale>("factor"), 1);
     path::Vec3 factors;
     for (std::size_t i = 0; i < 3; ++i) {
         const double factor = block.argument(invocation, kFactors + i, all);

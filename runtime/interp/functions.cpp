@@ -6,6 +6,7 @@
 #include "base/diagnostics/iso.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
@@ -13,6 +14,8 @@ using nc::Block;
 using nc::Function;
 using nc::Group;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using nc::Slot;
 using path::Command;
 using path::FeedMode;
@@ -199,20 +202,26 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::SoftClearance:
         case Function::SoftFeed: break;
         case Function::SoftSide:
-            soft_.side = static_cast<SoftState::Side>(
-                std::clamp<std::int64_t>(count_of(block, invocation), 0, 3));
+            soft_.side = static_cast<SoftState::Side>(std::clamp<std::int64_t>(
+                count_of(block, invocation, parameter_of<Function::SoftSide>("side")), 0, 3));
             break;
         case Function::CompFeed:
-            comp_.feed = std::clamp<std::int64_t>(count_of(block, invocation), 0, 2);
+            comp_.feed = std::clamp<std::int64_t>(
+                count_of(block, invocation, parameter_of<Function::CompFeed>("kind")), 0, 2);
             actions.comp_changed |= comp_.side != Function::RadiusCompOff;
             break;
-        case Function::FeedOnce: actions.feed_once = block.argument(invocation, 0); break;
+        case Function::FeedOnce:
+            actions.feed_once =
+                block.argument(invocation, parameter_of<Function::FeedOnce>("feed"));
+            break;
         case Function::AreaLimit: set_area_limit(block, invocation); break;
         case Function::AreaOn:
         case Function::AreaOff: area_.switch_on(invocation.function == Function::AreaOn); break;
         case Function::SpeedBound:
-            bound_speed(block, invocation.function, count_of(block, invocation) != 0,
-                        block.argument(invocation, 1));
+            bound_speed(
+                block, invocation.function,
+                count_of(block, invocation, parameter_of<Function::SpeedBound>("upper")) != 0,
+                block.argument(invocation, parameter_of<Function::SpeedBound>("speed")));
             break;
         case Function::CompPause:
         case Function::CompResume:
@@ -228,45 +237,54 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
                            {}});
             }
             break;
-        case Function::SoftSteps: soft_.in_steps = count_of(block, invocation) != 0; break;
+        case Function::SoftSteps:
+            soft_.in_steps =
+                count_of(block, invocation, parameter_of<Function::SoftSteps>("steps")) != 0;
+            break;
         case Function::TcpLength:
         case Function::TcpVector: begin_length_transformation(block, invocation, actions); break;
         case Function::LengthCompOn:
-        case Function::LengthCompMinus:
+        case Function::LengthCompMinus: {
+            constexpr std::size_t kOffset =
+                parameter_of_all<"offset", Function::LengthCompOn, Function::LengthCompMinus>();
             if (orienting_.has_length) end_length_transformation(actions);
             tool_.is_taken_off = invocation.function == Function::LengthCompMinus;
-            if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
+            if (invocation.has(kOffset)) tool_.offset = count_of(block, invocation, kOffset);
             set_length_source(Tool::Source::Offset, actions);
             break;
+        }
         case Function::LengthCompOff:
             if (orienting_.has_length) end_length_transformation(actions);
             set_length_source(Tool::Source::None, actions);
             break;
         case Function::LengthOffset:
-            tool_.offset = count_of(block, invocation);
+            tool_.offset =
+                count_of(block, invocation, parameter_of<Function::LengthOffset>("offset"));
             if (tool_.source == Tool::Source::Offset) {
                 set_length_source(Tool::Source::Offset, actions);
             }
             break;
         case Function::SumOffset: choose_sum_offset(block, invocation, actions); break;
         case Function::ToolEdge:
-            tool_.edge_called = count_of(block, invocation);
+            tool_.edge_called =
+                count_of(block, invocation, parameter_of<Function::ToolEdge>("edge"));
             if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
-            set_length_source(
-                count_of(block, invocation) == 0 ? Tool::Source::None : Tool::Source::Edge,
-                actions);
+            set_length_source(tool_.edge_called == 0 ? Tool::Source::None : Tool::Source::Edge,
+                              actions);
             if (!keeps_shape()) actions.comp_changed |= comp_.side != Function::RadiusCompOff;
             break;
-        case Function::ToolSelect:
+        case Function::ToolSelect: {
+            constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
             tool_.selected = tool_number(block, invocation);
             actions.tool_change |= selects_at_once();
-            if ((invocation.given & 2u) != 0) {
+            if (invocation.has(kOffset)) {
                 // The offset of a turret's station has length, radius and tip.
-                tool_.offset = tool_.radius_offset = std::llround(block.argument(invocation, 1));
+                tool_.offset = tool_.radius_offset = count_of(block, invocation, kOffset);
                 set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset,
                                   actions);
             }
             break;
+        }
         case Function::ToolChange: actions.tool_change = true; break;
         case Function::Tool:
             tool_.selected = tool_number(block, invocation);
@@ -383,7 +401,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;
         case Function::LengthSuspend: actions.suspends_length = true; break;
         case Function::Preset: actions.preset = &invocation; break;
-        case Function::ToothFeed: actions.tooth_feed = block.argument(invocation, 0); break;
+        case Function::ToothFeed:
+            actions.tooth_feed =
+                block.argument(invocation, parameter_of<Function::ToothFeed>("feed"));
+            break;
         case Function::MeasureLength: actions.measure = &invocation; break;
         case Function::ParameterInput:
         case Function::LifeInput:
@@ -395,7 +416,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ReferenceCheck:
         case Function::ReferenceLeave: actions.reference = &invocation; break;
         case Function::RapidOnce: actions.at_rapid = true; break;
-        case Function::WayOffset: actions.way_offset = block.argument(invocation, 0); break;
+        case Function::WayOffset:
+            actions.way_offset =
+                block.argument(invocation, parameter_of<Function::WayOffset>("times"));
+            break;
         case Function::TapFloating: actions.taps = true; break;
         case Function::FeedOverride:
         case Function::RapidOverride:
@@ -415,7 +439,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ProbeKeep:
         case Function::OffsetToEdge:
         case Function::OffsetToMiddle: use_probed(block, invocation); break;
-        case Function::ThreadStart: actions.thread_start_deg = block.argument(invocation, 0); break;
+        case Function::ThreadStart:
+            actions.thread_start_deg =
+                block.argument(invocation, parameter_of<Function::ThreadStart>("angle"));
+            break;
         case Function::TapRigid: taps_rigidly_ = true; break;
         case Function::DiameterOn:
         case Function::DiameterOff:
@@ -437,10 +464,13 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CornerFeedModal: choose_corner(block, invocation, actions); break;
         case Function::ContourAngle: actions.angle = &invocation; break;
         case Function::MachineFunction:
-            pass_machine_function(block, count_of(block, invocation));
+            pass_machine_function(
+                block,
+                count_of(block, invocation, parameter_of<Function::MachineFunction>("number")));
             break;
         case Function::WorkOffset:
-            select_work_offset(block, count_of(block, invocation));
+            select_work_offset(
+                block, count_of(block, invocation, parameter_of<Function::WorkOffset>("number")));
             orienting_.owes_offset = false;
             break;
         case Function::WorkOffsetData:
@@ -471,8 +501,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::MasterSpindle: select_master(block, invocation); break;
         case Function::SpindleTurn:
             // The master stops when M5 alone would stop it.
-            if (std::llround(block.argument(invocation, 0)) == spindle_.number) {
-                actions.spindle = sense_by_code(std::llround(block.argument(invocation, 1)));
+            if (count_of(block, invocation, parameter_of<Function::SpindleTurn>("spindle")) ==
+                spindle_.number) {
+                actions.spindle = sense_by_code(
+                    count_of(block, invocation, parameter_of<Function::SpindleTurn>("sense")));
                 break;
             }
             [[fallthrough]];
@@ -499,11 +531,15 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CycleCall: actions.calls_defined = true; break;
         case Function::CycleModal: actions.calls_behind_motions = true; break;
         case Function::CycleWords: {
+            constexpr std::size_t kStroke = parameter_of<Function::CycleWords>("stroke");
+            constexpr std::size_t kDwell = parameter_of<Function::CycleWords>("dwell");
+            constexpr std::size_t kTimes = parameter_of<Function::CycleWords>("times");
+            constexpr std::size_t kStart = parameter_of<Function::CycleWords>("start");
             CycleWords& words = actions.cycle_words;
-            if ((invocation.given & 1u) != 0) words.stroke = block.argument(invocation, 0);
-            if ((invocation.given & 2u) != 0) words.dwell = block.argument(invocation, 1);
-            if ((invocation.given & 4u) != 0) words.times = block.argument(invocation, 2);
-            if ((invocation.given & 8u) != 0) words.start_deg = block.argument(invocation, 3);
+            if (invocation.has(kStroke)) words.stroke = block.argument(invocation, kStroke);
+            if (invocation.has(kDwell)) words.dwell = block.argument(invocation, kDwell);
+            if (invocation.has(kTimes)) words.times = block.argument(invocation, kTimes);
+            if (invocation.has(kStart)) words.start_deg = block.argument(invocation, kStart);
             break;
         }
         case Function::CycleReturnInitial: cycles_said_.returns_to_retract = false; break;
@@ -532,8 +568,10 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
         send_comp({CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});
     if (actions.comp_corner != nullptr) round_comp_corner(block, *actions.comp_corner);
     if (ended_) return;
-    if (actions.limit != nullptr)
-        limit_speed(block, Function::SpeedLimit, block.argument(*actions.limit, 0));
+    if (actions.limit != nullptr) {
+        limit_speed(block, Function::SpeedLimit,
+                    block.argument(*actions.limit, parameter_of<Function::SpeedLimit>("limit")));
+    }
     if (block.has(Slot::Speed)) program_speed(block);
     if (spindle_.has_cutting_speed && !(spindle_.cutting_speed > 0) &&
         block.find(Function::CuttingSpeedOn) != nullptr) {
@@ -587,8 +625,9 @@ void Executor::stop_spindle_and_coolant(const Block& block, const Actions& actio
 }
 
 void Executor::dwell(const Block& block, const Invocation& invocation) {
-    const double time = block.argument(invocation, 0);
-    const double revolutions = block.argument(invocation, 1);
+    const double time = block.argument(invocation, parameter_of<Function::Dwell>("time"));
+    const double revolutions =
+        block.argument(invocation, parameter_of<Function::Dwell>("revolutions"));
     if (time < 0 || revolutions < 0) {
         report(diag::DwellInvalid, block, Function::Dwell).arg("it is negative");
         return;

@@ -2,6 +2,7 @@
 // program waits for them.
 #include <cmath>
 
+#include "interp/block_words.h"
 #include "interp/executor.h"
 
 namespace kadr::interp {
@@ -10,6 +11,7 @@ namespace {
 
 using machine::FunctionTime;
 using nc::Function;
+using nc::parameter_of;
 using path::FunctionStep;
 
 constexpr std::int64_t kNoCode = -1;
@@ -18,7 +20,8 @@ constexpr std::int64_t kNoCode = -1;
 /// same number on every control.
 std::int64_t code_of(const nc::Block& block, const nc::Invocation& invocation) {
     switch (invocation.function) {
-        case Function::MachineFunction: return std::llround(block.argument(invocation, 0));
+        case Function::MachineFunction:
+            return count_of(block, invocation, parameter_of<Function::MachineFunction>("number"));
         case Function::SpindleCw: return 3;
         case Function::SpindleCcw: return 4;
         case Function::SpindleStop: return 5;

@@ -157,9 +157,11 @@ void Program::State::note_data(const nc::Block& block) {
         std::size_t number;  // parameter that says which offset
         bool is_of_tool;
     };
-    static constexpr std::array kData = {Data{Function::WorkOffsetData, 0, false},
-                                         Data{Function::ToolOffsetData, 1, true},
-                                         Data{Function::LatheOffsetData, 1, true}};
+    static constexpr std::array kData = {
+        Data{Function::WorkOffsetData, nc::parameter_of<Function::WorkOffsetData>("number"), false},
+        Data{Function::ToolOffsetData, nc::parameter_of<Function::ToolOffsetData>("number"), true},
+        Data{Function::LatheOffsetData, nc::parameter_of<Function::LatheOffsetData>("number"),
+             true}};
     written_data.clear();
     for (const Data& data : kData) {
         const nc::Invocation* const call = block.find(data.function);

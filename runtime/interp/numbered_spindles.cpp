@@ -11,17 +11,26 @@
 #include "base/diagnostics/iso.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using path::Command;
 using path::Op;
 using path::SpindleMode;
 
 namespace {
+
+/// The number of the spindle, in all functions that name one beside what they say of it.
+constexpr std::size_t kSpindle =
+    parameter_of_all<"spindle", Function::SpindleSpeed, Function::SpindleTurn,
+                     Function::SpindleStand, Function::SpindleLimit, Function::SpindleBound,
+                     Function::SpindleDwell>();
 
 SpindleMode mode_of(Function sense) {
     if (sense == Function::SpindleCw) return SpindleMode::Cw;
@@ -35,8 +44,7 @@ bool names_spindle(const Block& block, std::int64_t number) {
         switch (invocation.function) {
             case Function::SpindleSpeed:
             case Function::SpindleTurn:
-            case Function::SpindleBound:
-                return std::llround(block.argument(invocation, 0)) == number;
+            case Function::SpindleBound: return count_of(block, invocation, kSpindle) == number;
             default: return false;
         }
     });
@@ -59,11 +67,11 @@ const Spindle* Executor::spindle_at(std::int64_t number) const {
 
 bool Executor::has_spindle(std::int64_t number) const { return spindle_at(number) != nullptr; }
 
-/// Does `act` to the spindle that the first parameter names; a number that the machine does not
-/// have is reported.
+/// Does `act` to the spindle that the invocation names; a number that the machine does not have is
+/// reported.
 template <typename Act>
 void Executor::with_spindle(const Block& block, const Invocation& invocation, Act act) {
-    const std::int64_t number = std::llround(block.argument(invocation, 0));
+    const std::int64_t number = count_of(block, invocation, kSpindle);
     if (number == spindle_.number) return act();
     const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
     if (other == other_spindles_.end()) {
@@ -92,7 +100,8 @@ std::uint8_t Executor::shown_number() const {
 }
 
 void Executor::select_master(const Block& block, const Invocation& invocation) {
-    const std::int64_t number = std::llround(block.argument(invocation, 0, 1));
+    const std::int64_t number = std::llround(
+        block.argument(invocation, parameter_of<Function::MasterSpindle>("spindle"), 1));
     if (number == spindle_.number) return;
     const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
     if (other == other_spindles_.end()) {
@@ -123,19 +132,25 @@ void Executor::act_on_spindle(const Block& block, const Invocation& invocation) 
     with_spindle(block, invocation, [&] {
         switch (invocation.function) {
             case Function::SpindleSpeed: {
-                const double speed = block.argument(invocation, 1);
+                const double speed =
+                    block.argument(invocation, parameter_of<Function::SpindleSpeed>("speed"));
                 (spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed) = speed;
                 break;
             }
             case Function::SpindleTurn:
-                spindle_.mode = mode_of(sense_by_code(std::llround(block.argument(invocation, 1))));
+                spindle_.mode = mode_of(sense_by_code(
+                    count_of(block, invocation, parameter_of<Function::SpindleTurn>("sense"))));
                 break;
             case Function::SpindleLimit:
-                limit_speed(block, invocation.function, block.argument(invocation, 1));
+                limit_speed(
+                    block, invocation.function,
+                    block.argument(invocation, parameter_of<Function::SpindleLimit>("limit")));
                 break;
             case Function::SpindleBound:
-                bound_speed(block, invocation.function, block.argument(invocation, 1) != 0,
-                            block.argument(invocation, 2));
+                bound_speed(
+                    block, invocation.function,
+                    block.argument(invocation, parameter_of<Function::SpindleBound>("upper")) != 0,
+                    block.argument(invocation, parameter_of<Function::SpindleBound>("speed")));
                 break;
             default: break;
         }
@@ -157,10 +172,12 @@ void Executor::update_other_spindles(const Block& block) {
     for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
         const Invocation& invocation = block.functions[i];
         if (invocation.function != Function::SpindleStand) continue;
+        constexpr std::size_t kAngle = parameter_of<Function::SpindleStand>("angle");
+        constexpr std::size_t kBy = parameter_of<Function::SpindleStand>("by");
         with_spindle(block, invocation, [&] {
-            const bool is_by = (invocation.given >> 2 & 1u) != 0;
-            stand_spindle(block, invocation.function, block.argument(invocation, is_by ? 2 : 1),
-                          is_by);
+            const bool is_by = invocation.has(kBy);
+            stand_spindle(block, invocation.function,
+                          block.argument(invocation, is_by ? kBy : kAngle), is_by);
         });
     }
 }
@@ -168,7 +185,8 @@ void Executor::update_other_spindles(const Block& block) {
 /// The time of so many revolutions of a spindle is known here; the path follows the master alone.
 void Executor::dwell_by_spindle(const Block& block, const Invocation& invocation) {
     with_spindle(block, invocation, [&] {
-        const double revolutions = block.argument(invocation, 1);
+        const double revolutions =
+            block.argument(invocation, parameter_of<Function::SpindleDwell>("revolutions"));
         const double speed = spindle_.has_cutting_speed ? turning_speed() : spindle_.told.speed;
         const bool turns = is_running(spindle_.mode) && speed > 0;
         if (revolutions < 0 || !turns) {

@@ -6,14 +6,21 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using nc::Quantity;
 using Write = ControlAccess::Write;
+
+/// Which offset of a tool is written.
+static constexpr std::size_t kOffsetNumber =
+    parameter_of_all<"number", Function::ToolOffsetData, Function::LatheOffsetData>();
 
 /// Offsets that the machine file does not name are zero, as in a new control.
 control::ControlFrame Executor::work_offset_frame(std::int64_t number) const {
@@ -187,19 +194,21 @@ void Executor::write_data(const Block& block, const Invocation& invocation) {
 }
 
 void Executor::write_work_offset(const Block& block, const Invocation& invocation) {
-    const std::int64_t number = std::llround(block.argument(invocation, 0));
+    constexpr std::size_t kNumber = parameter_of<Function::WorkOffsetData>("number");
+    constexpr std::size_t kX = parameter_of<Function::WorkOffsetData>("x");
+    const std::int64_t number = std::llround(block.argument(invocation, kNumber));
     if (number < 0 || number > rules_.work_offsets) {
         report(diag::OffsetDataNumber, block, invocation.function).arg(number);
         return;
     }
     for (std::size_t i = 0; i < kAxes; ++i) {
-        if ((invocation.given >> (i + 1) & 1u) == 0) continue;
+        if (!invocation.has(kX + i)) continue;
         const auto axis = static_cast<Axis>(i);
         if ((axes_.present & bit(axis)) == 0) {
             report(diag::AxisMissing, block, invocation.function).arg(kAxisNames[i]);
             return;
         }
-        double value = block.argument(invocation, i + 1) * axes_.word_scale[i];
+        double value = block.argument(invocation, kX + i) * axes_.word_scale[i];
         const auto n = static_cast<std::size_t>(number);
         if (modal_.is_incremental && n < work_offsets_.size()) value += work_offsets_[n].shift[i];
         set_work_offset(number, axis, value, true);
@@ -207,16 +216,17 @@ void Executor::write_work_offset(const Block& block, const Invocation& invocatio
 }
 
 void Executor::write_tool_offset(const Block& block, const Invocation& invocation) {
-    const std::int64_t number = std::llround(block.argument(invocation, 1));
+    constexpr std::size_t kColumn = parameter_of<Function::ToolOffsetData>("column");
+    constexpr std::size_t kValue = parameter_of<Function::ToolOffsetData>("value");
+    const std::int64_t number = std::llround(block.argument(invocation, kOffsetNumber));
     const ToolOffsets::Column column =
-        tool_offsets_.column_at(std::llround(block.argument(invocation, 0)), number);
-    double value = block.argument(invocation, 2);
+        tool_offsets_.column_at(std::llround(block.argument(invocation, kColumn)), number);
+    double value = block.argument(invocation, kValue);
     if (modal_.is_incremental) value += tool_offsets_.value(column, number);
     put_tool_offset(block, invocation, column, value);
 }
 
-/// Columns of the offset in the order of the function's parameters. The place of the tip is no
-/// wear.
+/// Which columns of the offset the parameters are. The place of the tip is no wear.
 void Executor::write_lathe_offset(const Block& block, const Invocation& invocation) {
     struct Word {
         std::size_t parameter;
@@ -225,18 +235,25 @@ void Executor::write_lathe_offset(const Block& block, const Invocation& invocati
         bool is_added = false;
     };
     static constexpr std::array kWords = {
-        Word{2, Quantity::CrossGeometry, Quantity::CrossWear},
-        Word{3, Quantity::LengthGeometry, Quantity::LengthWear},
-        Word{4, Quantity::RadiusGeometry, Quantity::RadiusWear},
-        Word{5, Quantity::ToolTip, Quantity::ToolTip},
-        Word{6, Quantity::CrossGeometry, Quantity::CrossWear, true},
-        Word{7, Quantity::LengthGeometry, Quantity::LengthWear, true},
-        Word{8, Quantity::RadiusGeometry, Quantity::RadiusWear, true},
+        Word{parameter_of<Function::LatheOffsetData>("x"), Quantity::CrossGeometry,
+             Quantity::CrossWear},
+        Word{parameter_of<Function::LatheOffsetData>("z"), Quantity::LengthGeometry,
+             Quantity::LengthWear},
+        Word{parameter_of<Function::LatheOffsetData>("radius"), Quantity::RadiusGeometry,
+             Quantity::RadiusWear},
+        Word{parameter_of<Function::LatheOffsetData>("tip"), Quantity::ToolTip, Quantity::ToolTip},
+        Word{parameter_of<Function::LatheOffsetData>("dx"), Quantity::CrossGeometry,
+             Quantity::CrossWear, true},
+        Word{parameter_of<Function::LatheOffsetData>("dz"), Quantity::LengthGeometry,
+             Quantity::LengthWear, true},
+        Word{parameter_of<Function::LatheOffsetData>("dradius"), Quantity::RadiusGeometry,
+             Quantity::RadiusWear, true},
     };
-    const bool is_geometry = block.argument(invocation, 0) != 0;
-    const std::int64_t number = std::llround(block.argument(invocation, 1));
+    const bool is_geometry =
+        block.argument(invocation, parameter_of<Function::LatheOffsetData>("geometry")) != 0;
+    const std::int64_t number = std::llround(block.argument(invocation, kOffsetNumber));
     for (const Word& word : kWords) {
-        if ((invocation.given >> word.parameter & 1u) == 0) continue;
+        if (!invocation.has(word.parameter)) continue;
         const auto column =
             *tool_offsets_.column_of(is_geometry ? word.geometry : word.wear, number);
         double value = block.argument(invocation, word.parameter);
@@ -249,7 +266,7 @@ void Executor::write_lathe_offset(const Block& block, const Invocation& invocati
 
 void Executor::put_tool_offset(const Block& block, const Invocation& invocation,
                                ToolOffsets::Column column, double value) {
-    const std::int64_t number = std::llround(block.argument(invocation, 1));
+    const std::int64_t number = std::llround(block.argument(invocation, kOffsetNumber));
     switch (set_tool_offset(column, number, value)) {
         case Write::NoPlace:
             report(diag::OffsetDataNumber, block, invocation.function).arg(number);

@@ -13,6 +13,7 @@
 #include "interp/executor.h"
 #include "interp/turns_beside.h"
 #include "machine/kinematics.h"
+#include "nc/parameters.h"
 #include "nc/spelling.h"
 #include "path/linear.h"
 
@@ -21,6 +22,8 @@ namespace kadr::interp {
 using machine::Chain;
 using nc::Block;
 using nc::Function;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using nc::SlotMask;
 using path::linear;
 using path::Vec3;
@@ -109,13 +112,14 @@ AxisValues Executor::machine_axes_at(const AxisValues& base) const {
 /// file's, and the axes follow them in the motion too. S 7.1.
 bool Executor::has_transformation(const Block& block, const nc::Invocation& invocation) {
     constexpr double kSameDirection = 1e-4;  // rad; components are written with four digits
-    constexpr std::size_t kX = 1;
-    constexpr std::size_t kOffsets = 4;
+    constexpr std::size_t kNumber = parameter_of<Function::TcpBased>("number");
+    constexpr std::size_t kX = parameter_of<Function::TcpBased>("x");
+    constexpr std::size_t kOffsets = parameter_of<Function::TcpBased>("first");
     if (!machine_.kinematics) return true;  // which is said where it is switched on
     const Function function = invocation.function;
-    const double number = block.argument(invocation, 0, 1);
+    const double number = block.argument(invocation, kNumber, 1);
     if (number != 1) {
-        report(diag::TransformationNumber, block, function, 0).arg(number).arg(machine_.name);
+        report(diag::TransformationNumber, block, function, kNumber).arg(number).arg(machine_.name);
         return false;
     }
     const Vec3 said(block.argument(invocation, kX), block.argument(invocation, kX + 1),
@@ -222,9 +226,15 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
         return;
     }
     orienting_.takes_vectors = invocation.function == Function::TcpVector;
+    constexpr std::size_t kOffset =
+        parameter_of_all<"offset", Function::TcpLength, Function::TcpVector>();
+    constexpr std::size_t kPlane =
+        parameter_of_all<"plane", Function::TcpLength, Function::TcpVector>();
     orienting_.turning =
-        block.argument(invocation, 1) == 1 ? Function::TurnPlane : Function::TurnAxes;
-    orienting_.lead = orienting_.takes_vectors ? block.argument(invocation, 2) : 0;
+        block.argument(invocation, kPlane) == 1 ? Function::TurnPlane : Function::TurnAxes;
+    orienting_.lead = orienting_.takes_vectors
+                          ? block.argument(invocation, parameter_of<Function::TcpVector>("lead"))
+                          : 0;
     const bool was_on = orienting_.is_on;
     if (!was_on) {
         orienting_.is_on = orienting_.has_length = true;
@@ -238,7 +248,7 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
         length_shift_ = {};
     }
     tool_.is_taken_off = false;
-    if ((invocation.given & 1u) != 0) tool_.offset = std::llround(block.argument(invocation, 0));
+    if (invocation.has(kOffset)) tool_.offset = std::llround(block.argument(invocation, kOffset));
     set_length_source(Tool::Source::Offset, actions);
     actions.switches_length = !was_on || wanted_lengths() != tool_.lengths;
 }

@@ -6,12 +6,14 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of_all;
 using path::Op;
 using Write = ControlAccess::Write;
 
@@ -42,7 +44,13 @@ void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
         return set_override(block, invocation);
     constexpr double kLeast = 1;
     const double most = function == Function::AxisVelocity ? 100 : 200;
-    const double percent = block.argument(invocation, 1);
+    constexpr std::size_t kAxis =
+        parameter_of_all<"axis", Function::AxisVelocity, Function::AxisAcceleration,
+                         Function::AxisJerk>();
+    constexpr std::size_t kPart =
+        parameter_of_all<"percent", Function::AxisVelocity, Function::AxisAcceleration,
+                         Function::AxisJerk>();
+    const double percent = block.argument(invocation, kPart);
     if (!(percent >= kLeast && percent <= most)) {
         report(diag::DynamicsRange, block, function)
             .arg(percent)
@@ -51,7 +59,7 @@ void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
             .arg(most);
         return;
     }
-    const std::int64_t number = std::llround(block.argument(invocation, 0));
+    const std::int64_t number = std::llround(block.argument(invocation, kAxis));
     const std::size_t axis = number >= 1 ? static_cast<std::size_t>(number) - 1 : kAxes;
     if (axis >= kAxes || (axes_.present >> axis & 1) == 0) {
         report(diag::AxisMissing, block, function)
@@ -66,7 +74,9 @@ void Executor::set_override(const Block& block, const Invocation& invocation) {
     path::Dynamics& dynamics = said_dynamics();
     const bool is_feed = invocation.function == Function::FeedOverride;
     const double most = is_feed ? 200 : 100;
-    const double percent = block.argument(invocation, 0);
+    constexpr std::size_t kPart =
+        parameter_of_all<"percent", Function::FeedOverride, Function::RapidOverride>();
+    const double percent = block.argument(invocation, kPart);
     if (!(percent >= 0 && percent <= most)) {
         report(diag::OverrideRange, block, invocation.function).arg(percent).arg(most);
         return;

@@ -12,6 +12,7 @@
 #include "base/diagnostics/orienting.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
@@ -89,7 +90,9 @@ void Executor::choose_axes(const Block& block, const nc::Invocation& invocation,
         return;
     }
     constexpr double kMost = 1 << 16;
-    const double value = block.argument(invocation, 0);
+    constexpr std::size_t kBits =
+        nc::parameter_of_all<"bits", Function::AxisConfiguration, Function::AxisSigns>();
+    const double value = block.argument(invocation, kBits);
     const bool is_whole = value >= 0 && value < kMost && value == std::trunc(value);
     const auto bits = static_cast<unsigned>(is_whole ? value : kMost);
     unsigned known = function == Function::AxisConfiguration ? 1 : 0;

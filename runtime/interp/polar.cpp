@@ -12,6 +12,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
 
@@ -25,10 +26,10 @@ constexpr double kFullTurn = 360;  // deg
 void Executor::set_pole(const Block& block, const Invocation& invocation) {
     constexpr double kHere = 0;
     constexpr double kPole = 2;
-    constexpr std::size_t kX = 1;
-    constexpr std::size_t kAngle = 4;
-    constexpr std::size_t kRadius = 5;
-    const auto has = [&](std::size_t i) { return (invocation.given >> i & 1u) != 0; };
+    constexpr std::size_t kX = parameter_of<Function::Pole>("x");
+    constexpr std::size_t kAngle = parameter_of<Function::Pole>("angle");
+    constexpr std::size_t kRadius = parameter_of<Function::Pole>("radius");
+    const auto has = [&](std::size_t i) { return invocation.has(i); };
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const std::size_t across = index(plane.normal);
     if (has(kX + across)) {
@@ -60,7 +61,7 @@ void Executor::set_pole(const Block& block, const Invocation& invocation) {
         };
         place = {word(plane.first), word(plane.second)};
     }
-    const double from = block.argument(invocation, 0);
+    const double from = block.argument(invocation, parameter_of<Function::Pole>("from"));
     if (from == kHere) place += place_in_plane();
     if (from == kPole) place += polar_.pole;
     polar_.pole = place;
@@ -115,10 +116,10 @@ const Block* Executor::with_places(const Block& block) {
 /// The end by angle and radius from the pole, in one form with its code or beside none. A radius
 /// that has slipped to the word of an arc is the polar one: such an arc has no other.
 const Block* Executor::with_polar_point(const Block& block, const Invocation& point) {
-    constexpr std::size_t kAngle = 0;
-    constexpr std::size_t kRadius = 1;
-    const bool has_angle = (point.given >> kAngle & 1u) != 0;
-    const bool has_own_radius = (point.given >> kRadius & 1u) != 0;
+    constexpr std::size_t kAngle = parameter_of<Function::PolarPoint>("angle");
+    constexpr std::size_t kRadius = parameter_of<Function::PolarPoint>("radius");
+    const bool has_angle = point.has(kAngle);
+    const bool has_own_radius = point.has(kRadius);
     const bool has_radius = has_own_radius || block.has(Slot::Radius);
     if (block.motion != Function::None) polar_.is_by_points = true;
     if (!polar_.is_by_points) {

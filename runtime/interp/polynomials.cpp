@@ -22,6 +22,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
 using path::linear;
@@ -48,7 +49,7 @@ constexpr double kFollowed = 1e-3;
 constexpr int kMostFollowedCuts = 10;
 
 /// The terms from `begin`, through `end`, with the coefficients from the second on as the
-/// invocation has them behind parameter `first`.
+/// invocation has them from parameter `first` on.
 Terms terms_between(double begin, double end, const Block& block, const Invocation& invocation,
                     std::size_t first, double range) {
     Terms terms{};
@@ -232,7 +233,9 @@ const Invocation* polynomial_of(const Block& block, std::size_t axis) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Invocation& invocation = block.functions[i];
         if (invocation.function != Function::PolynomialAxis) continue;
-        if (block.argument(invocation, 0) == static_cast<double>(axis + 1)) return &invocation;
+        if (block.argument(invocation, parameter_of<Function::PolynomialAxis>("axis")) ==
+            static_cast<double>(axis + 1))
+            return &invocation;
     }
     return nullptr;
 }
@@ -250,7 +253,7 @@ std::optional<Target> Executor::end_of_polynomials(const Block& block) {
             report(diag::PolynomialTwice, block, slot).arg(nc::slot_name(slot));
             return std::nullopt;
         }
-        places.set(slot, block.argument(*own, 1));
+        places.set(slot, block.argument(*own, parameter_of<Function::PolynomialAxis>("end")));
     }
     const SlotMask targets = places.given & nc::kTargetSlots;
     if (const SlotMask others = targets & ~SlotMask{kLinearXYZ}; others != 0 && is_transformed()) {
@@ -265,7 +268,10 @@ std::optional<Target> Executor::end_of_polynomials(const Block& block) {
 /// The control points of the block; nothing if it was reported.
 std::optional<Executor::Polynomials> Executor::polynomials_of(const Block& block) {
     const Invocation* const range_word = block.find(Function::PolynomialRange);
-    const double range = range_word != nullptr ? block.argument(*range_word, 0) : 1;
+    const double range =
+        range_word != nullptr
+            ? block.argument(*range_word, parameter_of<Function::PolynomialRange>("range"))
+            : 1;
     if (!(range > 0)) {
         report(diag::PolynomialRange, block, Function::PolynomialRange).arg(range);
         return std::nullopt;
@@ -274,8 +280,12 @@ std::optional<Executor::Polynomials> Executor::polynomials_of(const Block& block
     if (!target) return std::nullopt;
     const Invocation* const divisor = block.find(Function::PolynomialWeight);
     Terms weight{1};
-    if (divisor != nullptr)
-        weight = terms_between(1, block.argument(*divisor, 0), block, *divisor, 1, range);
+    if (divisor != nullptr) {
+        const double end =
+            block.argument(*divisor, parameter_of<Function::PolynomialWeight>("end"));
+        weight = terms_between(1, end, block, *divisor,
+                               parameter_of<Function::PolynomialWeight>("a2"), range);
+    }
     double weight_at_end = 0;
     for (const double term : weight) weight_at_end += term;
 
@@ -285,7 +295,8 @@ std::optional<Executor::Polynomials> Executor::polynomials_of(const Block& block
         const double begin = position_.here[i];
         const double end = target->here[i];
         if (const Invocation* const own = polynomial_of(block, i)) {
-            axes[i] = terms_between(begin, end * weight_at_end, block, *own, 2, range);
+            axes[i] = terms_between(begin, end * weight_at_end, block, *own,
+                                    parameter_of<Function::PolynomialAxis>("a2"), range);
             const double scale = i == 0 ? x_scale(block, true) : axes_.word_scale[i];
             for (std::size_t k = 2; k < kTerms && scale != 1; ++k) {
                 axes[i][1] += (1 - scale) * axes[i][k];

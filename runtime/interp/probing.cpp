@@ -10,13 +10,17 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/block_words.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using path::Vec3;
 
 bool Executor::knows_touches() const {
@@ -38,13 +42,13 @@ Target Executor::part_of_way(const Target& target, double part) const {
 Probing Executor::probe_along(const Block& block, const Target& target, const ProgrammedWay& way) {
     Probing probing;
     const Invocation& call = *block.find(Function::Probe);
-    probing.goes_on = (call.given & 2u) != 0 && block.argument(call, 1) != 0;
+    probing.goes_on = block.argument(call, parameter_of<Function::Probe>("through")) != 0;
     if (!knows_touches()) {
         if (!std::exchange(told_.touch, true)) report(diag::TouchMissing, block, Function::Probe);
         probing.touched = target;
         return probing;
     }
-    const bool springs_back = (call.given & 1u) != 0 && block.argument(call, 0) < 0;
+    const bool springs_back = block.argument(call, parameter_of<Function::Probe>("input")) < 0;
     bool is_said = false;
     std::optional<double> part = touch_of_event(block, way, is_said);
     if (!is_said && options_.probe != nullptr) part = touch_of_scene(target, springs_back);
@@ -153,7 +157,7 @@ void Executor::note_probed(const Probing& probing) {
 void Executor::use_probed(const Block& block, const Invocation& invocation) {
     if (!knows_touches() || !probed_) return;
     const auto axis_at = [&](std::size_t parameter) {
-        return axis_of(std::llround(block.argument(invocation, parameter)));
+        return axis_of(count_of(block, invocation, parameter));
     };
     switch (invocation.function) {
         case Function::ProbeCheck:
@@ -163,18 +167,25 @@ void Executor::use_probed(const Block& block, const Invocation& invocation) {
             if (probed_->is_found) report(diag::ProbeMet, block, invocation.function);
             return;
         case Function::ProbeKeep:
-            if (const auto axis = axis_at(0)) probe_kept_ = probed_->tip[index(*axis)];
+            if (const auto axis = axis_at(parameter_of<Function::ProbeKeep>("axis")))
+                probe_kept_ = probed_->tip[index(*axis)];
             return;
         case Function::OffsetToEdge:
         case Function::OffsetToMiddle: {
-            const std::int64_t number = std::llround(block.argument(invocation, 0));
-            const auto axis = axis_at(1);
+            constexpr std::size_t kOffset =
+                parameter_of_all<"offset", Function::OffsetToEdge, Function::OffsetToMiddle>();
+            constexpr std::size_t kAxis =
+                parameter_of_all<"axis", Function::OffsetToEdge, Function::OffsetToMiddle>();
+            constexpr std::size_t kAt =
+                parameter_of_all<"at", Function::OffsetToEdge, Function::OffsetToMiddle>();
+            const std::int64_t number = count_of(block, invocation, kOffset);
+            const auto axis = axis_at(kAxis);
             if (!axis || number < 0 || number > rules_.work_offsets) return;
             const double found = probed_->tip[index(*axis)];
             const bool is_middle = invocation.function == Function::OffsetToMiddle;
             const double place = is_middle ? (probe_kept_ + found) / 2 : found;
             const double before = work_offset_at(number).shift[index(*axis)];
-            set_work_offset(number, *axis, before + place - block.argument(invocation, 2), false);
+            set_work_offset(number, *axis, before + place - block.argument(invocation, kAt), false);
             return;
         }
         default: return;

@@ -11,6 +11,7 @@
 #include "interp/named_shape.h"
 #include "interp/program_state.h"
 #include "nc/control_words.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
@@ -444,7 +445,10 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
     const auto number_of = [&](int parameter) -> std::int64_t {
         return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
     };
-    if (names_contour(cycle)) return keep_contour(block, number_of(1));
+    if (names_contour(cycle)) {
+        const std::optional<std::size_t> kind = nc::find_parameter(cycle.parameters, "kind");
+        return keep_contour(block, kind ? number_of(static_cast<int>(*kind)) : -1);
+    }
     if (names_shape(cycle)) return follow_named_shape(block, text, place);
     if (!cycle.takes_shape()) return;
     const std::int64_t first = number_of(cycle.roles.first_block);

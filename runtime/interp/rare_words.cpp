@@ -14,6 +14,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using nc::Quantity;
 using nc::SlotMask;
 using path::Op;
@@ -57,19 +58,22 @@ void Executor::preset_axes(const Block& block, const Invocation& invocation) {
             .arg(orienting_.is_on ? "a transformation" : "cutter radius compensation");
         return;
     }
-    for (std::size_t i = 0; i < 6; i += 2) {
-        if ((invocation.given >> i & 1u) == 0) continue;
-        const double name = block.argument(invocation, i);
+    constexpr std::size_t kAxis = parameter_of<Function::Preset>("axis");
+    constexpr std::size_t kTo = parameter_of<Function::Preset>("to");
+    constexpr std::size_t kEach = parameter_of<Function::Preset>("axis2") - kAxis;
+    for (std::size_t i = 0; i < 3 * kEach; i += kEach) {
+        if (!invocation.has(kAxis + i)) continue;
+        const double name = block.argument(invocation, kAxis + i);
         const auto axis = axis_of(std::llround(name));
         if (!axis || name >= 0) {
             report(diag::PresetAxis, block, Function::Preset);
             return;
         }
-        if ((invocation.given >> (i + 1) & 1u) == 0) {
+        if (!invocation.has(kTo + i)) {
             report(diag::PresetValue, block, Function::Preset).arg(kAxisNames[index(*axis)]);
             return;
         }
-        const double wanted = block.argument(invocation, i + 1) * axes_.word_scale[index(*axis)] *
+        const double wanted = block.argument(invocation, kTo + i) * axes_.word_scale[index(*axis)] *
                               (is_rotary(*axis) || units_ != Function::Inch ? 1 : kMmPerInch);
         const double now = *place_of(Quantity::MachinePosition, *axis);
         frames_.preset(*axis, now - wanted);
@@ -109,7 +113,8 @@ void Executor::measure_length(const Block& block, const Invocation& invocation) 
         report(diag::MeasureAxes, block, Function::MeasureLength);
         return;
     }
-    if ((invocation.given & 1u) != 0 || block.find(Function::LengthOffset) != nullptr) {
+    if (invocation.has(parameter_of<Function::MeasureLength>("offset")) ||
+        block.find(Function::LengthOffset) != nullptr) {
         report(diag::MeasureOffsetBeside, block, Function::MeasureLength);
         return;
     }

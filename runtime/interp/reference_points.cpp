@@ -7,11 +7,14 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using nc::SlotMask;
 using path::Command;
 using path::Op;
@@ -42,7 +45,10 @@ bool Executor::take_frames_off(const Block& block) {
     }
     const nc::Invocation* said = block.find(Function::MachineCoordinates);
     frames_off_.emplace(FramesOff{frames_, position_});
-    frames_ = frames_.machine_frames(said != nullptr ? count_of(block, *said) : 0);
+    frames_ = frames_.machine_frames(
+        said != nullptr
+            ? count_of(block, *said, parameter_of<Function::MachineCoordinates>("keeps"))
+            : 0);
     frame_changed();
     position_.programmed = position_.here;
     return true;
@@ -145,8 +151,8 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
 void Executor::refer(const Block& block, const nc::Invocation& invocation) {
     if (is_transformed()) {
         // The search for the reference point has no number; a fixed point may have the first.
-        const bool is_fixed =
-            invocation.function == Function::ReferencePoint && (invocation.given & 1u) != 0;
+        const bool is_fixed = invocation.function == Function::ReferencePoint &&
+                              invocation.has(parameter_of<Function::ReferencePoint>("point"));
         if (is_fixed) {
             report(diag::TransformationMotion, block, invocation.function).arg("a fixed point");
         } else {
@@ -229,11 +235,14 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
     const SlotMask targets = block.given & nc::kTargetSlots;
     auto moved = static_cast<AxisMask>(targets);
     if (invocation.function == Function::ReferencePoint) {
-        moved = static_cast<AxisMask>(invocation.given >> 1 & 0b111u);
+        constexpr std::size_t kX = parameter_of<Function::ReferencePoint>("x");
+        moved = static_cast<AxisMask>(invocation.given >> kX & 0b111u);
     } else if (!check_axes(block, targets)) {
         return;
     }
-    const double number = block.argument(invocation, 0, 1);
+    constexpr std::size_t kPoint =
+        parameter_of_all<"point", Function::ReferencePoint, Function::ReferenceReturn>();
+    const double number = block.argument(invocation, kPoint, 1);
     const bool is_one = number >= 1 && number < machine::kReferencePoints + 1;
     const std::size_t point = is_one ? static_cast<std::size_t>(number) - 1 : 0;
     if (!is_one || (moved & ~axes_.has_reference_point[point]) != 0) {

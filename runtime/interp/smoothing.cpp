@@ -7,11 +7,14 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using path::BlendKind;
 using path::Op;
 
@@ -24,7 +27,12 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
         case Function::HighSpeed: choose_high_speed(block, invocation); return;
         default: break;
     }
-    const double size = block.argument(invocation, 0);
+    constexpr std::size_t kSize =
+        parameter_of_all<"tolerance", Function::PathTolerance, Function::OrientTolerance>();
+    static_assert(
+        kSize ==
+        parameter_of_all<"distance", Function::BlendFeedDistance, Function::BlendRapidDistance>());
+    const double size = block.argument(invocation, kSize);
     if (invocation.function == Function::PathTolerance) {
         smoothing_.tolerance = size < 0 ? std::nullopt : std::optional(size);
         return;
@@ -45,14 +53,17 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
 void Executor::choose_high_speed(const Block& block, const nc::Invocation& invocation) {
     constexpr Function kCorners = Function::BlendSmooth;
     constexpr bool kCompresses = true;
-    const double tolerance = block.argument(invocation, 0);
-    const std::int64_t kind = std::llround(block.argument(invocation, 1));
+    const double tolerance =
+        block.argument(invocation, parameter_of<Function::HighSpeed>("tolerance"));
+    const std::int64_t kind =
+        std::llround(block.argument(invocation, parameter_of<Function::HighSpeed>("kind")));
     const bool is_on = kind % 10 != 0 && tolerance > 0;
     const bool says_orientation = is_on && kind / 10 % 10 == 1;
     smoothing_.tolerance = is_on ? std::optional(tolerance) : std::nullopt;
-    smoothing_.orientation = says_orientation
-                                 ? std::optional(rad_from_deg(block.argument(invocation, 2)))
-                                 : std::nullopt;
+    const double orientation =
+        block.argument(invocation, parameter_of<Function::HighSpeed>("orientation"));
+    smoothing_.orientation =
+        says_orientation ? std::optional(rad_from_deg(orientation)) : std::nullopt;
     smoothing_.compresses = is_on && kCompresses;
     modal_.set(is_on ? kCorners : Function::ContinuousPath);
 }

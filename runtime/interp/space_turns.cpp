@@ -15,6 +15,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using path::Frame;
 using path::Vec3;
 
@@ -34,8 +35,9 @@ bool Executor::is_length_nested(const Block& block, Function function) {
 }
 
 void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kAxis = 3;
-    constexpr std::size_t kAngle = 6;
+    constexpr std::size_t kCenter = parameter_of<Function::TurnInSpace>("x");
+    constexpr std::size_t kAxis = parameter_of<Function::TurnInSpace>("i");
+    constexpr std::size_t kAngle = parameter_of<Function::TurnInSpace>("angle");
     if (tilting_.turns >= kMostTurns) {
         report(diag::SpaceTurnNested, block, invocation.function);
         return;
@@ -49,8 +51,10 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
         return;
     }
     Vec3 center;
-    for (std::size_t i = 0; i < 3; ++i)
-        center[static_cast<Eigen::Index>(i)] = block.argument(invocation, i, position_.here[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        center[static_cast<Eigen::Index>(i)] =
+            block.argument(invocation, kCenter + i, position_.here[i]);
+    }
     const double angle = rad_from_deg(block.argument(invocation, kAngle));
     const Frame turned{Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(),
                        Vec3::Zero()};

@@ -14,6 +14,7 @@ namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
+using nc::parameter_of;
 using nc::SlotMask;
 using path::Command;
 using path::linear;
@@ -39,10 +40,15 @@ std::string_view words_of(NurbsFault fault) {
     return "are wrong";
 }
 
+constexpr std::size_t kKnot = parameter_of<Function::SplineKnot>("knot");
+constexpr std::size_t kInterval = parameter_of<Function::SplineInterval>("interval");
+constexpr std::size_t kWeight = parameter_of<Function::SplineWeight>("weight");
+
 /// The argument of a word beside a pole.
-std::optional<double> word(const Block& block, Function function) {
+std::optional<double> word(const Block& block, Function function, std::size_t parameter) {
     const nc::Invocation* invocation = block.find(function);
-    return invocation == nullptr ? std::nullopt : std::optional(block.argument(*invocation, 0));
+    return invocation == nullptr ? std::nullopt
+                                 : std::optional(block.argument(*invocation, parameter));
 }
 
 }  // namespace
@@ -65,7 +71,8 @@ bool Executor::continues_spline(const Block& block) const {
 }
 
 void Executor::set_spline_degree(const Block& block, const nc::Invocation& invocation) {
-    const double degree = block.argument(invocation, 0);
+    const double degree =
+        block.argument(invocation, parameter_of<Function::SplineDegree>("degree"));
     if (degree >= 1 && degree <= 3) {
         spline_degree_ = static_cast<int>(degree);
         return;
@@ -79,7 +86,7 @@ void Executor::set_spline_degree(const Block& block, const nc::Invocation& invoc
 /// A block under the spline function: a pole, a knot or both.
 void Executor::spline(const Block& block, const ToolWords& tool) {
     const SlotMask targets = block.given & nc::kTargetSlots;
-    const std::optional<double> knot = word(block, Function::SplineKnot);
+    const std::optional<double> knot = word(block, Function::SplineKnot, kKnot);
     const SlotMask others = targets & ~SlotMask{kLinearXYZ};
     const bool leads_others = !is_transformed() && !knot && !(spline_ && spline_->is_by_knots());
     if (others != 0 && !leads_others) {
@@ -88,7 +95,8 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
         return;
     }
     if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
-    if (const auto interval = word(block, Function::SplineInterval); interval && *interval < 0) {
+    if (const auto interval = word(block, Function::SplineInterval, kInterval);
+        interval && *interval < 0) {
         report(diag::IsoMinusNotAllowed, block, Function::SplineInterval)
             .arg(word_of(block, Function::SplineInterval));
         return;
@@ -100,8 +108,10 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
     std::optional<NurbsFault> fault;
     if (targets != 0) {
         if (!add_pole(block, targets, tool)) return;
-        if (!spline_->is_by_knots())
-            fault = spline_->add_interval(word(block, Function::SplineInterval).value_or(1));
+        if (!spline_->is_by_knots()) {
+            const auto interval = word(block, Function::SplineInterval, kInterval);
+            fault = spline_->add_interval(interval.value_or(1));
+        }
     }
     if (knot && spline_->is_by_knots()) fault = spline_->add_knot(*knot);
     if (fault) return report_spline(block, *fault);
@@ -130,7 +140,7 @@ bool Executor::start_spline(const Block& block, bool by_knots) {
 }
 
 bool Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& tool) {
-    const double weight = word(block, Function::SplineWeight).value_or(1);
+    const double weight = word(block, Function::SplineWeight, kWeight).value_or(1);
     if (!(weight > 0)) {
         report(diag::SplineValue, block, Function::SplineWeight)
             .arg("weight")
@@ -168,8 +178,12 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
         case Function::PlaneXy:
         case Function::PlaneZx:
         case Function::PlaneYz: return !is_other_plane(invocation.function);
-        case Function::WorkOffset: return count_of(block, invocation) == work_offset_;
-        case Function::ToolSelect: return !selects_at_once() && (invocation.given & 2u) == 0;
+        case Function::WorkOffset:
+            return count_of(block, invocation, parameter_of<Function::WorkOffset>("number")) ==
+                   work_offset_;
+        case Function::ToolSelect:
+            return !selects_at_once() &&
+                   !invocation.has(parameter_of<Function::ToolSelect>("offset"));
         case Function::SpindleCw:
         case Function::SpindleCcw:
         case Function::SpindleStop:

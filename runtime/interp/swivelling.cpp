@@ -20,6 +20,7 @@ using machine::Mat3;
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using path::Frame;
 using path::linear;
 using path::Op;
@@ -27,15 +28,10 @@ using path::Vec3;
 
 namespace {
 
-// Parameters of the cycle by their place.
-constexpr std::size_t kRetract = 0;
-constexpr std::size_t kOptions = 2;
-constexpr std::size_t kMode = 3;
-constexpr std::size_t kOrigin = 4;
-constexpr std::size_t kAngles = 7;
-constexpr std::size_t kShift = 10;
-constexpr std::size_t kDirection = 13;
-constexpr std::size_t kBy = 14;
+constexpr std::size_t kMode = parameter_of<Function::Swivel>("mode");
+constexpr std::size_t kOrigin = parameter_of<Function::Swivel>("x");
+constexpr std::size_t kAngles = parameter_of<Function::Swivel>("a");
+constexpr std::size_t kShift = parameter_of<Function::Swivel>("x1");
 
 // Kinds of angles: bits 6 and 7 of the mode.
 constexpr unsigned kByAxes = 0;
@@ -78,10 +74,11 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     }
     if (!has_rotary_axes(block, Function::Swivel)) return;
     if (modal_.plane != path::Plane::Xy) return refuse("the working plane is not G17");
-    const double direction = block.argument(invocation, kDirection);
+    const double direction =
+        block.argument(invocation, parameter_of<Function::Swivel>("direction"));
     if (direction != -1 && direction != 0 && direction != 1)
         return refuse("_DIR is not -1, 0 or 1");
-    const double options = block.argument(invocation, kOptions);
+    const double options = block.argument(invocation, parameter_of<Function::Swivel>("options"));
     if (digit(options, 2) != 0) {
         report(diag::IsoNotSupported, block, Function::Swivel).arg("swivelling the tool alone");
         return;
@@ -177,7 +174,7 @@ std::optional<Mat3> Executor::swivel_rotation(const Block& block, const Invocati
 
 /// False: it was reported.
 bool Executor::retract_before_swivel(const Block& block, const Invocation& invocation) {
-    const double kind = block.argument(invocation, kRetract);
+    const double kind = block.argument(invocation, parameter_of<Function::Swivel>("retract"));
     const auto to_reference = [&](AxisMask axes) {
         AxisValues to = machine_axes();
         for (std::size_t i = 0; i < 3; ++i)
@@ -190,7 +187,10 @@ bool Executor::retract_before_swivel(const Block& block, const Invocation& invoc
     if (kind == 1) return to_reference(bit(Axis::Z));
     if (kind == 2) return to_reference(bit(Axis::Z)) && to_reference(across);
     if (kind == 4) return retract_along_tool(block, std::nullopt);
-    if (kind == 5) return retract_along_tool(block, block.argument(invocation, kBy));
+    if (kind == 5) {
+        const double by = block.argument(invocation, parameter_of<Function::Swivel>("by"));
+        return retract_along_tool(block, by);
+    }
     report(diag::SwivelValue, block, Function::Swivel).arg("_FR is not 0, 1, 2, 4 or 5");
     return false;
 }
@@ -230,7 +230,8 @@ void Executor::end_swivel(const Block& block) {
 /// One axis of the programmed system comes to lie along the tool, the others turn no more than they
 /// have to.
 void Executor::frame_along_tool(const Block& block, const Invocation& invocation) {
-    const auto axis = static_cast<Eigen::Index>(block.argument(invocation, 0)) - 1;
+    const double said = block.argument(invocation, parameter_of<Function::ToolFrame>("axis"));
+    const auto axis = static_cast<Eigen::Index>(said) - 1;
     if (axis < 0 || axis > 2) return;  // no form says it
     Vec3 tool = Vec3::UnitZ();
     if (carrier_.stand) {
@@ -247,7 +248,7 @@ void Executor::frame_along_tool(const Block& block, const Invocation& invocation
     Mat3 order = Mat3::Zero();  // brings the axis to the place of Z
     for (Eigen::Index i = 0; i < 3; ++i) order((i + axis + 1) % 3, i) = 1;
     const Mat3 after = machine::square_to_tool_near(tool, before * order) * order.transpose();
-    const bool moves = block.argument(invocation, 1) != 0;
+    const bool moves = block.argument(invocation, parameter_of<Function::ToolFrame>("moves")) != 0;
     const Frame wanted{after * before.transpose() * old.linear,
                        moves ? linear(position_.base) : old.shift};
     const Frame outside = frames_.tables() * frames_.outside_tool_frame();

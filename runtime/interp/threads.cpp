@@ -101,7 +101,7 @@ std::optional<double> Executor::thread_change(const Block& block, double pitch, 
         report(diag::ThreadChangeMissing, block);
         return std::nullopt;
     }
-    const double said = block.argument(*word, 0);
+    const double said = block.argument(*word, nc::parameter_of<Function::ThreadChange>("change"));
     const double change = modal_.motion == Function::ThreadDecreasing ? -said : said;
     if (pitch * pitch + 2 * change * way > 0) return change;
     report(diag::ThreadPitchVanishes, block, Function::ThreadChange)

@@ -7,6 +7,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 #include "path/curve.h"
 #include "path/linear.h"
 
@@ -33,7 +34,9 @@ std::optional<Vec3> direction_of(const Vec3& way) {
 
 /// `kind` as the function says it; what it may be is the dialect's matter.
 void Executor::choose_spline_end(const Block& block, const nc::Invocation& invocation) {
-    const double said = block.argument(invocation, 0);
+    constexpr std::size_t kKind =
+        nc::parameter_of_all<"kind", Function::SplineStart, Function::SplineEnd>();
+    const double said = block.argument(invocation, kKind);
     const auto kind = said == 0   ? SplineEnd::Kind::Auto
                       : said == 1 ? SplineEnd::Kind::Natural
                                   : SplineEnd::Kind::Tangent;

@@ -16,6 +16,7 @@
 #include "interp/executor.h"
 #include "machine/orientation.h"
 #include "machine/tilted_plane.h"
+#include "nc/parameters.h"
 #include "path/linear.h"
 
 namespace kadr::interp {
@@ -24,6 +25,8 @@ using machine::Mat3;
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using path::Frame;
 using path::linear;
 using path::Op;
@@ -118,14 +121,18 @@ void Executor::set_plane(const Frame& plane, bool is_added) {
 
 std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocation& invocation) {
     const bool is_plane = invocation.function == Function::TiltPlane;
-    const std::size_t first = is_plane ? 3 : 0;
-    std::optional<Vec3> origin = three(block, invocation, first);
-    if (invocation.function != Function::Tilt) origin = origin_of_plane(block, invocation, first);
+    constexpr std::size_t kOrigin = parameter_of_all<"x", Function::Tilt, Function::TiltEuler>();
+    constexpr std::size_t kAngles = parameter_of_all<"a", Function::Tilt, Function::TiltEuler>();
+    const std::size_t at = is_plane ? parameter_of<Function::TiltPlane>("x") : kOrigin;
+    std::optional<Vec3> origin = three(block, invocation, at);
+    if (invocation.function != Function::Tilt) origin = origin_of_plane(block, invocation, at);
     if (!origin) return std::nullopt;
     const Frame shift = path::translation(*origin);
-    const Vec3 angles = three_angles(block, invocation, first + 3);
+    const Vec3 angles = three_angles(block, invocation,
+                                     is_plane ? parameter_of<Function::TiltPlane>("a") : kAngles);
     if (invocation.function == Function::Tilt) return shift * turned(machine::rpy_xyz(angles));
-    const double kind = is_plane ? block.argument(invocation, 0) : 0;
+    const double kind =
+        is_plane ? block.argument(invocation, parameter_of<Function::TiltPlane>("kind")) : 0;
     if (kind == 0) return shift * turned(machine::euler_zxz(angles));
     if (kind == 4) {
         const auto plane = machine::projected({angles[1], angles[0], angles[2]});
@@ -133,7 +140,8 @@ std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocat
         report(diag::TiltFormat, block, invocation.function).arg(words_of(plane.error()));
         return std::nullopt;
     }
-    const auto order = axes_in_order(block.argument(invocation, 2, 123));
+    const auto order =
+        axes_in_order(block.argument(invocation, parameter_of<Function::TiltPlane>("order"), 123));
     if (!order) {
         report(diag::TiltFormat, block, invocation.function)
             .arg("its order of the axes is none of 123, 132, 213, 231, 312, 321");
@@ -147,7 +155,8 @@ std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocat
 
 void Executor::tilt(const Block& block, const Invocation& invocation) {
     const bool is_added =
-        invocation.function == Function::TiltPlane && block.argument(invocation, 1) != 0;
+        invocation.function == Function::TiltPlane &&
+        block.argument(invocation, parameter_of<Function::TiltPlane>("added")) != 0;
     if (!begin_plane(block, invocation, is_added)) return;
     if (invocation.function == Function::Tilt && !has_rotary_axes(block, Function::Tilt)) return;
     const std::optional<Frame> plane = plane_by_angles(block, invocation);
@@ -158,11 +167,17 @@ void Executor::tilt(const Block& block, const Invocation& invocation) {
 
 /// Planes by points or vectors stand in several blocks, one behind the other.
 void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kOrigin = 2;
-    constexpr std::size_t kBehind = 5;  // turn, or the vector
+    constexpr std::size_t kNumber =
+        parameter_of_all<"number", Function::TiltPoint, Function::TiltVector>();
+    constexpr std::size_t kAdded =
+        parameter_of_all<"added", Function::TiltPoint, Function::TiltVector>();
+    constexpr std::size_t kOrigin =
+        parameter_of_all<"x", Function::TiltPoint, Function::TiltVector>();
+    constexpr std::size_t kTurn = parameter_of<Function::TiltPoint>("turn");
+    constexpr std::size_t kVector = parameter_of<Function::TiltVector>("i");
     const bool is_by_points = invocation.function == Function::TiltPoint;
-    const double number = block.argument(invocation, 0);
-    const bool is_added = block.argument(invocation, 1) != 0;
+    const double number = block.argument(invocation, kNumber);
+    const bool is_added = block.argument(invocation, kAdded) != 0;
     if (!tilting_.open) {
         if (!begin_plane(block, invocation, is_added)) return;
         tilting_.open.emplace();
@@ -180,10 +195,10 @@ void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) 
     if (!place) return;
     if (is_by_points) {
         said.values[said.next] = *place;
-        if (said.next == 0) said.turn = rad_from_deg(block.argument(invocation, kBehind));
+        if (said.next == 0) said.turn = rad_from_deg(block.argument(invocation, kTurn));
     } else {
         if (said.next == 1) said.origin = *place;
-        said.values[said.next] = three(block, invocation, kBehind);
+        said.values[said.next] = three(block, invocation, kVector);
     }
     const unsigned last = is_by_points ? 3 : 2;
     if (said.next++ < last) return;
@@ -222,14 +237,17 @@ bool Executor::check_open_plane(const Block& block) {
 void Executor::tilt_along_tool(const Block& block, const Invocation& invocation) {
     if (!begin_plane(block, invocation, false)) return;
     if (!has_rotary_axes(block, invocation.function)) return;
-    const std::optional<Vec3> said = origin_of_plane(block, invocation, 0);
+    constexpr std::size_t kOrigin = parameter_of<Function::TiltAlongTool>("x");
+    const std::optional<Vec3> said = origin_of_plane(block, invocation, kOrigin);
     if (!said) return;
     carry(block, joints_of(position_.base));
-    const Vec3 origin = (invocation.given & 0b111u) != 0 ? *said : linear(position_.here);
+    const Vec3 origin =
+        (invocation.given >> kOrigin & 0b111u) != 0 ? *said : linear(position_.here);
     const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
     const Mat3 plane =
         machine::square_to_tool((frames_.total().linear.transpose() * tool).normalized());
-    const double turn = rad_from_deg(block.argument(invocation, 3));
+    const double turn =
+        rad_from_deg(block.argument(invocation, parameter_of<Function::TiltAlongTool>("turn")));
     set_plane(
         path::translation(origin) * turned(plane) * path::rotation_in_plane(path::Plane::Xy, turn),
         false);
@@ -262,10 +280,13 @@ void Executor::align(const Block& block, const Invocation& invocation) {
         return;
     }
     if (!has_rotary_axes(block, function)) return;
-    const double way = function == Function::TiltAlign ? block.argument(invocation, 0) : 0;
+    const double way = function == Function::TiltAlign
+                           ? block.argument(invocation, parameter_of<Function::TiltAlign>("way"))
+                           : 0;
     const int sense = way == 1 ? 1 : way == 2 ? -1 : 0;
-    if (is_about_tip && (invocation.given & 1u) != 0) {
-        tool_.offset = std::llround(block.argument(invocation, 0));
+    constexpr std::size_t kOffset = parameter_of<Function::TiltAlignTip>("offset");
+    if (is_about_tip && invocation.has(kOffset)) {
+        tool_.offset = std::llround(block.argument(invocation, kOffset));
         tool_.source = Tool::Source::Offset;
         tool_.has_changed = true;
     }
@@ -274,7 +295,9 @@ void Executor::align(const Block& block, const Invocation& invocation) {
     // At rapid with the plane itself, else as the modal motion says.
     const bool is_line = modal_.motion == Function::Line && function != Function::Tilt;
     const Op op = is_line ? Op::Line : Op::Rapid;
-    const double above = is_about_tip ? block.argument(invocation, 1) : 0;
+    const double above =
+        is_about_tip ? block.argument(invocation, parameter_of<Function::TiltAlignTip>("above"))
+                     : 0;
     is_about_tip ? turn_about_tip(block, *joints, op, above) : turn_joints(block, *joints, op);
     if (!ended_) carry(block, *joints);
 }

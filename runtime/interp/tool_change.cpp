@@ -7,12 +7,15 @@
 #include "base/diagnostics/iso.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using path::Op;
 using path::SpindleMode;
 
@@ -48,7 +51,7 @@ void Executor::check_edge(const Block& block) {
 void Executor::choose_sum_offset(const Block& block, const Invocation& invocation,
                                  Actions& actions) {
     constexpr std::int64_t kMost = 6;  // MD18110
-    tool_.sum = std::llround(block.argument(invocation, 0));
+    tool_.sum = count_of(block, invocation, parameter_of<Function::SumOffset>("number"));
     if (tool_.sum > kMost) {
         report(diag::SumOffsetRange, block, invocation.function).arg(tool_.sum).arg(kMost);
         return;
@@ -71,8 +74,9 @@ double Executor::sum_offset(std::size_t part) const {
 }
 
 std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
-    if ((invocation.given & 1u) == 0 && !block.text.empty()) return named_tool(block);
-    const std::int64_t number = count_of(block, invocation);
+    constexpr std::size_t kTool = parameter_of_all<"tool", Function::ToolSelect, Function::Tool>();
+    if (!invocation.has(kTool) && !block.text.empty()) return named_tool(block);
+    const std::int64_t number = count_of(block, invocation, kTool);
     if (rules_.most_tool > 0 && number > rules_.most_tool) {
         report(diag::ToolNumberRange, block, invocation.function).arg(number).arg(rules_.most_tool);
     }

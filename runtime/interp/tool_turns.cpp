@@ -617,14 +617,16 @@ void Executor::reset_orientation(const Block& block, const nc::Invocation& invoc
     Target target{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
                   kLinearXYZ};
     Vec3 joints = Vec3::Zero();
-    std::size_t place = 0;
+    constexpr std::size_t kFirst = nc::parameter_of<Function::OrientReset>("first");
+    std::size_t axes = 0;
     const auto [first, second] = joints_in_order();
     for (const std::size_t k : {first, second, machine::kPsi}) {
         if (!chain.has(k)) continue;
-        joints[static_cast<Eigen::Index>(k)] = rad_from_deg(block.argument(invocation, place++));
+        joints[static_cast<Eigen::Index>(k)] =
+            rad_from_deg(block.argument(invocation, kFirst + axes++));
     }
-    if (invocation.given >> place != 0) {
-        report(diag::ResetTooMany, block, invocation.function).arg(place);
+    if (invocation.given >> (kFirst + axes) != 0) {
+        report(diag::ResetTooMany, block, invocation.function).arg(axes);
         return;
     }
     put_joints(joints, target);

@@ -11,11 +11,14 @@
 #include "base/units.h"
 #include "interp/executor.h"
 #include "machine/orientation.h"
+#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
+using nc::parameter_of;
+using nc::parameter_of_all;
 using path::Vec3;
 
 namespace {
@@ -25,10 +28,13 @@ constexpr double kMostLean = 90;
 /// … and a cone opens by no more, deg; a sign says another form of the same.
 constexpr double kMostOpening = 180;
 
+constexpr std::size_t kSpinAt = parameter_of<Function::ToolSpin>("at");
+
 /// A count that a form of the dialect says; what is none is beyond all of them.
-std::size_t count_of(const Block& block, const nc::Invocation& invocation, std::size_t place) {
+std::size_t small_count(const Block& block, const nc::Invocation& invocation,
+                        std::size_t parameter) {
     constexpr double kMost = 9;
-    const double value = block.argument(invocation, place);
+    const double value = block.argument(invocation, parameter);
     return static_cast<std::size_t>(value >= 0 && value < kMost ? value : kMost);
 }
 
@@ -44,8 +50,15 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
     }
     ToolWords& tool = actions.tool;
     const auto component = [&](ToolWords::Triple& triple) {
-        const std::size_t part = count_of(block, invocation, 0);
-        if (part < 3) triple.set(part, block.argument(invocation, 1));
+        constexpr std::size_t kComponent =
+            parameter_of_all<"component", Function::ToolVector, Function::ToolAngle,
+                             Function::ConeAxis, Function::ToolBetween>();
+        constexpr std::size_t kValue =
+            parameter_of_all<"value", Function::ToolVector, Function::ToolAngle, Function::ConeAxis,
+                             Function::ToolBetween, Function::ToolPoint>();
+        static_assert(kComponent == parameter_of<Function::ToolPoint>("axis"));
+        const std::size_t part = small_count(block, invocation, kComponent);
+        if (part < 3) triple.set(part, block.argument(invocation, kValue));
     };
     switch (invocation.function) {
         case Function::ToolVector:
@@ -57,18 +70,27 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
         case Function::ToolBetween: return component(tool.between);
         case Function::ToolPoint: return component(tool.point);
         case Function::SurfaceNormal: {
-            const std::size_t end = count_of(block, invocation, 0);
-            const std::size_t part = count_of(block, invocation, 1);
-            if (end < 2 && part < 3) tool.normals[end].set(part, block.argument(invocation, 2));
+            constexpr std::size_t kAt = parameter_of<Function::SurfaceNormal>("at");
+            constexpr std::size_t kComponent = parameter_of<Function::SurfaceNormal>("component");
+            constexpr std::size_t kValue = parameter_of<Function::SurfaceNormal>("value");
+            const std::size_t end = small_count(block, invocation, kAt);
+            const std::size_t part = small_count(block, invocation, kComponent);
+            if (end < 2 && part < 3)
+                tool.normals[end].set(part, block.argument(invocation, kValue));
             return;
         }
         case Function::ConeOpening: return take_opening(block, invocation, tool);
-        case Function::ToolLead: tool.lead = block.argument(invocation, 0); return;
-        case Function::ToolSpin:
-            if ((invocation.given & 1u) != 0) tool.spin = block.argument(invocation, 0);
-            if ((invocation.given & 2u) != 0) tool.spin_by = block.argument(invocation, 1);
-            if ((invocation.given & 4u) != 0) tool.spin = block.argument(invocation, 2);
+        case Function::ToolLead:
+            tool.lead = block.argument(invocation, parameter_of<Function::ToolLead>("angle"));
             return;
+        case Function::ToolSpin: {
+            constexpr std::size_t kAngle = parameter_of<Function::ToolSpin>("angle");
+            constexpr std::size_t kBy = parameter_of<Function::ToolSpin>("by");
+            if (invocation.has(kAngle)) tool.spin = block.argument(invocation, kAngle);
+            if (invocation.has(kBy)) tool.spin_by = block.argument(invocation, kBy);
+            if (invocation.has(kSpinAt)) tool.spin = block.argument(invocation, kSpinAt);
+            return;
+        }
         case Function::LeanLead:
         case Function::LeanTilt: return take_lean(block, invocation, tool);
         default: return;
@@ -76,7 +98,7 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
 }
 
 void Executor::take_opening(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
-    const double opening = block.argument(invocation, 0);
+    const double opening = block.argument(invocation, parameter_of<Function::ConeOpening>("angle"));
     if (std::abs(opening) <= kMostOpening) {
         tool.opening = opening;
     } else {
@@ -86,7 +108,8 @@ void Executor::take_opening(const Block& block, const nc::Invocation& invocation
 
 void Executor::take_lean(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
     const bool is_lead = invocation.function == Function::LeanLead;
-    const double angle = block.argument(invocation, 0);
+    const double angle = block.argument(
+        invocation, parameter_of_all<"angle", Function::LeanLead, Function::LeanTilt>());
     if (!(std::abs(angle) < kMostLean)) {
         report(is_lead ? diag::LeadTooLarge : diag::TiltTooLarge, block, invocation.function)
             .arg(angle);
@@ -152,7 +175,7 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
     const bool takes_surface =
         turning == Function::TurnSurface || surface_leads_end() || comp_.takes_faces();
     const nc::Invocation* const spin = block.find(Function::ToolSpin);
-    if (spin != nullptr && (spin->given & 4u) != 0 && orienting_.spin == Function::SpinPath) {
+    if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == Function::SpinPath) {
         report(diag::SpinAgainstPath, block, Function::ToolSpin)
             .arg(word_of(block, Function::ToolSpin));
         return true;

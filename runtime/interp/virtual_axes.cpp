@@ -23,6 +23,7 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using nc::Invocation;
+using nc::parameter_of;
 using nc::Slot;
 using path::Command;
 using path::linear;
@@ -96,8 +97,9 @@ bool stands_there(Function function, VirtualKind kind) {
 // ------------------------------------------------------------------------------ begin and end
 
 void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kRadius = parameter_of<Function::CylinderOn>("radius");
     const bool ends_cylinder = invocation.function == Function::CylinderOn &&
-                               (invocation.given & 1u) != 0 && block.argument(invocation, 0) == 0;
+                               invocation.has(kRadius) && block.argument(invocation, kRadius) == 0;
     if (ends_cylinder) {
         if (virtual_.said == Function::CylinderOn) return end_virtual(block);
         report(diag::CylinderWrong, block, invocation.function)
@@ -214,10 +216,10 @@ std::optional<VirtualAxes> Executor::wanted_face(const Block& block) {
 
 std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
                                                      const Invocation& invocation) {
-    constexpr std::size_t kDiameter = 1;
-    constexpr std::size_t kWalls = 3;
-    constexpr std::size_t kAxis = 4;
-    const std::int64_t axis = std::llround(block.argument(invocation, kAxis, 0));
+    constexpr std::size_t kRadius = parameter_of<Function::CylinderOn>("radius");
+    constexpr std::size_t kDiameter = parameter_of<Function::CylinderOn>("diameter");
+    const std::int64_t axis =
+        std::llround(block.argument(invocation, parameter_of<Function::CylinderOn>("axis")));
     const std::array<Axis, 4> named = {Axis::C, Axis::A, Axis::B, Axis::C};
     VirtualAxes axes;
     axes.kind = VirtualKind::Cylinder;
@@ -234,12 +236,12 @@ std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
                                  " and " + std::string(kAxisNames[index(axis_along(axes.rotary))]));
         return std::nullopt;
     }
-    if (block.argument(invocation, kWalls) != 0) {
+    if (block.argument(invocation, parameter_of<Function::CylinderOn>("walls")) != 0) {
         report(diag::IsoNotSupported, block, Function::CylinderOn)
             .arg("a cylinder with the width of a groove");
         return std::nullopt;
     }
-    axes.size = block.argument(invocation, 0, block.argument(invocation, kDiameter) / 2);
+    axes.size = block.argument(invocation, kRadius, block.argument(invocation, kDiameter) / 2);
     if (!(axes.size > 0)) {
         report(diag::CylinderWrong, block, Function::CylinderOn)
             .arg("radius " + format_shortest(round_to(axes.size, 6)))
@@ -264,10 +266,11 @@ std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
             .arg("it needs the axes X and Z");
         return std::nullopt;
     }
-    const double angle = block.argument(invocation, 0, 90);
+    constexpr std::size_t kAngle = parameter_of<Function::InclinedOn>("angle");
+    const double angle = block.argument(invocation, kAngle, 90);
     if (!(std::abs(angle) < 90)) {
         report(diag::InclinedAngle, block, Function::InclinedOn)
-            .arg((invocation.given & 1u) != 0 ? format_shortest(angle) + "°" : "not said");
+            .arg(invocation.has(kAngle) ? format_shortest(angle) + "°" : "not said");
         return std::nullopt;
     }
     VirtualAxes axes;
