@@ -271,15 +271,18 @@ bool Expander::State::emit_pole(const FollowedBlock& next, std::uint32_t where) 
     nc::Block& block = next_block(next.source);
     if (i == (by_intervals ? 1 : 0)) {
         block.motion = Function::Spline;
-        block.set_argument(*block.add(Function::SplineDegree, 1), 0, spline.degree);
+        block.set_argument(*block.add(Function::SplineDegree, 1),
+                           nc::parameter_of<Function::SplineDegree>("degree"), spline.degree);
     }
     modal.take_functions(block);
     const auto degree = static_cast<std::size_t>(spline.degree);
     if (by_intervals) {
         const double interval = spline.knots[degree + i] - spline.knots[degree + i - 1];
-        block.set_argument(*block.add(Function::SplineInterval, 1), 0, interval);
+        block.set_argument(*block.add(Function::SplineInterval, 1),
+                           nc::parameter_of<Function::SplineInterval>("interval"), interval);
     } else {
-        block.set_argument(*block.add(Function::SplineKnot, 1), 0, spline.knots[i]);
+        block.set_argument(*block.add(Function::SplineKnot, 1),
+                           nc::parameter_of<Function::SplineKnot>("knot"), spline.knots[i]);
     }
     if (i < spline.poles.size()) set_coordinates(block, spline.poles[i]);
     return finish_followed(block, next, where);

@@ -19,9 +19,10 @@ using nc::Group;
 
 /// A constant cutting speed that is none, and a limit that lets no spindle turn.
 bool Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) {
+    constexpr std::size_t kLimit = nc::parameter_of<Function::SpeedLimit>("limit");
     const nc::Invocation* limit = block.find(Function::SpeedLimit);
-    if (limit != nullptr && !(block.argument(*limit, 0) > 0)) {
-        fault(diag::SpeedLimitZero, at).arg(neat(block.argument(*limit, 0)));
+    if (limit != nullptr && !(block.argument(*limit, kLimit) > 0)) {
+        fault(diag::SpeedLimitZero, at).arg(neat(block.argument(*limit, kLimit)));
         return false;
     }
     const bool begins = block.find(Function::CuttingSpeedOn) != nullptr;
@@ -75,8 +76,9 @@ bool Expander::State::check_mirror(const Block& block, const sema::Plan& plan, s
     const nc::Invocation* mirror = block.find(Function::Mirror);
     const bool replaces = (plan.customs & sema::custom::kFrameOrder) != 0;  // in the source, too
     if (mirror == nullptr || replaces || !target.rules().mirror_replaces) return true;
+    constexpr std::size_t kX = nc::parameter_of<Function::Mirror>("x");
     for (std::size_t i = 0; i < 3; ++i) {
-        if ((mirror->given >> i & 1u) == 0 || !modal.frame.is_mirrored[i]) continue;
+        if (!mirror->has(kX + i) || !modal.frame.is_mirrored[i]) continue;
         fault(diag::MirrorAgain, at)
             .arg(target.name())
             .arg(kAxisNames[i])

@@ -6,14 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
 #include "expand/state.h"
+#include "nc/parameters.h"
 
 namespace kadr::expand {
 
 using nc::Block;
+using nc::find_parameter;
 using nc::Function;
 using nc::Group;
 using sema::SourceCycle;
@@ -23,13 +26,6 @@ namespace {
 
 constexpr std::size_t kToolAxis = index(Axis::Z);  // cycles of the library work in X-Y
 constexpr double kSpindleStop = 5;                 // as in M5
-
-std::optional<std::size_t> find_parameter(const sema::FunctionCode& function,
-                                          std::string_view name) {
-    const auto found = std::ranges::find(function.parameters, name, &sema::ParameterInfo::name);
-    if (found == function.parameters.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - function.parameters.begin());
-}
 
 void set_argument(SaidCycle& cycle, std::optional<std::size_t> parameter, double value) {
     if (!parameter) return;
@@ -109,19 +105,22 @@ bool Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint
 
 bool Expander::State::take_cycle_words(const Block& block, const nc::Invocation& invocation,
                                        std::uint32_t at) {
-    constexpr std::array<std::string_view, 2> kParameters = {"peck", "dwell"};
-    for (std::size_t i = 0; i < kParameters.size(); ++i) {
-        if ((invocation.given >> i & 1u) == 0) continue;
-        const auto word = std::ranges::find(kHeldWords, kParameters[i], &HeldWord::parameter);
+    using SaidFor = std::pair<std::size_t, std::string_view>;
+    constexpr std::array kSaidFor = {
+        SaidFor{nc::parameter_of<Function::CycleWords>("stroke"), "peck"},
+        SaidFor{nc::parameter_of<Function::CycleWords>("dwell"), "dwell"}};
+    for (const auto& [said, name] : kSaidFor) {
+        if (!invocation.has(said)) continue;
+        const auto word = std::ranges::find(kHeldWords, name, &HeldWord::parameter);
         const bool is_place =
             said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Modal;
         if (!is_place) {
             fault(diag::SourceCycleWord, at).arg(std::string(1, word->letter));
             return false;
         }
-        const double value = block.argument(invocation, i);
+        const double value = block.argument(invocation, said);
         const auto parameter =
-            find_parameter(code.functions[said_cycle.said->function], kParameters[i]);
+            find_parameter(code.functions[said_cycle.said->function].parameters, name);
         // A cycle without such a word keeps it for the next one.
         if (parameter && is_given(said_cycle, parameter))
             set_argument(said_cycle, parameter, value);
@@ -145,7 +144,7 @@ bool Expander::State::keeps_no_stroke(std::uint32_t at) {
 bool Expander::State::take_levels(Block& block, std::uint32_t at) {
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
     const bool is_modal = modal[Group::Distance] == Function::Incremental;
-    const std::optional<std::size_t> retract = find_parameter(function, "retract");
+    const std::optional<std::size_t> retract = find_parameter(function.parameters, "retract");
     if (block.has(nc::Slot::Radius)) {
         double level = block.at(nc::Slot::Radius);
         if (said_cycle.said->has_distances && is_modal) {
@@ -161,7 +160,7 @@ bool Expander::State::take_levels(Block& block, std::uint32_t at) {
             (block.incremental & depth) != 0 || (is_modal && (block.absolute & depth) == 0);
         double level = block.at(nc::Slot::Z);
         if (is_distance && is_given(said_cycle, retract)) level += said_cycle.arguments[*retract];
-        set_argument(said_cycle, find_parameter(function, "to"), level);
+        set_argument(said_cycle, find_parameter(function.parameters, "to"), level);
     }
     const nc::SlotMask levels = bit(nc::Slot::Radius) | bit(nc::Slot::Z);
     block.given &= ~levels;
@@ -219,7 +218,7 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
 void Expander::State::keep_words() {
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
-        const auto parameter = find_parameter(function, kHeldWords[i].parameter);
+        const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
         const bool is_fixed = std::ranges::any_of(
             said_cycle.said->fixed, [&](const auto& fixed) { return fixed.first == parameter; });
         if (is_given(said_cycle, parameter) && !is_fixed)
@@ -230,7 +229,7 @@ void Expander::State::keep_words() {
 void Expander::State::take_kept_words() {
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
-        const auto parameter = find_parameter(function, kHeldWords[i].parameter);
+        const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
         if (said_cycle.held[i] && !is_given(said_cycle, parameter))
             set_argument(said_cycle, parameter, *said_cycle.held[i]);
     }
@@ -262,8 +261,8 @@ bool Expander::State::take_distances(std::uint32_t said, std::uint32_t at) {
     if (!said_cycle.said->has_distances || modal[Group::Distance] != Function::Incremental)
         return true;
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
-    const std::optional<std::size_t> retract = find_parameter(function, "retract");
-    const std::optional<std::size_t> to = find_parameter(function, "to");
+    const std::optional<std::size_t> retract = find_parameter(function.parameters, "retract");
+    const std::optional<std::size_t> to = find_parameter(function.parameters, "to");
     std::optional<double> from = initial_level(at);
     if (!from) return false;
     const auto is_said = [&](std::optional<std::size_t> parameter) {
@@ -307,22 +306,22 @@ bool Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
 
 bool Expander::State::complete_cycle(const sema::FunctionCode& function, std::uint32_t at) {
     if (said_cycle.taps_rigidly) {
-        set_argument(said_cycle, find_parameter(function, "floating"), 0);
+        set_argument(said_cycle, find_parameter(function.parameters, "floating"), 0);
         if (said_cycle.said->stops_rigid_spindle)
-            set_argument(said_cycle, find_parameter(function, "after"), kSpindleStop);
+            set_argument(said_cycle, find_parameter(function.parameters, "after"), kSpindleStop);
     }
-    const std::optional<std::size_t> pitch = find_parameter(function, "pitch");
+    const std::optional<std::size_t> pitch = find_parameter(function.parameters, "pitch");
     const bool is_said =
         std::ranges::any_of(said_cycle.said->arguments, [&](const SourceCycle::Argument& argument) {
             return argument.parameter == pitch.value_or(nc::kMaxArguments);
         });
     if (pitch && !is_said && !complete_pitch(*pitch, at)) return false;
     if (said_cycle.said->kind != SourceCycle::Kind::Modal) return true;
-    const std::optional<std::size_t> retract = find_parameter(function, "retract");
+    const std::optional<std::size_t> retract = find_parameter(function.parameters, "retract");
     const bool stays_low = said_cycle.returns_low && is_given(said_cycle, retract);
     const std::optional<double> initial =
         stays_low ? said_cycle.arguments[*retract] : initial_level(at);
-    if (initial) set_argument(said_cycle, find_parameter(function, "initial"), *initial);
+    if (initial) set_argument(said_cycle, find_parameter(function.parameters, "initial"), *initial);
     return initial.has_value();
 }
 

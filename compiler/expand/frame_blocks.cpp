@@ -8,6 +8,7 @@
 #include "expand/numbers.h"
 #include "expand/state.h"
 #include "nc/frame_words.h"
+#include "nc/parameters.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {
@@ -15,13 +16,17 @@ namespace kadr::expand {
 using nc::Block;
 using nc::Function;
 using nc::Group;
+using nc::parameter_of;
+using nc::parameter_of_all;
 
 namespace {
 
-/// Where the factors of the axes begin among the arguments of a scale: behind one of all axes and
-/// the center.
-constexpr std::size_t kFirstFactor = 4;
-constexpr std::size_t kFactors = 7;
+constexpr std::size_t kAngle = parameter_of<Function::Rotate>("angle");
+constexpr std::size_t kCenter = parameter_of_all<"x", Function::Rotate, Function::Scale>();
+constexpr std::size_t kOfAll = parameter_of<Function::Scale>("factor");
+constexpr std::size_t kOfX = parameter_of<Function::Scale>("fx");
+constexpr std::size_t kOfY = parameter_of<Function::Scale>("fy");
+constexpr std::size_t kOfZ = parameter_of<Function::Scale>("fz");
 
 /// Factors beyond these are a mistake on every control, and their words lose the value.
 ///
@@ -50,13 +55,11 @@ bool Expander::State::check_factor(double factor, std::uint32_t at) {
 bool Expander::State::settle_frame(Block& block, std::uint32_t at) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         nc::Invocation& frame = block.functions[i];
-        if (frame.function == Function::Rotate && (frame.given & 1u) != 0)
-            block.set_argument(frame, 0, std::fmod(block.argument(frame, 0), kTurnDeg));
+        if (frame.function == Function::Rotate && frame.has(kAngle))
+            block.set_argument(frame, kAngle, std::fmod(block.argument(frame, kAngle), kTurnDeg));
         if (frame.function != Function::Scale) continue;
-        for (std::size_t k = 0; k < kFactors; k = k == 0 ? kFirstFactor : k + 1) {
-            const bool is_given = (frame.given >> k & 1u) != 0;
-            if (is_given && !check_factor(block.argument(frame, k), at)) return false;
-        }
+        for (const std::size_t k : {kOfAll, kOfX, kOfY, kOfZ})
+            if (frame.has(k) && !check_factor(block.argument(frame, k), at)) return false;
     }
     return true;
 }
@@ -86,20 +89,23 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
     const auto three = [&](std::size_t first) {
         return std::array<double, 3>{numbers[first], numbers[first + 1], numbers[first + 2]};
     };
-    const std::array<bool, 3> given{is_given[0], is_given[1], is_given[2]};
+    constexpr std::size_t kX = parameter_of_all<"x", Function::Shift, Function::Mirror>();
+    const std::array<bool, 3> given{is_given[kX], is_given[kX + 1], is_given[kX + 2]};
     control::FrameSteps steps = modal.steps;
     switch (change) {
-        case sema::FrameChange::Shift: steps.shift_add(three(0), given); break;
+        case sema::FrameChange::Shift: steps.shift_add(three(kX), given); break;
         case sema::FrameChange::Rotate:
-            steps.rotate(numbers[0], modal[Group::Plane], three(1));
+            steps.rotate(numbers[kAngle], modal[Group::Plane], three(kCenter));
             break;
         case sema::FrameChange::Scale: {
             std::array<double, 3> factors{};
             for (std::size_t i = 0; i < 3; ++i) {
-                factors[i] = is_given[4 + i] ? numbers[4 + i] : is_given[0] ? numbers[0] : 1;
+                factors[i] = is_given[kOfX + i] ? numbers[kOfX + i]
+                             : is_given[kOfAll] ? numbers[kOfAll]
+                                                : 1;
                 if (!check_factor(factors[i], at)) return false;
             }
-            steps.scale(factors, three(1));
+            steps.scale(factors, three(kCenter));
             break;
         }
         case sema::FrameChange::Mirror: steps.mirror(given); break;
@@ -139,7 +145,7 @@ void Expander::State::scale_frame_x(Block& block, double factor) const {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         nc::Invocation& invocation = block.functions[i];
         const std::optional<std::size_t> x = nc::frame_x(invocation.function);
-        if (!x || (invocation.given >> *x & 1u) == 0) continue;
+        if (!x || !invocation.has(*x)) continue;
         block.set_argument(invocation, *x, factor * block.argument(invocation, *x));
     }
 }

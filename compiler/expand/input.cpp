@@ -8,6 +8,7 @@
 #include "base/diagnostics/expand.h"
 #include "expand/plane.h"
 #include "expand/state.h"
+#include "nc/parameters.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {
@@ -16,9 +17,18 @@ using nc::Block;
 using nc::Function;
 using nc::Group;
 using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
 namespace custom = sema::custom;
 
 namespace {
+
+constexpr std::size_t kTool = parameter_of_all<"tool", Function::ToolSelect, Function::Tool>();
+constexpr std::size_t kEdge = parameter_of<Function::ToolEdge>("edge");
+constexpr std::size_t kLengthOffset = parameter_of<Function::LengthCompOn>("offset");
+constexpr std::size_t kPoint =
+    parameter_of_all<"point", Function::ReferencePoint, Function::ReferenceReturn>();
+constexpr std::size_t kPointX = parameter_of<Function::ReferencePoint>("x");
 
 void erase(Block& block, std::size_t at) {
     for (std::size_t i = at + 1; i < block.function_count; ++i)
@@ -27,11 +37,13 @@ void erase(Block& block, std::size_t at) {
 }
 
 /// Makes another function of an invocation that has no arguments of use, with one argument.
-void become(Block& block, Invocation& invocation, Function function, double argument) {
+void become(Block& block, Invocation& invocation, Function function, std::size_t parameter,
+            double argument) {
     invocation.function = function;
     invocation.given = 0;
-    invocation.first = block.argument_count++;
-    block.set_argument(invocation, 0, argument);
+    invocation.first = block.argument_count;
+    block.argument_count = static_cast<std::uint8_t>(block.argument_count + parameter + 1);
+    block.set_argument(invocation, parameter, argument);
 }
 
 /// Whether the control has words such as `T0102`.
@@ -141,9 +153,11 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         if (function == Function::ShiftAdd) {
             steps.shift_add({values[0], values[1], values[2]}, {given[0], given[1], given[2]});
         } else {
+            constexpr std::size_t kAngle = parameter_of<Function::Rotate>("angle");
+            constexpr std::size_t kX = parameter_of<Function::Rotate>("x");
             const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
             for (const std::size_t axis : {plane.first, plane.second}) {
-                if (given[1 + axis] || (plan.customs & custom::kCenterAtTool) == 0) continue;
+                if (given[kX + axis] || (plan.customs & custom::kCenterAtTool) == 0) continue;
                 center_unknown(function, axis, at);
                 return false;
             }
@@ -211,7 +225,7 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
             const Invocation& invocation = block.functions[i];
             if (invocation.function == Function::ToolChange) modal.is_edge_off = false;
             if (invocation.function == Function::ToolEdge)
-                modal.is_edge_off = block.argument(invocation, 0) == 0;
+                modal.is_edge_off = block.argument(invocation, kEdge) == 0;
         }
     }
     const bool by_tool = (customs & custom::kOffsetsByTool) != 0;
@@ -263,10 +277,10 @@ bool Expander::State::is_frame_free(Function function, std::uint32_t at) {
 /// The axes that are not named keep the shift that they have.
 bool Expander::State::adapt_shift(Block& block, Invocation& shift) {
     if (shift.given == 0) return true;
+    constexpr std::size_t kX = parameter_of<Function::Shift>("x");
     for (std::size_t i = 0; i < 3; ++i) {
-        const bool is_named = (shift.given >> i & 1u) != 0;
-        if (!is_named && modal.frame.is_shifted[i])
-            block.set_argument(shift, i, modal.frame.shift[i]);
+        if (!shift.has(kX + i) && modal.frame.is_shifted[i])
+            block.set_argument(shift, kX + i, modal.frame.shift[i]);
     }
     return true;
 }
@@ -276,7 +290,7 @@ bool Expander::State::adapt_shift(Block& block, Invocation& shift) {
 bool Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::uint32_t at) {
     if ((plan.customs & custom::kMachineLength) != 0 && modal.has_tool && !modal.is_edge_off) {
         const Invocation* edge = block.find(Function::ToolEdge);
-        if (edge == nullptr || block.argument(*edge, 0) != 0) {
+        if (edge == nullptr || block.argument(*edge, kEdge) != 0) {
             fault(diag::SourceMachine, at).fix("switch the tool length off in this block: `D0`");
             return false;
         }
@@ -313,7 +327,8 @@ void Expander::State::say_offset(const sema::Plan& plan, const Instruction& inst
     if (!moves || is_elsewhere) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
-    block.set_argument(*block.add(Function::WorkOffset, 1), 0, modal.due_offset);
+    block.set_argument(*block.add(Function::WorkOffset, 1),
+                       parameter_of<Function::WorkOffset>("number"), modal.due_offset);
     modal.take_functions(block);
     if (options.trace) keep_trace(at, instruction.c, source);
 }
@@ -322,15 +337,15 @@ void Expander::State::say_offset(const sema::Plan& plan, const Instruction& inst
 bool Expander::State::complete_center(Block& block, Invocation& invocation, std::uint32_t at) {
     const bool is_rotation = invocation.function == Function::Rotate;
     if (!is_rotation && invocation.function != Function::Scale) return true;
+    constexpr std::size_t kX = parameter_of_all<"x", Function::Rotate, Function::Scale>();
     const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
     for (std::size_t i = 0; i < 3; ++i) {
-        const bool is_named = (invocation.given >> (1 + i) & 1u) != 0;
-        if (is_named || (is_rotation && i == plane.across)) continue;
+        if (invocation.has(kX + i) || (is_rotation && i == plane.across)) continue;
         // Inside another one the coordinates count otherwise than those of its centre.
         const bool is_known =
             (modal.known >> i & 1u) != 0 && modal.frame.angle_deg == 0 && !modal.frame.has_scale();
         if (is_known) {
-            block.set_argument(invocation, 1 + i, modal.position[i]);
+            block.set_argument(invocation, kX + i, modal.position[i]);
             continue;
         }
         center_unknown(invocation.function, i, at);
@@ -516,11 +531,11 @@ void Expander::State::say_reference(Block& block) {
     for (std::size_t f = 0; f < block.function_count; ++f) {
         Invocation& invocation = block.functions[f];
         if (invocation.function != Function::ReferenceReturn) continue;
-        const double point = block.argument(invocation, 0, 1);
-        become(block, invocation, Function::ReferencePoint, point);
+        const double point = block.argument(invocation, kPoint, 1);
+        become(block, invocation, Function::ReferencePoint, kPoint, point);
         block.argument_count = static_cast<std::uint8_t>(block.argument_count + 3);
         for (std::size_t i = 0; i < 3; ++i) {
-            if ((named >> i & 1u) != 0) block.set_argument(invocation, 1 + i, 0);
+            if ((named >> i & 1u) != 0) block.set_argument(invocation, kPointX + i, 0);
         }
     }
     block.given &= ~named;
@@ -536,7 +551,7 @@ void Expander::State::go_over_place(SourceId source) {
     const Invocation* found = way.find(Function::ReferenceReturn);
     const nc::SlotMask named = way.given & nc::kTargetSlots;
     if (found == nullptr || named == 0 || named >> 3 != 0) return;
-    const double point = way.argument(*found, 0, 1);
+    const double point = way.argument(*found, kPoint, 1);
     erase(way, static_cast<std::size_t>(found - way.functions.data()));
     way.motion = Function::Rapid;
     // The motion that the program has said is not changed by the return.
@@ -547,26 +562,26 @@ void Expander::State::go_over_place(SourceId source) {
     back.skip = skip;
     back.skip_also = skip_also;
     Invocation* reference = back.add(Function::ReferencePoint, 4);
-    back.set_argument(*reference, 0, point);
+    back.set_argument(*reference, kPoint, point);
     for (std::size_t i = 0; i < 3; ++i) {
-        if ((named >> i & 1u) != 0) back.set_argument(*reference, 1 + i, 0);
+        if ((named >> i & 1u) != 0) back.set_argument(*reference, kPointX + i, 0);
     }
     if (options.trace) traces.push_back(traces.back());
 }
 
 /// `T0101`, for a target that selects tools without their offsets: the tool with its own ones.
 bool Expander::State::take_station(Block& block, Invocation& select, std::uint32_t at) {
-    constexpr std::size_t kOffset = 1;
-    if ((select.given >> kOffset & 1u) == 0 || says_offset_with_tool(target.tables())) return true;
-    const double tool = block.argument(select, 0);
+    constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
+    if (!select.has(kOffset) || says_offset_with_tool(target.tables())) return true;
+    const double tool = block.argument(select, kTool);
     const double offset = block.argument(select, kOffset);
     if (offset == tool) {
-        become(block, select, Function::Tool, tool);
+        become(block, select, Function::Tool, kTool, tool);
         return true;
     }
     const bool is_off = offset == 0 && modal.has_tool_in && modal.tool_in == tool;
     if (is_off && target.can_write(Function::ToolEdge)) {
-        become(block, select, Function::ToolEdge, 0);
+        become(block, select, Function::ToolEdge, kEdge, 0);
         return true;
     }
     if (is_off && target.can_write(Function::LengthCompOff)) {
@@ -591,7 +606,9 @@ bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
     const bool is_called = select != nullptr && (changes || !modal.has_tool_in);
     const bool is_in = !is_called && !changes && modal.has_tool_in;
     const bool has_tool = is_called || is_in || modal.has_tool;
-    const double tool = is_called ? block.argument(*select, 0) : is_in ? modal.tool_in : modal.tool;
+    const double tool = is_called ? block.argument(*select, kTool)
+                        : is_in   ? modal.tool_in
+                                  : modal.tool;
     bool is_said = false;
     for (std::size_t i = 0; i < block.function_count;) {
         Invocation& invocation = block.functions[i];
@@ -605,7 +622,8 @@ bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
         // An edge that is switched off takes its radius along.
         const bool is_plain = modal[Group::RadiusComp] == Function::RadiusCompOff ||
                               block.find(Function::RadiusCompOff) != nullptr;
-        const double number = is_off ? 0 : block.argument(invocation, 0, -1);
+        static_assert(kLengthOffset == parameter_of<Function::RadiusOffset>("offset"));
+        const double number = is_off ? 0 : block.argument(invocation, kLengthOffset, -1);
         const bool fits = number == 0 ? is_plain : has_tool && number == tool;
         if (!fits) {
             std::string shown = number < 0 ? "without H" : std::to_string(std::llround(number));
@@ -631,7 +649,7 @@ bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
             modal.has_length_offset = number != 0;
             modal.length_offset = number;
         }
-        become(block, invocation, Function::ToolEdge, number == 0 ? 0 : 1);
+        become(block, invocation, Function::ToolEdge, kEdge, number == 0 ? 0 : 1);
         ++i;
     }
     return true;
@@ -659,14 +677,14 @@ bool Expander::State::take_core_offsets(Block& block, std::uint32_t at) {
 
 /// `D1` is the length of the tool that is in, `D0` none.
 bool Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::uint32_t at) {
-    const double number = block.argument(edge, 0);
+    const double number = block.argument(edge, kEdge);
     const Invocation* select = block.find(Function::ToolSelect);
     const bool changes = block.find(Function::ToolChange) != nullptr;
     // Of a tool that waits for its change the length must not act yet.
     const bool has_tool =
         changes ? select != nullptr || modal.has_tool : select == nullptr && modal.has_tool_in;
     const double tool = !changes            ? modal.tool_in
-                        : select != nullptr ? block.argument(*select, 0)
+                        : select != nullptr ? block.argument(*select, kTool)
                                             : modal.tool;
     if (number == 0) {
         edge.function = Function::LengthCompOff;
@@ -681,7 +699,7 @@ bool Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::u
             .fix("say `tool(n)`, which makes the length act on every control");
         return false;
     }
-    become(block, edge, Function::LengthCompOn, tool);
+    become(block, edge, Function::LengthCompOn, kLengthOffset, tool);
     return true;
 }
 
@@ -689,7 +707,7 @@ bool Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::u
 bool Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
     for (std::size_t i = block.function_count; i-- > 0;) {
         if (block.functions[i].function != Function::ToolEdge) continue;
-        const double edge = block.argument(block.functions[i], 0);
+        const double edge = block.argument(block.functions[i], kEdge);
         const bool is_off = edge == 0 && block.find(Function::MachineCoordinates) != nullptr;
         if (edge != 1 && !is_off) {
             fault(diag::SourceOffset, at)
@@ -706,8 +724,8 @@ bool Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
         if (block.functions[i].function != Function::ToolChange) continue;
         const Invocation* select = block.find(Function::ToolSelect);
         if (select == nullptr && !modal.has_tool) return true;
-        const double tool = select != nullptr ? block.argument(*select, 0) : modal.tool;
-        become(block, block.functions[i], Function::Tool, tool);
+        const double tool = select != nullptr ? block.argument(*select, kTool) : modal.tool;
+        become(block, block.functions[i], Function::Tool, kTool, tool);
         if (select != nullptr)
             erase(block, static_cast<std::size_t>(select - block.functions.data()));
         return true;

@@ -4,11 +4,14 @@
 #include <cmath>
 
 #include "expand/plane.h"
+#include "nc/parameters.h"
 
 namespace kadr::expand {
 
 using nc::Function;
 using nc::Group;
+using nc::parameter_of;
+using nc::parameter_of_all;
 
 ModalState ModalState::at_start(const sema::FunctionCode& entry) {
     ModalState state;
@@ -90,9 +93,10 @@ void ModalState::forget_drift(AxisMask axes) {
 }
 
 void ModalState::set_position(const nc::Block& block, const nc::Invocation& invocation) {
+    constexpr std::size_t kX = parameter_of<Function::SetPosition>("x");
     for (std::size_t i = 0; i < 3; ++i) {
-        if ((invocation.given >> i & 1u) == 0) continue;
-        position[i] = block.argument(invocation, i);
+        if (!invocation.has(kX + i)) continue;
+        position[i] = block.argument(invocation, kX + i);
         known = static_cast<AxisMask>(known | 1u << i);
     }
 }
@@ -121,24 +125,41 @@ void ModalState::say_frame(const control::ProgramFrame& next, SourceId source) {
 
 namespace {
 
+constexpr std::size_t kX =
+    parameter_of_all<"x", Function::Shift, Function::ShiftAdd, Function::Mirror>();
+constexpr std::size_t kAngle = parameter_of<Function::Rotate>("angle");
+constexpr std::size_t kCenter = parameter_of_all<"x", Function::Rotate, Function::Scale>();
+constexpr std::size_t kOfAll = parameter_of<Function::Scale>("factor");
+constexpr std::size_t kOfX = parameter_of<Function::Scale>("fx");
+
+/// Three arguments from one on.
+std::array<double, 3> three_of(const nc::Block& block, const nc::Invocation& invocation,
+                               std::size_t first, double fallback = 0) {
+    return {block.argument(invocation, first, fallback),
+            block.argument(invocation, first + 1, fallback),
+            block.argument(invocation, first + 2, fallback)};
+}
+
+std::array<double, 3> factors_of(const nc::Block& block, const nc::Invocation& scale) {
+    return three_of(block, scale, kOfX, block.argument(scale, kOfAll, 1));
+}
+
 /// What a function that stands in the text does to a frame; false: nothing. Factors that are none
 /// leave it to the control's alarm.
 bool add_step(control::FrameSteps& steps, const nc::Block& block, const nc::Invocation& invocation,
               Function plane) {
-    const auto three = [&](std::size_t first, double fallback) {
-        return std::array<double, 3>{block.argument(invocation, first, fallback),
-                                     block.argument(invocation, first + 1, fallback),
-                                     block.argument(invocation, first + 2, fallback)};
-    };
-    const std::array<bool, 3> given{invocation.has(0), invocation.has(1), invocation.has(2)};
+    const std::array<double, 3> values = three_of(block, invocation, kX);
+    const std::array<bool, 3> given{invocation.has(kX), invocation.has(kX + 1),
+                                    invocation.has(kX + 2)};
     switch (invocation.function) {
-        case Function::Shift: steps.shift(three(0, 0), given); return true;
-        case Function::ShiftAdd: steps.shift_add(three(0, 0), given); return true;
+        case Function::Shift: steps.shift(values, given); return true;
+        case Function::ShiftAdd: steps.shift_add(values, given); return true;
         case Function::Rotate:
-            steps.rotate(block.argument(invocation, 0), plane, three(1, 0));
+            steps.rotate(block.argument(invocation, kAngle), plane,
+                         three_of(block, invocation, kCenter));
             return true;
         case Function::Scale:
-            steps.scale(three(4, block.argument(invocation, 0, 1)), three(1, 0));
+            steps.scale(factors_of(block, invocation), three_of(block, invocation, kCenter));
             return true;
         case Function::Mirror: steps.mirror(given); return true;
         case Function::RotateOff: steps.rotate_off(); return true;
@@ -150,11 +171,9 @@ bool add_step(control::FrameSteps& steps, const nc::Block& block, const nc::Invo
 
 /// A factor that is none is the control's alarm, or a mirror.
 bool has_wrong_factor(const nc::Block& block, const nc::Invocation& invocation) {
-    if (invocation.function != Function::Scale) return false;
-    const double all = block.argument(invocation, 0, 1);
-    for (std::size_t i = 4; i < 7; ++i)
-        if (!(block.argument(invocation, i, all) > 0)) return true;
-    return false;
+    return invocation.function == Function::Scale &&
+           std::ranges::any_of(factors_of(block, invocation),
+                               [](double factor) { return !(factor > 0); });
 }
 
 }  // namespace
@@ -167,9 +186,8 @@ bool ModalState::take_frame(const nc::Block& block, const nc::Invocation& invoca
     }
     if (!add_step(steps, block, invocation, (*this)[Group::Plane])) return false;
     if (rotates_outside_scale && invocation.function == Function::Rotate) {
-        said_steps.rotate_scaled(block.argument(invocation, 0), (*this)[Group::Plane],
-                                 {block.argument(invocation, 1), block.argument(invocation, 2),
-                                  block.argument(invocation, 3)});
+        said_steps.rotate_scaled(block.argument(invocation, kAngle), (*this)[Group::Plane],
+                                 three_of(block, invocation, kCenter));
     } else {
         add_step(said_steps, block, invocation, (*this)[Group::Plane]);
     }
@@ -184,7 +202,8 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
     if (take_frame(block, invocation)) return;
     switch (invocation.function) {
         case Function::ReferencePoint:
-            forget_drift(static_cast<AxisMask>(invocation.given >> 1 & kLinearXYZ));
+            forget_drift(static_cast<AxisMask>(
+                invocation.given >> parameter_of<Function::ReferencePoint>("x") & kLinearXYZ));
             known = 0;
             return;
         case Function::ReferenceReturn: known = 0; return;
@@ -205,42 +224,53 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             lost_drift |= kLinearXYZ;
             break;
         case Function::OffsetToEdge:
-        case Function::OffsetToMiddle: lose_corrected(block.argument(invocation, 1)); return;
+        case Function::OffsetToMiddle: {
+            constexpr std::size_t kAxis =
+                parameter_of_all<"axis", Function::OffsetToEdge, Function::OffsetToMiddle>();
+            lose_corrected(block.argument(invocation, kAxis));
+            return;
+        }
         case Function::SetPosition: set_position(block, invocation); return;
         case Function::DiameterOn:
         case Function::DiameterOff:
             set_diameter(invocation.function == Function::DiameterOn);
             break;
-        case Function::WorkOffset:
-            if ((*this)[Group::WorkOffsets] != Function::WorkOffset ||
-                work_offset != block.argument(invocation, 0)) {
+        case Function::WorkOffset: {
+            const double number =
+                block.argument(invocation, parameter_of<Function::WorkOffset>("number"));
+            if ((*this)[Group::WorkOffsets] != Function::WorkOffset || work_offset != number) {
                 known = 0;
                 lost_drift = static_cast<AxisMask>((1u << kAxes) - 1u);
             }
-            work_offset = block.argument(invocation, 0);
+            work_offset = number;
             due_offset = 0;
             break;
-        case Function::LengthCompOn:
-            has_length_offset = (invocation.given & 1u) != 0;
-            length_offset = block.argument(invocation, 0);
+        }
+        case Function::LengthCompOn: {
+            constexpr std::size_t kOffset = parameter_of<Function::LengthCompOn>("offset");
+            has_length_offset = invocation.has(kOffset);
+            length_offset = block.argument(invocation, kOffset);
             break;
+        }
         case Function::Tool:
             has_tool = has_tool_in = true;
             lacks_tool = false;
-            tool = tool_in = block.argument(invocation, 0);
+            tool = tool_in = block.argument(invocation, parameter_of<Function::Tool>("tool"));
             known = 0;  // the changer stands somewhere else
             change_tool(block.source);
             lost_drift |= has_drift;
             return;
         case Function::ToolSelect:
             has_tool = true;
-            tool = block.argument(invocation, 0);
+            tool = block.argument(invocation, parameter_of<Function::ToolSelect>("tool"));
             return;
         case Function::ToolChange: {
             lacks_tool = false;
             const nc::Invocation* select = block.find(Function::ToolSelect);
             has_tool_in = has_tool || select != nullptr;
-            tool_in = select != nullptr ? block.argument(*select, 0) : tool;
+            tool_in = select != nullptr
+                          ? block.argument(*select, parameter_of<Function::ToolSelect>("tool"))
+                          : tool;
             known = 0;
             lost_drift |= has_drift;
             change_tool(block.source);

@@ -8,6 +8,7 @@
 #include "expand/numbers.h"
 #include "expand/plane.h"
 #include "expand/state.h"
+#include "nc/parameters.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {
@@ -46,19 +47,20 @@ static Function standing_behind(const sema::Code& code, const sema::FunctionCode
 }
 
 /// A cycle that names the level to which it goes back first stands there, and not where it began;
-/// and one that has a place of its own is somewhere at it.
+/// and one that has a place of its own is somewhere at it. Behind other parameters `back` is no
+/// level.
 void Expander::State::go_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
                               std::span<const double> values) {
-    if (parameters.empty() || parameters[0].name != "back") return;
-    const bool has_place =
-        std::ranges::find(parameters, "x", &sema::ParameterInfo::name) != parameters.end();
+    const std::optional<std::size_t> back = nc::find_parameter(parameters, "back");
+    if (back != std::size_t{0}) return;
+    const bool has_place = nc::find_parameter(parameters, "x").has_value();
     if (has_place || modal[Group::Plane] == Function::None)
         modal.known &= static_cast<AxisMask>(~kLinearXYZ);
     if (modal[Group::Plane] == Function::None) return;
     const std::size_t across = indices_of(plane_of(modal[Group::Plane])).across;
     const auto axis = static_cast<AxisMask>(1u << across);
-    const bool is_given = (given & 1u) != 0;
-    if (is_given) modal.position[across] = values[0];
+    const bool is_given = (given >> *back & 1u) != 0;
+    if (is_given) modal.position[across] = values[*back];
     modal.known = static_cast<AxisMask>(is_given ? modal.known | axis : modal.known & ~axis);
 }
 

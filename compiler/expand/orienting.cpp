@@ -264,22 +264,28 @@ bool Expander::State::leads_tool(std::uint32_t at) {
 
 /// The direction that a block says, in numbers that the target writes. False: it was reported.
 bool Expander::State::settle_direction(Block& block, std::uint32_t at) {
+    constexpr std::size_t kComponent = nc::parameter_of<Function::ToolVector>("component");
+    constexpr std::size_t kValue = nc::parameter_of<Function::ToolVector>("value");
     const auto each = [&](const auto& act) {
         for (std::size_t i = 0; i < block.function_count; ++i) {
             nc::Invocation& part = block.functions[i];
-            const double component = block.argument(part, 0, -1);
-            if (part.function == Function::ToolVector && component >= 0 && component <= 2)
-                act(part, static_cast<Eigen::Index>(component));
+            if (part.function != Function::ToolVector) continue;
+            const double component = block.argument(part, kComponent, -1);
+            if (component >= 0 && component <= 2) act(part, static_cast<Eigen::Index>(component));
         }
     };
     Vec3 said = Vec3::Zero();
-    each([&](const nc::Invocation& part, Eigen::Index i) { said[i] = block.argument(part, 1); });
+    each([&](const nc::Invocation& part, Eigen::Index i) {
+        said[i] = block.argument(part, kValue);
+    });
     if (said.norm() < kRounding) {
         fault(diag::OrientZero, at);
         return false;
     }
     const Vec3 direction = written(said, digits_of(target.tables()));
-    each([&](nc::Invocation& part, Eigen::Index i) { block.set_argument(part, 1, direction[i]); });
+    each([&](nc::Invocation& part, Eigen::Index i) {
+        block.set_argument(part, kValue, direction[i]);
+    });
     const double aside = std::hypot(direction.x(), direction.y());
     modal.is_leaning = !(direction.z() > 0) || aside > kRounding * direction.z();
     modal.is_turned = true;

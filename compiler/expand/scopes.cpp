@@ -84,9 +84,13 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
         }
         const std::size_t parameters = nc::info(member).parameters.size();
         nc::Invocation* invocation = block.add(member, parameters);
-        if (member == Function::WorkOffset) block.set_argument(*invocation, 0, before.work_offset);
+        if (member == Function::WorkOffset) {
+            block.set_argument(*invocation, nc::parameter_of<Function::WorkOffset>("number"),
+                               before.work_offset);
+        }
         if (member == Function::LengthCompOn && before.has_length_offset) {
-            block.set_argument(*invocation, 0, before.length_offset);
+            block.set_argument(*invocation, nc::parameter_of<Function::LengthCompOn>("offset"),
+                               before.length_offset);
         }
     }
     if (feed) block.set(nc::Slot::Feed, before.feed);

@@ -15,6 +15,7 @@
 #include "machine/machine.h"
 #include "machine/orientation.h"
 #include "machine/tilted_plane.h"
+#include "nc/parameters.h"
 
 namespace kadr::expand {
 
@@ -26,6 +27,13 @@ using path::Frame;
 using path::Vec3;
 
 namespace {
+
+constexpr std::size_t kOrigin = nc::parameter_of_all<"x", Function::Tilt, Function::TiltEuler>();
+constexpr std::size_t kAngles = nc::parameter_of_all<"a", Function::Tilt, Function::TiltEuler>();
+
+Vec3 three(const std::array<double, 6>& values, std::size_t first) {
+    return {values[first], values[first + 1], values[first + 2]};
+}
 
 /// What is left beside a rotation about Z is rounding.
 constexpr double kRounding = 1e-9;
@@ -129,11 +137,11 @@ bool Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     const auto add = [&](Function function, std::span<const double> arguments) {
         say_function(function, arguments, source, at, depth);
     };
-    const Vec3 turns = Vec3(values[3], values[4], values[5]) * rad_from_deg(1);
+    const Vec3 turns = three(values, kAngles) * rad_from_deg(1);
     const Vec3 euler = machine::euler_zxz_of(machine::rpy_xyz(turns))[0];
     std::array<double, 6> said = values;
     for (std::size_t i = 0; i < 3; ++i)
-        said[3 + i] = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
+        said[kAngles + i] = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
     if (modal.tilt != ModalState::Tilt::None) add(Function::TiltOff, {});
     add(Function::TiltEuler, said);
     add(Function::TiltAlign, std::array{0.0});
@@ -162,7 +170,7 @@ bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId
     }
     const AxisValues& offset = machine->work_offsets[number];
     const Vec3 zero(offset[0], offset[1], offset[2]);
-    const Vec3 turns = Vec3(values[3], values[4], values[5]) * rad_from_deg(1);
+    const Vec3 turns = three(values, kAngles) * rad_from_deg(1);
     const Mat3 plane = machine::rpy_xyz(turns);
 
     machine::SwivelQuery query;
@@ -188,7 +196,7 @@ bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId
         fault(diag::TiltOfHead, at).arg(target.name()).arg(machine->name);
         return false;
     }
-    const Vec3 origin(values[0], values[1], values[2]);
+    const Vec3 origin = three(values, kOrigin);
     const Frame whole = machine::table_frame(chain, *joints) * path::translation(zero + origin) *
                         Frame{plane, Vec3::Zero()};
 

@@ -316,7 +316,10 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
                 add(true, by_tool ? custom::kOffsetsByTool : custom::kEdges);
                 break;
             case Function::ReferenceReturn: add(true, custom::kReference); break;
-            case Function::ToolSelect: add((invocation.given & 2u) != 0, custom::kStation); break;
+            case Function::ToolSelect:
+                add(invocation.has(nc::parameter_of<Function::ToolSelect>("offset")),
+                    custom::kStation);
+                break;
             default: break;
         }
     }

@@ -177,17 +177,19 @@ bool Checker::add_direction(Plan& plan, const SourceRange& range) {
         return false;
     }
     plan.customs |= custom::kDirection;
+    constexpr std::size_t kComponent = nc::parameter_of<Function::ToolVector>("component");
+    constexpr std::size_t kValue = nc::parameter_of<Function::ToolVector>("value");
     for (std::size_t i = 0; i < kComponents; ++i) {
         nc::Invocation invocation;
         invocation.function = Function::ToolVector;
         invocation.first = plan.argument_count;
-        invocation.given = 1;
-        plan.arguments.emplace_back(plan.argument_count, static_cast<double>(i));
+        invocation.given = 1u << kComponent;
+        plan.arguments.emplace_back(plan.argument_count + kComponent, static_cast<double>(i));
         Filling filling;
         filling.is_argument = true;
-        filling.place = static_cast<std::uint8_t>(plan.argument_count + 1);
+        filling.place = static_cast<std::uint8_t>(plan.argument_count + kValue);
         filling.invocation = static_cast<std::uint8_t>(plan.functions.size());
-        filling.parameter = 1;
+        filling.parameter = kValue;
         plan.fillings.push_back(filling);
         plan.functions.push_back(invocation);
         plan.argument_count = static_cast<std::uint8_t>(plan.argument_count + 2);
