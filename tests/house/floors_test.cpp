@@ -134,4 +134,24 @@ TEST(House, NoPredicateListsFunctions) {
     }
 }
 
+/// Which argument of a function is meant is said by its name, parameter_of<…>("to"): its number is
+/// the table's alone.
+TEST(House, NoArgumentIsAskedByItsPlace) {
+    // The first argument of a call may be a call itself.
+    static const std::regex asked(R"((?:\.|->)argument\((?:[^(),;]|\([^()]*\))*,\s*\d)"
+                                  R"(|\bset_argument\((?:[^(),;]|\([^()]*\))*,\s*\d)"
+                                  R"(|\binvocation,\s*\d)"
+                                  R"(|(?:\.|->)given\s*&\s*\d)"
+                                  R"(|\bgiven\s*>>\s*\(?\d)");
+    for (const char* side : {"runtime", "compiler"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / side)) {
+            const std::string extension = entry.path().extension();
+            if (extension != ".h" && extension != ".cpp") continue;
+            const std::string text = kadr::read_file(entry.path()).value_or("");
+            for (std::sregex_iterator at(text.begin(), text.end(), asked), end; at != end; ++at)
+                ADD_FAILURE() << entry.path() << '\n' << at->str();
+        }
+    }
+}
+
 }  // namespace
