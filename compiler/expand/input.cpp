@@ -151,7 +151,9 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         std::array<bool, 4> given{};
         if (!read_arguments(plan, i, instruction, registers, at, values, given)) return false;
         if (function == Function::ShiftAdd) {
-            steps.shift_add({values[0], values[1], values[2]}, {given[0], given[1], given[2]});
+            constexpr std::size_t kX = parameter_of<Function::ShiftAdd>("x");
+            steps.shift_add({values[kX], values[kX + 1], values[kX + 2]},
+                            {given[kX], given[kX + 1], given[kX + 2]});
         } else {
             constexpr std::size_t kAngle = parameter_of<Function::Rotate>("angle");
             constexpr std::size_t kX = parameter_of<Function::Rotate>("x");
@@ -162,7 +164,8 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
                 return false;
             }
             steps.rotate_off();
-            steps.rotate(values[0], modal[Group::Plane], {values[1], values[2], values[3]});
+            steps.rotate(values[kAngle], modal[Group::Plane],
+                         {values[kX], values[kX + 1], values[kX + 2]});
         }
         return say();
     }

@@ -43,6 +43,7 @@ void read_format(const XmlElement& element, NumberFormat& format, Attributes& at
     attributes.read_number(element, "inch_decimals", format.inch_decimals);
     attributes.read_number(element, "lead_decimals", format.lead_decimals);
     attributes.read_number(element, "inch_lead_decimals", format.inch_lead_decimals);
+    attributes.read_number(element, "frame_decimals", format.frame_decimals);
     if (const auto point = attributes.choice(element, "point", {"needed", "always", "never"})) {
         format.point = static_cast<PointRule>(*point);
     }
@@ -64,6 +65,7 @@ bool check_decimals(const XmlElement& element, const NumberFormat& format, Attri
         {"inch_decimals", format.inch_decimals},
         {"lead_decimals", format.lead_decimals},
         {"inch_lead_decimals", format.inch_lead_decimals},
+        {"frame_decimals", format.frame_decimals},
     };
     for (const auto& [name, decimals] : all) {
         if (decimals <= kMost) continue;

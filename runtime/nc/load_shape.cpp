@@ -55,6 +55,7 @@ const std::vector<XmlRule>& dialect_rules() {
           "inch_decimals",
           "lead_decimals",
           "inch_lead_decimals",
+          "frame_decimals",
           "point",
           "digits",
           "max_digits",

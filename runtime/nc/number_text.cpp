@@ -68,6 +68,12 @@ NumberFormat lead_format(const NumberFormat& format) {
     return lead;
 }
 
+NumberFormat frame_format(const NumberFormat& format) {
+    NumberFormat frame = format;
+    if (format.frame_decimals >= 0) frame.decimals = frame.inch_decimals = format.frame_decimals;
+    return frame;
+}
+
 NumberFormat argument_format(const DialectTables& tables) {
     const AddressId address = tables.find_address("()");
     return address == kNoAddress ? NumberFormat{} : tables.addresses[address].format;

@@ -35,6 +35,7 @@ struct NumberFormat {
     int inch_decimals = 4;        // written for lengths and feeds while lengths are inches
     int lead_decimals = -1;       // of the lead of a thread; -1: as other numbers
     int inch_lead_decimals = -1;  // the same in inches
+    int frame_decimals = -1;      // of a length that shifts, turns or scales the frame
     PointRule point = PointRule::Needed;
     int digits = 1;        // least digits of a whole number: 2 gives `T03`
     int max_digits = 0;    // most digits after the value is in increments; 0: no limit

@@ -508,7 +508,11 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
         if (fault != NumberFault::None) number_fault(block, fault, said, word.dimension, name);
         return;
     }
-    const NumberFormat own = word.is_lead ? lead_format(format) : format;
+    const bool is_of_frame = invocation != nullptr && word.dimension == Dimension::Length &&
+                             has_fact(invocation->function, Fact::SetsFrame);
+    const NumberFormat own = word.is_lead  ? lead_format(format)
+                             : is_of_frame ? frame_format(format)
+                                           : format;
     const NumberFault fault = append_number(out, number, own, word.dimension, modal_.units);
     if (fault != NumberFault::None) number_fault(block, fault, said, word.dimension, name);
     const int places = text_decimals(own, word.dimension, modal_.units);
