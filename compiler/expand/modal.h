@@ -25,11 +25,11 @@ struct ModalState {
     bool has_length_offset = false;
     bool has_feed = false;
     bool has_speed = false;
-    bool had_cutting_speed = false;     // S has been said under constant cutting speed
-    bool is_feed_lost = false;          // it was given, and then the feed mode changed
-    bool stops_at_tool_change = false;  // of the target: the spindle stands behind a tool change
+    bool had_cutting_speed = false;      // S has been said under constant cutting speed
+    bool is_feed_lost = false;           // it was given, and then the feed mode changed
+    bool stops_at_tool_change = false;   // of the target: the spindle stands behind a tool change
     bool rotates_outside_scale = false;  // of the target: FrameSteps::rotate_scaled
-    double feed = 0;                    // as in Block
+    double feed = 0;                     // as in Block
     double speed = 0;
     bool has_tool = false;
     bool lacks_tool = true;  // none was called, and no text of unknown meaning stood there

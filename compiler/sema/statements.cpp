@@ -297,8 +297,7 @@ bool Checker::switch_statement(const Stmt& stmt) {
                 continue;
             }
             const auto same = std::ranges::find_if(choices, [&](const Choice& other) {
-                return other.first <= last.constant.integer &&
-                       other.last >= first.constant.integer;
+                return other.first <= last.constant.integer && other.last >= first.constant.integer;
             });
             if (same != choices.end()) {
                 report(diag::CaseTwice, at)

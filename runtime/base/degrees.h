@@ -1,5 +1,5 @@
-// degrees.h — sine and cosine of degrees, which are reduced as degrees: sin(180) is 0 and cos(60) is
-// 0.5, not something near it.
+// degrees.h — sine and cosine of degrees, which are reduced as degrees: sin(180) is 0 and cos(60)
+// is 0.5, not something near it.
 #pragma once
 
 #include <cmath>

@@ -100,8 +100,8 @@ class SenseCheck {
         }
     }
 
-    /// The head brings the control to where a Kadr program begins: what it leaves otherwise no block
-    /// says again, and a cycle would drill along another axis.
+    /// The head brings the control to where a Kadr program begins: what it leaves otherwise no
+    /// block says again, and a cycle would drill along another axis.
     void check_start(const XmlElement& program) {
         const auto start = std::ranges::find(program.children, "start", &XmlElement::name);
         if (start == program.children.end()) return;
@@ -110,8 +110,8 @@ class SenseCheck {
         const Function plane = tables_.power_on[index(Group::Plane)] == Function::PlaneZx
                                    ? Function::PlaneZx  // of a lathe
                                    : Function::PlaneXy;
-        for (const Function wanted : {plane, Function::Absolute, Function::FeedPerMinute,
-                                      Function::RadiusCompOff}) {
+        for (const Function wanted :
+             {plane, Function::Absolute, Function::FeedPerMinute, Function::RadiusCompOff}) {
             const Function begun = modal[index(info(wanted).group)];
             if (begun == wanted || !dialect_.can_write(wanted)) continue;
             std::string why = "a program begins under " + quoted(info(wanted).name) + ", and ";

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "path/linear.h"
 #include "path/frame.h"
+#include "path/linear.h"
 #include "tests/interp/five_axis_bench.h"
 
 namespace kadr::interp {
