@@ -5,17 +5,53 @@
 
 namespace kadr::control {
 
+namespace {
+
+/// The inner frame goes on in the system of the outer one.
+FrameFault add(ProgramFrame& outer, const ProgramFrame& inner) {
+    outer.add_shift(inner.shift, inner.is_shifted);
+    FrameFault fault = FrameFault::None;
+    if (inner.angle_deg != 0)
+        fault = outer.add_rotation(inner.angle_deg, inner.plane, inner.center);
+    if (inner.has_scale()) outer.add_scale(inner.scale, {});
+    if (inner.has_mirror()) outer.add_mirror(inner.is_mirrored);
+    return fault;
+}
+
+}  // namespace
+
+/// The frame of the last step, which is of this kind.
+ProgramFrame& FrameSteps::last(Step::Kind kind) {
+    if (steps_.empty() || steps_.back().kind != kind) {
+        steps_.push_back({kind, {}});
+        if (steps_.size() > kMaxSteps) join_oldest();
+    }
+    return steps_.back().frame;
+}
+
+void FrameSteps::join_oldest() {
+    ProgramFrame both = steps_[0].frame;
+    if (add(both, steps_[1].frame) != FrameFault::None) return;  // there is no such frame anyway
+    steps_[1].frame = both;
+    steps_.erase(steps_.begin());
+}
+
 void FrameSteps::shift(const std::array<double, 3>& by, const std::array<bool, 3>& given) {
     steps_.clear();
-    shift_add(by, given);
+    shift_ = {};
+    shift_.add_shift(by, given);
 }
 
 void FrameSteps::shift_add(const std::array<double, 3>& by, const std::array<bool, 3>& given) {
-    steps_.push_back({Step::Kind::Shift, by, given, {}, 0, nc::Function::PlaneXy});
+    (steps_.empty() ? shift_ : last(Step::Kind::Shift)).add_shift(by, given);
 }
 
 void FrameSteps::rotate(double angle_deg, nc::Function plane, const std::array<double, 3>& about) {
-    steps_.push_back({Step::Kind::Rotation, about, {}, {}, angle_deg, plane});
+    ProgramFrame& frame = last(Step::Kind::Rotation);
+    if (frame.add_rotation(angle_deg, plane, about) == FrameFault::None) return;
+    ProgramFrame other;
+    other.add_rotation(angle_deg, plane, about);
+    steps_.push_back({Step::Kind::Rotation, other});
 }
 
 void FrameSteps::rotate_scaled(double angle_deg, nc::Function plane,
@@ -24,26 +60,24 @@ void FrameSteps::rotate_scaled(double angle_deg, nc::Function plane,
     if (scale == steps_.end()) return rotate(angle_deg, plane, about);
     FrameSteps inner;
     inner.steps_.assign(scale, steps_.end());
-    const ProgramFrame frame = inner.frame().frame;
-    KnownPoint point{about, {true, true, true}};
-    point = change_frame(point, frame, {});
-    steps_.insert(scale, {Step::Kind::Rotation, point.value, {}, {}, angle_deg, plane});
+    const KnownPoint point =
+        change_frame({about, {true, true, true}}, inner.frame().frame, ProgramFrame{});
+    ProgramFrame rotation;
+    rotation.add_rotation(angle_deg, plane, point.value);
+    steps_.insert(scale, {Step::Kind::Rotation, rotation});
 }
 
 void FrameSteps::scale(const std::array<double, 3>& by, const std::array<double, 3>& about) {
-    steps_.push_back({Step::Kind::Scale, about, {}, by, 0, nc::Function::PlaneXy});
+    last(Step::Kind::Scale).add_scale(by, about);
 }
 
 void FrameSteps::mirror(const std::array<bool, 3>& axes) {
-    steps_.push_back({Step::Kind::Mirror, {}, axes, {}, 0, nc::Function::PlaneXy});
+    last(Step::Kind::Mirror).add_mirror(axes);
 }
 
 void FrameSteps::mirror_off(std::uint32_t axes) {
-    for (Step& step : steps_) {
-        if (step.kind != Step::Kind::Mirror) continue;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (axes == 0 || (axes >> i & 1u) != 0) step.axes[i] = false;
-    }
+    for (Step& step : steps_)
+        if (step.kind == Step::Kind::Mirror) step.frame.remove_mirror(axes);
 }
 
 void FrameSteps::say(const ProgramFrame& frame) {
@@ -64,19 +98,10 @@ void FrameSteps::erase(Step::Kind kind) {
 }
 
 FrameSteps::Made FrameSteps::frame() const {
-    Made made;
+    Made made{shift_, FrameFault::None};
     for (const Step& step : steps_) {
-        switch (step.kind) {
-            case Step::Kind::Shift: made.frame.add_shift(step.values, step.axes); break;
-            case Step::Kind::Scale: made.frame.add_scale(step.factors, step.values); break;
-            case Step::Kind::Mirror: made.frame.add_mirror(step.axes); break;
-            case Step::Kind::Rotation: {
-                const FrameFault fault =
-                    made.frame.add_rotation(step.angle_deg, step.plane, step.values);
-                if (made.fault == FrameFault::None) made.fault = fault;
-                break;
-            }
-        }
+        const FrameFault fault = add(made.frame, step.frame);
+        if (made.fault == FrameFault::None) made.fault = fault;
     }
     return made;
 }

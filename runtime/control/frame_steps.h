@@ -7,12 +7,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "control/program_frame.h"
 
 namespace kadr::control {
+
+/// More steps than this come only from a loop that adds frames; controls that do so can delete
+/// nothing but the whole, so the oldest two may become one.
+inline constexpr std::size_t kMaxSteps = 64;
 
 class FrameSteps {
   public:
@@ -44,18 +49,17 @@ class FrameSteps {
 
   private:
     struct Step {
-        enum class Kind : std::uint8_t { Shift, Rotation, Scale, Mirror };
+        enum class Kind : std::uint8_t { Rotation, Scale, Mirror, Shift };
         Kind kind = Kind::Shift;
-        std::array<double, 3> values{};   // of the shift; point of a rotation or a scale
-        std::array<bool, 3> axes{};       // given, or mirrored
-        std::array<double, 3> factors{};  // Scale
-        double angle_deg = 0;             // Rotation …
-        nc::Function plane = nc::Function::PlaneXy;
+        ProgramFrame frame;  // what functions of this kind have made, one behind the other
     };
 
+    ProgramFrame& last(Step::Kind kind);
     void erase(Step::Kind kind);
+    void join_oldest();
 
-    std::vector<Step> steps_;
+    ProgramFrame shift_;       // before any step: shifts alone
+    std::vector<Step> steps_;  // no two of a kind in a row
 };
 
 /// Whether two frames are one but for rounding.

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/assert.h"
+#include "control/frame_steps.h"
 #include "path/linear.h"
 
 namespace kadr::control {
@@ -14,10 +15,6 @@ using path::Frame;
 using path::Vec3;
 
 namespace {
-
-/// More steps than this come only from a loop that adds frames; controls that do so can delete
-/// nothing but the whole, so the oldest two may become one.
-constexpr std::size_t kMaxSteps = 64;
 
 Vec3 vector_of(const FrameWords& words) {
     return {words.values[0], words.values[1], words.values[2]};
