@@ -59,7 +59,7 @@ class FrameSteps {
     void join_oldest();
 
     ProgramFrame shift_;       // before any step: shifts alone
-    std::vector<Step> steps_;  // no two of a kind in a row
+    std::vector<Step> steps_;  // those of a kind in a row are one
 };
 
 /// Whether two frames are one but for rounding.
