@@ -176,7 +176,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         if (!check_mirror(block, plan, at) || !settle_frame(block, at)) return false;
         if (options.warns_of_cuts) warn_of_plane(block, at);
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
-        modal.take_functions(block);
+        modal.take_functions(block, target.rules());
         const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
         if (target.rules().machine_coordinates_rapid && !says_rapid && motion != Function::Rapid &&
             block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {

@@ -637,7 +637,7 @@ bool Expander::State::emit_element(const Element& element, const FollowedBlock& 
     block.motion = !element.is_arc()   ? Function::Line
                    : element.sweep > 0 ? Function::ArcCcw
                                        : Function::ArcCw;
-    modal.take_functions(block);
+    modal.take_functions(block, target.rules());
     const std::size_t plane_axes[2] = {axes.first, axes.second};
     for (std::size_t i = 0; i < 2; ++i) {
         const auto component = static_cast<Eigen::Index>(i);

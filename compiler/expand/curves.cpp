@@ -274,7 +274,7 @@ bool Expander::State::emit_pole(const FollowedBlock& next, std::uint32_t where) 
         block.set_argument(*block.add(Function::SplineDegree, 1),
                            nc::parameter_of<Function::SplineDegree>("degree"), spline.degree);
     }
-    modal.take_functions(block);
+    modal.take_functions(block, target.rules());
     const auto degree = static_cast<std::size_t>(spline.degree);
     if (by_intervals) {
         const double interval = spline.knots[degree + i] - spline.knots[degree + i - 1];
@@ -293,7 +293,7 @@ bool Expander::State::emit_line(const Vec3& to, const FollowedBlock& next, std::
     if (is_block_limit(where)) return false;
     nc::Block& block = next_block(next.source);
     block.motion = Function::Line;
-    modal.take_functions(block);
+    modal.take_functions(block, target.rules());
     set_coordinates(block, to);
     return finish_followed(block, next, where);
 }

@@ -363,7 +363,7 @@ void Expander::State::say_distance(Function function, SourceId source, std::uint
     if (is_block_limit(at)) return;
     Block& block = next_block(source);
     block.add(function);
-    modal.take_functions(block);
+    modal.take_functions(block, target.rules());
     if (options.trace) keep_trace(at, depth, source);
 }
 

@@ -13,6 +13,13 @@ using nc::Group;
 using nc::parameter_of;
 using nc::parameter_of_all;
 
+namespace {
+
+constexpr nc::Rules kLanguage = nc::Rules::of_language();
+constexpr auto kAllAxes = static_cast<AxisMask>((1u << kAxes) - 1u);
+
+}  // namespace
+
 ModalState ModalState::at_start(const sema::FunctionCode& entry) {
     ModalState state;
     const auto set = [&](Group group, Function function) {
@@ -92,11 +99,10 @@ void ModalState::forget_drift(AxisMask axes) {
     unplaced &= static_cast<AxisMask>(~axes);
 }
 
-void ModalState::set_position(const nc::Block& block, const nc::Invocation& invocation) {
-    constexpr std::size_t kX = parameter_of<Function::SetPosition>("x");
+void ModalState::name_position(const nc::FrameChange& change) {
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!invocation.has(kX + i)) continue;
-        position[i] = block.argument(invocation, kX + i);
+        if (!change.given[i]) continue;
+        position[i] = change.values[i];
         known = static_cast<AxisMask>(known | 1u << i);
     }
 }
@@ -123,179 +129,179 @@ void ModalState::say_frame(const control::ProgramFrame& next, SourceId source) {
     set_frame(next, source);
 }
 
-namespace {
-
-constexpr std::size_t kX =
-    parameter_of_all<"x", Function::Shift, Function::ShiftAdd, Function::Mirror>();
-constexpr std::size_t kAngle = parameter_of<Function::Rotate>("angle");
-constexpr std::size_t kCenter = parameter_of_all<"x", Function::Rotate, Function::Scale>();
-constexpr std::size_t kOfAll = parameter_of<Function::Scale>("factor");
-constexpr std::size_t kOfX = parameter_of<Function::Scale>("fx");
-
-/// Three arguments from one on.
-std::array<double, 3> three_of(const nc::Block& block, const nc::Invocation& invocation,
-                               std::size_t first, double fallback = 0) {
-    return {block.argument(invocation, first, fallback),
-            block.argument(invocation, first + 1, fallback),
-            block.argument(invocation, first + 2, fallback)};
+/// In the frames that blocks have said and in those of their text alike.
+template <typename Change>
+void ModalState::change_steps(SourceId source, Change change) {
+    change(steps);
+    change(said_steps);
+    frame_from_steps(source);
 }
 
-std::array<double, 3> factors_of(const nc::Block& block, const nc::Invocation& scale) {
-    return three_of(block, scale, kOfX, block.argument(scale, kOfAll, 1));
-}
-
-/// What a function that stands in the text does to a frame; false: nothing. Factors that are none
-/// leave it to the control's alarm.
-bool add_step(control::FrameSteps& steps, const nc::Block& block, const nc::Invocation& invocation,
-              Function plane) {
-    const std::array<double, 3> values = three_of(block, invocation, kX);
-    const std::array<bool, 3> given{invocation.has(kX), invocation.has(kX + 1),
-                                    invocation.has(kX + 2)};
-    switch (invocation.function) {
-        case Function::Shift: steps.shift(values, given); return true;
-        case Function::ShiftAdd: steps.shift_add(values, given); return true;
-        case Function::Rotate:
-            steps.rotate(block.argument(invocation, kAngle), plane,
-                         three_of(block, invocation, kCenter));
-            return true;
-        case Function::Scale:
-            steps.scale(factors_of(block, invocation), three_of(block, invocation, kCenter));
-            return true;
-        case Function::Mirror: steps.mirror(given); return true;
-        case Function::RotateOff: steps.rotate_off(); return true;
-        case Function::ScaleOff: steps.scale_off(); return true;
-        case Function::MirrorOff: steps.mirror_off(invocation.given); return true;
-        default: return false;
-    }
+void ModalState::frame_from_steps(SourceId source) {
+    const auto [next, fault] = steps.frame();
+    if (fault != control::FrameFault::None) known &= static_cast<AxisMask>(~kLinearXYZ);
+    set_frame(next, source);
 }
 
 /// A factor that is none is the control's alarm, or a mirror.
-bool has_wrong_factor(const nc::Block& block, const nc::Invocation& invocation) {
-    return invocation.function == Function::Scale &&
-           std::ranges::any_of(factors_of(block, invocation),
-                               [](double factor) { return !(factor > 0); });
-}
-
-}  // namespace
-
-/// False: the function is none of frames.
-bool ModalState::take_frame(const nc::Block& block, const nc::Invocation& invocation) {
-    if (has_wrong_factor(block, invocation)) {
+void ModalState::scale(const nc::FrameChange& change, SourceId source) {
+    if (std::ranges::any_of(change.factors, [](double factor) { return !(factor > 0); })) {
         known &= static_cast<AxisMask>(~kLinearXYZ);
-        return true;
+        return;
     }
-    if (!add_step(steps, block, invocation, (*this)[Group::Plane])) return false;
-    if (rotates_outside_scale && invocation.function == Function::Rotate) {
-        said_steps.rotate_scaled(block.argument(invocation, kAngle), (*this)[Group::Plane],
-                                 three_of(block, invocation, kCenter));
-    } else {
-        add_step(said_steps, block, invocation, (*this)[Group::Plane]);
-    }
-    const auto [next, fault] = steps.frame();
-    if (fault != control::FrameFault::None) known &= static_cast<AxisMask>(~kLinearXYZ);
-    set_frame(next, block.source);
-    if (invocation.function == Function::Shift) lost &= ~sema::kFrameBit;  // it replaces all frames
-    return true;
+    change_steps(source, [&](auto& all) { all.scale(change.factors, change.values); });
 }
 
-void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) {
-    if (take_frame(block, invocation)) return;
-    switch (invocation.function) {
-        case Function::ReferencePoint:
-            forget_drift(static_cast<AxisMask>(
-                invocation.given >> parameter_of<Function::ReferencePoint>("x") & kLinearXYZ));
-            known = 0;
-            return;
-        case Function::ReferenceReturn: known = 0; return;
-        case Function::Tilt:
-        case Function::TiltEuler:
-        case Function::TiltAlign:
-        case Function::TiltOff:  // another system, and the control alone knows where its axes go
-            known = 0;
-            lost_drift = static_cast<AxisMask>((1u << kAxes) - 1u);
+void ModalState::rotate(const nc::FrameChange& change, SourceId source, const nc::Rules& target) {
+    const Function plane = (*this)[Group::Plane];
+    steps.rotate(change.angle_deg, plane, change.values);
+    if (target.rotate_outside_scale)
+        said_steps.rotate_scaled(change.angle_deg, plane, change.values);
+    else said_steps.rotate(change.angle_deg, plane, change.values);
+    frame_from_steps(source);
+}
+
+void ModalState::lose_axes(AxisMask axes) {
+    known &= static_cast<AxisMask>(~axes);
+    lost_drift |= axes;
+}
+
+/// Another system, and the control alone knows where the tool stands in it.
+void ModalState::lose_system() { lose_axes(kAllAxes); }
+
+/// Data of the zero point that acts move it.
+void ModalState::write_offset(double number) {
+    const bool is_other =
+        (*this)[Group::WorkOffsets] == Function::WorkOffset && number != 0 && number != work_offset;
+    if (!is_other) lose_system();
+}
+
+void ModalState::select_work_offset(double number) {
+    if ((*this)[Group::WorkOffsets] != Function::WorkOffset || work_offset != number) lose_system();
+    work_offset = number;
+    due_offset = 0;
+}
+
+/// Where the words of the block have brought its axes, only the control knows.
+void ModalState::lose_words(const nc::Block& block, const nc::Effect& effect) {
+    const auto axes = static_cast<AxisMask>(block.given & nc::kTargetSlots);
+    known &= static_cast<AxisMask>(~axes);
+    // The control may count an increment from the number that was said there.
+    if (effect.function == Function::MachineCoordinates) lost_drift |= axes;
+}
+
+void ModalState::go_to_point(const nc::Block& block, const nc::Effect& effect) {
+    known = 0;
+    if (effect.function != Function::ReferencePoint) return;
+    constexpr std::size_t kFirstAxis = parameter_of<Function::ReferencePoint>("x");
+    forget_drift(static_cast<AxisMask>(effect.said_in(block).given >> kFirstAxis & kLinearXYZ));
+}
+
+/// The changer stands somewhere else and takes the spindle over. A turret does not: what turns in
+/// G18 is the part.
+void ModalState::change_tool(const nc::Block& block, const nc::Rules& target) {
+    lacks_tool = false;
+    has_tool_in = has_tool;
+    tool_in = tool;
+    known = 0;
+    lost_drift |= has_drift;
+    if (target.tool_change_stops_spindle && (*this)[Group::Plane] != Function::PlaneZx)
+        switch_spindle(Function::SpindleStop, block.source);
+}
+
+void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc::Rules& target) {
+    using Kind = nc::EffectKind;
+    const SourceId source = block.source;
+    const auto change = [&] { return frame_change(block, effect); };
+    const auto number = [&](std::size_t parameter) {
+        return block.argument(effect.said_in(block), parameter);
+    };
+    switch (effect.kind) {
+        case Kind::Sets: set_member(block, effect); break;
+        case Kind::Shift:
+            change_steps(source,
+                         [said = change()](auto& all) { all.shift(said.values, said.given); });
+            lost &= ~sema::kFrameBit;  // it replaces all frames
+            break;
+        case Kind::ShiftAdd:
+            change_steps(source,
+                         [said = change()](auto& all) { all.shift_add(said.values, said.given); });
+            break;
+        case Kind::Rotate: rotate(change(), source, target); break;
+        case Kind::Scale: scale(change(), source); break;
+        case Kind::Mirror:
+            change_steps(source, [said = change()](auto& all) { all.mirror(said.given); });
+            break;
+        case Kind::RotateOff: change_steps(source, [](auto& all) { all.rotate_off(); }); break;
+        case Kind::ScaleOff: change_steps(source, [](auto& all) { all.scale_off(); }); break;
+        case Kind::MirrorOff:
+            change_steps(source,
+                         [axes = effect.said_in(block).given](auto& all) { all.mirror_off(axes); });
+            break;
+        case Kind::SetPosition: name_position(change()); break;
+        case Kind::WorkOffset:
+            select_work_offset(number(parameter_of<Function::WorkOffset>("number")));
+            break;
+        case Kind::WritesOffset:
+            write_offset(number(parameter_of<Function::WorkOffsetData>("number")));
+            break;
+        case Kind::CorrectsOffset:
+            lose_corrected(number(
+                parameter_of_all<"axis", Function::OffsetToEdge, Function::OffsetToMiddle>()));
+            break;
+        case Kind::Tilts:
+        case Kind::EndsTilt:
+            lose_system();
             is_turned = true;
-            return;
-        case Function::TcpOn:
-        case Function::TcpBased:
-        case Function::TcpOff:
-        case Function::TcpLength:
-        case Function::TcpVector:  // the tip in the workpiece has other coordinates than the axes
-            known &= static_cast<AxisMask>(~kLinearXYZ);
-            lost_drift |= kLinearXYZ;
             break;
-        case Function::OffsetToEdge:
-        case Function::OffsetToMiddle: {
-            constexpr std::size_t kAxis =
-                parameter_of_all<"axis", Function::OffsetToEdge, Function::OffsetToMiddle>();
-            lose_corrected(block.argument(invocation, kAxis));
-            return;
-        }
-        case Function::SetPosition: set_position(block, invocation); return;
-        case Function::DiameterOn:
-        case Function::DiameterOff:
-            set_diameter(invocation.function == Function::DiameterOn);
+        case Kind::SwitchesTcp: lose_axes(kLinearXYZ); break;
+        case Kind::TurnsAxes:
+            known &= kLinearXYZ;
+            is_turned = true;
             break;
-        case Function::WorkOffset: {
-            const double number =
-                block.argument(invocation, parameter_of<Function::WorkOffset>("number"));
-            if ((*this)[Group::WorkOffsets] != Function::WorkOffset || work_offset != number) {
-                known = 0;
-                lost_drift = static_cast<AxisMask>((1u << kAxes) - 1u);
-            }
-            work_offset = number;
-            due_offset = 0;
-            break;
-        }
-        case Function::LengthCompOn: {
-            constexpr std::size_t kOffset = parameter_of<Function::LengthCompOn>("offset");
-            has_length_offset = invocation.has(kOffset);
-            length_offset = block.argument(invocation, kOffset);
-            break;
-        }
-        case Function::Tool:
-            has_tool = has_tool_in = true;
-            lacks_tool = false;
-            tool = tool_in = block.argument(invocation, parameter_of<Function::Tool>("tool"));
-            known = 0;  // the changer stands somewhere else
-            change_tool(block.source);
-            lost_drift |= has_drift;
-            return;
-        case Function::ToolSelect:
+        case Kind::TurnsSystem: lose_system(); break;
+        case Kind::SelectsTool:
             has_tool = true;
-            tool = block.argument(invocation, parameter_of<Function::ToolSelect>("tool"));
-            return;
-        case Function::ToolChange: {
-            lacks_tool = false;
-            const nc::Invocation* select = block.find(Function::ToolSelect);
-            has_tool_in = has_tool || select != nullptr;
-            tool_in = select != nullptr
-                          ? block.argument(*select, parameter_of<Function::ToolSelect>("tool"))
-                          : tool;
-            known = 0;
-            lost_drift |= has_drift;
-            change_tool(block.source);
-            return;
-        }
-        case Function::End:
-        case Function::EndRewind:
+            tool = number(parameter_of_all<"tool", Function::ToolSelect, Function::Tool>());
+            break;
+        case Kind::ChangesTool: change_tool(block, target); break;
+        case Kind::ChangesLength:
+            if (effect.function != Function::LengthCompOn) break;
+            has_length_offset =
+                effect.said_in(block).has(parameter_of<Function::LengthCompOn>("offset"));
+            length_offset = number(parameter_of<Function::LengthCompOn>("offset"));
+            break;
+        case Kind::LeavesWords: lose_words(block, effect); break;
+        case Kind::GoesToPoint: go_to_point(block, effect); break;
+        case Kind::EndsProgram:
             has_ended = block.skip < 0;
-            ended_by = block.source;
-            return;
-        default: break;
+            ended_by = source;
+            break;
+        case Kind::SelectsEdge:
+        case Kind::SelectsLength:
+        case Kind::WritesLength:
+        case Kind::SelectsRadius:  // what lengths and radii are, the control knows
+        case Kind::RunsCycle:      // native_cycles.cpp
+        case Kind::Own: break;
     }
-    const Group group = nc::info(invocation.function).group;
-    if (group == Group::Once) return;
+}
+
+/// A modal group has another member.
+void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
+    const Group group = effect.group();
+    if (effect.function == Function::DiameterOn || effect.function == Function::DiameterOff)
+        set_diameter(effect.function == Function::DiameterOn);
     Function& member = active[static_cast<std::size_t>(group)];
     lost &= ~sema::group_bit(group);
+    if (group == Group::Motion) restate_motion = false;
     if (group == Group::Spindle) spindle_in_doubt = false;
-    if (group == Group::RadiusComp)
-        choose_compensation(invocation.function, block.skip, block.source);
-    if (group == Group::FeedMode && member != invocation.function) {
+    if (group == Group::RadiusComp) choose_compensation(effect.function, block.skip, block.source);
+    if (group == Group::FeedMode && member != effect.function) {
         is_feed_lost |= has_feed;
         has_feed = false;
     }
-    if (group == Group::SpeedMode && member != invocation.function) has_speed = false;
-    member = invocation.function;
+    if (group == Group::SpeedMode && member != effect.function) has_speed = false;
+    member = effect.function;
     changed_by[static_cast<std::size_t>(group)] = block.source;
     if (group == Group::Spindle) warned_of_spindle = warned_of_rapid = false;
 }
@@ -327,20 +333,11 @@ void ModalState::set_spindle(double code, SourceId source) {
     if (member != (*this)[Group::Spindle]) switch_spindle(member, source);
 }
 
-/// The changer takes the spindle over. A turret does not: what turns in G18 is the part.
-void ModalState::change_tool(SourceId source) {
-    if (!stops_at_tool_change || (*this)[Group::Plane] == Function::PlaneZx) return;
-    switch_spindle(Function::SpindleStop, source);
-}
-
-void ModalState::take_functions(const nc::Block& block) {
-    if (block.motion != Function::None) {
-        active[static_cast<std::size_t>(Group::Motion)] = block.motion;
-        changed_by[static_cast<std::size_t>(Group::Motion)] = block.source;
-        restate_motion = false;
-        lost &= ~sema::group_bit(Group::Motion);
-    }
-    for (std::size_t i = 0; i < block.function_count; ++i) take(block, block.functions[i]);
+void ModalState::take_functions(const nc::Block& block, const nc::Rules& target) {
+    const nc::Effects effects = effects_of(kLanguage, block, false);
+    for (const nc::When when : {nc::When::AtOnce, nc::When::BeforeMotion})
+        for (const nc::Effect& effect : effects)
+            if (effect.when == when) take(block, effect, target);
 }
 
 void ModalState::take_words(const nc::Block& block) {
@@ -362,8 +359,15 @@ void ModalState::take_words(const nc::Block& block) {
         lost &= ~sema::kSpeedBit;
         if (block.skip < 0) restate &= ~sema::kSpeedBit;
     }
+    if ((block.given & nc::kTargetSlots) != 0) take_targets(block);
+    if (block.function_count == 0) return;
+    for (const nc::Effect& effect : effects_of(kLanguage, block, false))
+        if (effect.when == nc::When::Behind) take(block, effect, kLanguage);
+}
+
+/// Where the words of a block lead.
+void ModalState::take_targets(const nc::Block& block) {
     nc::SlotMask targets = block.given & nc::kTargetSlots;
-    if (targets == 0) return;
     if ((targets & (bit(Axis::A) | bit(Axis::B) | bit(Axis::C))) != 0) note_rotary(block);
     // The operator may leave the block out: then they have gone nowhere.
     if (block.skip >= 0) lost_drift |= has_drift & static_cast<AxisMask>(targets);
@@ -374,21 +378,9 @@ void ModalState::take_words(const nc::Block& block) {
         moved_under = is_doubtful ? Function::None : (*this)[Group::RadiusComp];
     }
     const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;
-    const bool says_machine =
-        block.function_count > 0 && block.find(Function::MachineCoordinates) != nullptr;
-    const bool is_machine = says_machine || (block.function_count > 0 &&
-                                             block.find(Function::ReferenceReturn) != nullptr);
-    // Where the probe triggers, only the control knows.
-    const bool probes = block.function_count > 0 && block.find(Function::Probe) != nullptr;
     for (std::size_t i = 0; targets != 0; ++i, targets >>= 1) {
         if ((targets & 1u) == 0) continue;
         const nc::SlotMask bit = nc::SlotMask{1} << i;
-        if (is_machine || probes) {
-            // The control may count an increment from the number that was said there.
-            if (says_machine) lost_drift = static_cast<AxisMask>(lost_drift | bit);
-            known = static_cast<AxisMask>(known & ~bit);
-            continue;
-        }
         const bool is_incremental =
             (block.incremental & bit) != 0 || (modal_incremental && (block.absolute & bit) == 0);
         if (is_incremental) {

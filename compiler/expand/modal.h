@@ -10,6 +10,7 @@
 #include "control/frame_steps.h"
 #include "control/program_frame.h"
 #include "nc/block.h"
+#include "nc/effects.h"
 #include "sema/code.h"
 
 namespace kadr::expand {
@@ -25,11 +26,9 @@ struct ModalState {
     bool has_length_offset = false;
     bool has_feed = false;
     bool has_speed = false;
-    bool had_cutting_speed = false;      // S has been said under constant cutting speed
-    bool is_feed_lost = false;           // it was given, and then the feed mode changed
-    bool stops_at_tool_change = false;   // of the target: the spindle stands behind a tool change
-    bool rotates_outside_scale = false;  // of the target: FrameSteps::rotate_scaled
-    double feed = 0;                     // as in Block
+    bool had_cutting_speed = false;  // S has been said under constant cutting speed
+    bool is_feed_lost = false;       // it was given, and then the feed mode changed
+    double feed = 0;                 // as in Block
     double speed = 0;
     bool has_tool = false;
     bool lacks_tool = true;  // none was called, and no text of unknown meaning stood there
@@ -98,9 +97,11 @@ struct ModalState {
 
     /// The state in which every Kadr program begins.
     static ModalState at_start(const sema::FunctionCode& entry);
-    /// What the functions of a block do.
-    void take_functions(const nc::Block& block);
-    /// … and then its words.
+    /// What the functions of a block do before it moves.
+    ///
+    /// target  the control for which the program is written: some of its customs the text has
+    void take_functions(const nc::Block& block, const nc::Rules& target);
+    /// … and then its words, and what is so behind the motion.
     void take_words(const nc::Block& block);
     /// Whether the spindle turns, as far as the program says.
     bool is_spindle_turning() const {
@@ -132,10 +133,22 @@ struct ModalState {
     void set_spindle(double code, SourceId source);
 
   private:
-    void take(const nc::Block& block, const nc::Invocation& invocation);
-    bool take_frame(const nc::Block& block, const nc::Invocation& invocation);
-    void set_position(const nc::Block& block, const nc::Invocation& invocation);
-    void change_tool(SourceId source);
+    void take(const nc::Block& block, const nc::Effect& effect, const nc::Rules& target);
+    void set_member(const nc::Block& block, const nc::Effect& effect);
+    template <typename Change>
+    void change_steps(SourceId source, Change change);
+    void scale(const nc::FrameChange& change, SourceId source);
+    void rotate(const nc::FrameChange& change, SourceId source, const nc::Rules& target);
+    void name_position(const nc::FrameChange& change);
+    void frame_from_steps(SourceId source);
+    void take_targets(const nc::Block& block);
+    void select_work_offset(double number);
+    void write_offset(double number);
+    void lose_system();
+    void lose_axes(AxisMask axes);
+    void lose_words(const nc::Block& block, const nc::Effect& effect);
+    void go_to_point(const nc::Block& block, const nc::Effect& effect);
+    void change_tool(const nc::Block& block, const nc::Rules& target);
     void set_diameter(bool is_on);
     void note_rotary(const nc::Block& block);
     void choose_compensation(nc::Function side, int skip, SourceId source);

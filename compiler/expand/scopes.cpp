@@ -97,7 +97,7 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     if (speed) block.set(nc::Slot::Speed, before.speed);
     if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(block, at))
         return false;
-    modal.take_functions(block);
+    modal.take_functions(block, target.rules());
     modal.take_words(block);
     if (options.trace) keep_trace(at, depth, source);
     return true;

@@ -273,8 +273,6 @@ bool Expander::State::set_number(const ParameterInfo& parameter, double value, S
 
 ModalState Expander::State::first_state(const FunctionCode& function) const {
     ModalState state = ModalState::at_start(function);
-    state.stops_at_tool_change = target.rules().tool_change_stops_spindle;
-    state.rotates_outside_scale = target.rules().rotate_outside_scale;
     if (target.power_on(nc::Group::Diameter) == nc::Function::DiameterOn) state.is_diameter = true;
     return state;
 }

@@ -226,7 +226,7 @@ void Expander::State::set_up(const CallUnderTest& call) {
         return value == value ? value : otherwise;
     };
     const auto deliver = [&](const Block& block) {
-        modal.take_functions(block);
+        modal.take_functions(block, target.rules());
         modal.take_words(block);
         if (options.trace) traces.emplace_back();  // no statement of the source makes it
     };

@@ -227,7 +227,7 @@ bool Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(slot);
     }
     const Function motion = modal[Group::Motion];
-    modal.take_functions(block);
+    modal.take_functions(block, target.rules());
     modal.take_words(block);
     if (motion != Function::Rapid) {
         modal.active[static_cast<std::size_t>(Group::Motion)] = motion;

@@ -242,7 +242,7 @@ void BlockWriter::check_knot(const Block& block, Function motion) {
 bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
     if (!is_arc(effective_motion(block))) return split_turns(block, out);
     const ModalFunctions meant = modal_.meant;
-    follow_modal(block, modal_.meant);
+    follow_modal(rules_, block, modal_.meant);
     if (split_turns(block, out) || straighten(block, out) || (!is_part_ && split_arc(block, out)))
         return true;
     modal_.meant = meant;
@@ -313,8 +313,10 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     }
     for (Pending& pending : pending_) pending.tool = own_offset(pending, block);
     if (block.find(Function::Cycle) != nullptr) leave_cycle(block, out);
-    for (std::size_t i = 0; i < block.function_count; ++i)
-        follow_function(block, block.functions[i]);
+    if (block.function_count == 0) return;
+    for (const Effect& effect : effects_of(rules_, block, dialect_.is_of_lathe()))
+        follow_effect(block, effect);
+    if (block.find(Function::Message) != nullptr) check_message(block);
 }
 
 // ---------------------------------------------------------------- threads

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "nc/arc_words.h"
+#include "nc/effects.h"
 #include "nc/writer.h"
 #include "nc/writer_state.h"
 
@@ -167,9 +168,17 @@ class BlockWriter {
     void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out);
     void follow_functions(const Block& block);
-    void follow_function(const Block& block, const Invocation& invocation);
-    void follow_scale(const Block& block, const Invocation& invocation);
-    void follow_shift(const Block& block, const Invocation& invocation);
+    void follow_effect(const Block& block, const Effect& effect);
+    void follow_shift(const FrameChange& change);
+    void follow_shift_add(const FrameChange& change);
+    void follow_scale(const FrameChange& change);
+    void name_position(const FrameChange& change);
+    void end_tilt(const Block& block, const Effect& effect);
+    void call_tool(const Block& block, const Effect& effect);
+    void call_edge(const Block& block, const Effect& effect);
+    void forget_words(const Block& block, const Effect& effect);
+    /// A length that waits for its axis is said by the program itself.
+    void drop_pending(bool is_length);
     void turn_axes(std::size_t axis);
     void forget_unsaid(const Block& block);
     void change_length(const Block& block);

@@ -121,7 +121,8 @@ bool LineReader::read_plain(std::string_view line, Block& block) {
     }
     text_->has_content = true;
     // Later forms depend on modal functions: G68 on its plane, G53 on absolute dimensions.
-    if (block.function_count != 0 || block.motion != Function::None) follow_modal(block, modal_);
+    if (block.function_count != 0 || block.motion != Function::None)
+        follow_modal(tables_.rules, block, modal_);
     if (block.function_count != 0) note_machine_code(line);
     return true;
 }
@@ -154,7 +155,7 @@ bool LineReader::has_words(std::string_view line) {
 bool LineReader::read_known(std::string_view line, Block& block) {
     if (!read_verbatim(line, block)) return false;
     text_->has_content = true;
-    follow_modal(block, modal_);
+    follow_modal(tables_.rules, block, modal_);
     return true;
 }
 
@@ -189,7 +190,7 @@ bool LineReader::read_words(std::string_view line, ControlLine& compiled,
         note_fault();
         return false;
     }
-    follow_modal(block, modal_);
+    follow_modal(tables_.rules, block, modal_);
     return true;
 }
 
@@ -530,7 +531,7 @@ bool LineReader::apply(Block& block, std::string_view line) {
         note_form(match_.forms[i], line);
     }
     const ModalFunctions before = modal_;
-    follow_modal(block, modal_);
+    follow_modal(tables_.rules, block, modal_);
     follow_units();
     block.has_inch_feed = units_.inch_feed;
     bool is_fine = true;
@@ -719,7 +720,7 @@ bool LineReader::apply_whole(const Claim& claim, Block& block, std::string_view 
 
 void LineReader::follow(const Block& block) {
     if (block.kind != Block::Kind::Nc) return;
-    follow_modal(block, modal_);
+    follow_modal(tables_.rules, block, modal_);
     if (block.skip < 0) return;
     // Nobody knows here whether the operator lets the block run.
     for (std::size_t i = 0; i < block.function_count; ++i) {
@@ -745,7 +746,7 @@ void LineReader::restore(const ModalFunctions& wanted, Block& block) {
             block.add(wanted[i]);
         }
     }
-    follow_modal(block, modal_);
+    follow_modal(tables_.rules, block, modal_);
     follow_units();
 }
 

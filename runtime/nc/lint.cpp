@@ -106,7 +106,8 @@ class SenseCheck {
         const auto start = std::ranges::find(program.children, "start", &XmlElement::name);
         if (start == program.children.end()) return;
         ModalFunctions modal{tables_.power_on};
-        for (const Block& block : blocks_of_head(dialect_)) follow_modal(block, modal);
+        for (const Block& block : blocks_of_head(dialect_))
+            follow_modal(tables_.rules, block, modal);
         const Function plane = tables_.power_on[index(Group::Plane)] == Function::PlaneZx
                                    ? Function::PlaneZx  // of a lathe
                                    : Function::PlaneXy;

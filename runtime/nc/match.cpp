@@ -764,21 +764,4 @@ std::optional<MatchFault> match_words(const DialectTables& tables, std::span<con
     return Matcher(tables, words, arguments, modal, block, match, words_of).run();
 }
 
-void follow_modal(const Block& block, ModalFunctions& modal) {
-    Function& cycle_mode = modal[static_cast<std::size_t>(Group::CycleMode)];
-    if (block.motion != Function::None) {
-        modal[static_cast<std::size_t>(Group::Motion)] = block.motion;
-        cycle_mode = Function::CycleOff;
-    }
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        const Function function = block.functions[i].function;
-        const Group group = info(function).group;
-        if (function == Function::Cycle) {
-            cycle_mode = Function::Cycle;
-            modal.cycle = block.cycle;
-        }
-        if (group != Group::Once) modal[static_cast<std::size_t>(group)] = function;
-    }
-}
-
 }  // namespace kadr::nc

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "nc/modal_functions.h"
 #include "nc/tables.h"
 
 namespace kadr::nc {
@@ -103,13 +104,6 @@ struct Match {
     std::size_t form_count = 0;
 };
 
-/// Active members of the modal groups as far as they are known; None: not known.
-struct ModalFunctions : std::array<Function, kGroups> {
-    CycleId cycle = 0;  // the one that was called last; it is modal if the cycle mode is Cycle
-
-    bool operator==(const ModalFunctions&) const = default;
-};
-
 /// What the words are: a text, where words of modal cycles may have been said before and other
 /// cycles' words wait for their turn, or a block of a source, which says all of its own.
 enum class WordsOf : std::uint8_t { Text, Source };
@@ -120,8 +114,5 @@ std::optional<MatchFault> match_words(const DialectTables& tables, std::span<con
                                       std::span<const GivenArgument> arguments,
                                       const ModalFunctions& modal, Block& block, Match& match,
                                       WordsOf words_of = WordsOf::Text);
-
-/// Functions that a block sets become the active members.
-void follow_modal(const Block& block, ModalFunctions& modal);
 
 }  // namespace kadr::nc

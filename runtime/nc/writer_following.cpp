@@ -12,7 +12,7 @@ namespace kadr::nc {
 void BlockWriter::follow_functions(const Block& block) {
     const Function feed_mode = modal_.meant_of(Group::FeedMode);
     const Function speed_mode = modal_.meant_of(Group::SpeedMode);
-    follow_modal(block, modal_.meant);
+    follow_modal(rules_, block, modal_.meant);
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if ((done_ >> i & 1u) == 0 && chosen_[i] != kNoForm)
             note_written(tables_.forms[chosen_[i]]);
@@ -47,134 +47,146 @@ void BlockWriter::defer_length(const Block& block, const Invocation& invocation)
     }
 }
 
-/// What a function means for positions, frames and held-back words.
-void BlockWriter::follow_function(const Block& block, const Invocation& invocation) {
-    switch (invocation.function) {
-        case Function::Shift: follow_shift(block, invocation); break;
-        case Function::ShiftAdd:
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                if (block.argument(invocation, parameter_of<Function::ShiftAdd>("x") + axis) == 0)
-                    continue;
-                modal_.origin[axis].is_known = false;
-                modal_.position.known &= ~bit(static_cast<Slot>(axis));
-            }
+/// What an effect means for positions, frames and held-back words. Groups were followed before the
+/// words of the block were made.
+void BlockWriter::follow_effect(const Block& block, const Effect& effect) {
+    switch (effect.kind) {
+        case EffectKind::Sets:
+            if (effect.function == Function::CycleOff) forget_motion();
             break;
-        case Function::Rotate:
+        case EffectKind::Shift: follow_shift(frame_change(block, effect)); break;
+        case EffectKind::ShiftAdd: follow_shift_add(frame_change(block, effect)); break;
+        case EffectKind::Rotate:
             modal_.rotation = Activity::Yes;
             turn_axes(plane_axes()[0]);
             turn_axes(plane_axes()[1]);
             break;
-        case Function::RotateOff:
+        case EffectKind::RotateOff:
             modal_.rotation = Activity::No;
             modal_.turn = {};
             modal_.position.known &= ~modal_.turned;
             break;
-        case Function::Scale:
+        case EffectKind::Scale:
             modal_.scale = Activity::Yes;
-            follow_scale(block, invocation);
+            follow_scale(frame_change(block, effect));
             modal_.turned = kTargetSlots;
             modal_.position.forget();
             break;
-        case Function::ScaleOff:
+        case EffectKind::ScaleOff:
             modal_.scale = Activity::No;
             modal_.factors = {1, 1, 1};
             modal_.position.forget();
             break;
-        case Function::Mirror:
+        case EffectKind::Mirror: {
             modal_.mirror = Activity::Yes;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                if (invocation.has(parameter_of<Function::Mirror>("x") + axis)) turn_axes(axis);
-            }
+            const FrameChange change = frame_change(block, effect);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                if (change.given[axis]) turn_axes(axis);
             break;
-        case Function::MirrorOff:
+        }
+        case EffectKind::MirrorOff:
             modal_.mirror = Activity::No;
             modal_.position.known &= ~modal_.turned;
             break;
-        case Function::Probe: forget_motion(); [[fallthrough]];
-        case Function::MachineCoordinates: modal_.position.known &= ~block.given; break;
-        case Function::OffsetToEdge:
-        case Function::OffsetToMiddle: modal_.position.forget(); break;
-        case Function::SetPosition:
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const std::size_t word = parameter_of<Function::SetPosition>("x") + axis;
-                if (!invocation.has(word)) continue;
-                const double value = block.argument(invocation, word);
-                modal_.position.meant[axis] = value;
-                const auto slot = static_cast<Slot>(axis);
-                const double scale = to_text(slot, 1);
-                modal_.position.text[axis] = round_to(value * scale, decimals(slot)) / scale;
-                modal_.position.known |= bit(slot);
-            }
+        case EffectKind::SetPosition: name_position(frame_change(block, effect)); break;
+        case EffectKind::Tilts: modal_.tilted = Activity::Yes; [[fallthrough]];
+        case EffectKind::WorkOffset: forget_unsaid(block); break;
+        case EffectKind::EndsTilt: end_tilt(block, effect); break;
+        case EffectKind::WritesOffset:
+        case EffectKind::CorrectsOffset:
+        case EffectKind::SwitchesTcp:
+        case EffectKind::TurnsSystem: modal_.position.forget(); break;
+        case EffectKind::TurnsAxes:
+            modal_.position.known &= bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z);
             break;
-        case Function::Tool:
-            forget_motion();
-            modal_.tool = {true, block.argument(invocation, parameter_of<Function::Tool>("tool"))};
-            for (const Deferred& deferred : tables_.deferred) {
-                std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
-                pending_.push_back({&deferred, modal_.tool.value});
-            }
-            modal_.edge = {true, 1};
-            modal_.is_edge_lost = false;
-            // Behind a move without length the new one is not travelled yet, either.
-            modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
-            modal_.waiting_edge = 0;
-            leave_changer();
+        case EffectKind::SelectsTool:
+            // The word of a turret may have an offset, too: lengths in the plane.
+            if (effect.function == Function::ToolSelect) modal_.position.forget();
             break;
-        case Function::ToolChange:
-            forget_motion();
-            modal_.tool.is_known = false;
-            modal_.edge = {true, 1};
-            modal_.is_edge_lost = false;
-            // Behind a move without length the new one is not travelled yet, either.
-            modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
-            modal_.waiting_edge = 0;
-            leave_changer();
-            break;
-        case Function::ToolEdge:
-            modal_.edge = {true,
-                           block.argument(invocation, parameter_of<Function::ToolEdge>("edge"))};
-            modal_.is_edge_lost = false;
-            modal_.waiting_edge = 0;
-            modal_.is_length_due = false;
-            change_length(block);
-            break;
-        case Function::RadiusOffset:
-            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis < 0; });
-            break;
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn:
-            defer_length(block, invocation);
+        case EffectKind::ChangesTool: call_tool(block, effect); break;
+        case EffectKind::SelectsEdge: call_edge(block, effect); break;
+        case EffectKind::ChangesLength: drop_pending(true); [[fallthrough]];
+        case EffectKind::WritesLength:
+        case EffectKind::SelectsLength: change_length(block); break;
+        case EffectKind::SelectsRadius: drop_pending(false); break;
+        case EffectKind::LeavesWords: forget_words(block, effect); break;
+        case EffectKind::GoesToPoint:
+            defer_length(block, effect.said_in(block));
             modal_.position.forget();
             break;
-        case Function::TiltOff: modal_.tilt = {}; [[fallthrough]];
-        case Function::Tilt:
-        case Function::TiltEuler:
-        case Function::TiltAlign:
-        case Function::WorkOffset: forget_unsaid(block); break;
-        case Function::WorkOffsetData:
-        case Function::ToolSelect: modal_.position.forget(); break;
-        case Function::LengthOffset: change_length(block); break;
-        case Function::TcpOn:
-        case Function::TcpBased:
-        case Function::TcpOff: modal_.position.forget(); break;
-        case Function::TcpLength:
-        case Function::TcpVector:
-            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
-            modal_.position.forget();
-            break;
-        case Function::LengthCompOn:
-        case Function::LengthCompOff:
-            // Said by the program itself: nothing of the tool's own waits any longer.
-            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
-            change_length(block);
-            break;
-        case Function::Cycle:
-        case Function::CycleOff: forget_motion(); break;
-        case Function::Message: check_message(block); break;
-        case Function::End:
-        case Function::EndRewind: has_ended_ = true; break;
-        default: break;  // the others move nothing and end nothing
+        case EffectKind::RunsCycle: forget_motion(); break;
+        case EffectKind::EndsProgram: has_ended_ = true; break;
+        case EffectKind::Own: break;
     }
+}
+
+void BlockWriter::drop_pending(bool is_length) {
+    std::erase_if(pending_, [&](const Pending& p) { return (p.deferred->axis >= 0) == is_length; });
+}
+
+void BlockWriter::follow_shift_add(const FrameChange& change) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (change.values[axis] == 0) continue;
+        modal_.origin[axis].is_known = false;
+        modal_.position.known &= ~bit(static_cast<Slot>(axis));
+    }
+}
+
+/// The tool stays where it is, and its coordinates have other numbers.
+void BlockWriter::name_position(const FrameChange& change) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!change.given[axis]) continue;
+        const auto slot = static_cast<Slot>(axis);
+        const double scale = to_text(slot, 1);
+        modal_.position.meant[axis] = change.values[axis];
+        modal_.position.text[axis] = round_to(change.values[axis] * scale, decimals(slot)) / scale;
+        modal_.position.known |= bit(slot);
+    }
+}
+
+/// What ends a rotation ends a tilted plane on some controls: where none acts, nothing else is new.
+void BlockWriter::end_tilt(const Block& block, const Effect& effect) {
+    if (effect.function != Function::RotateOff || modal_.tilted != Activity::No) {
+        modal_.tilt = {};
+        forget_unsaid(block);
+    }
+    modal_.tilted = Activity::No;
+}
+
+/// Another tool comes into the spindle. A turret only turns: no modal code is in doubt behind it.
+void BlockWriter::call_tool(const Block& block, const Effect& effect) {
+    if (effect.function == Function::ToolSelect) return;
+    forget_motion();
+    modal_.tool.is_known = effect.function == Function::Tool;
+    if (modal_.tool.is_known) {
+        modal_.tool.value =
+            block.argument(effect.said_in(block), parameter_of<Function::Tool>("tool"));
+        for (const Deferred& deferred : tables_.deferred) {
+            std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
+            pending_.push_back({&deferred, modal_.tool.value});
+        }
+    }
+    modal_.edge = {true, 1};
+    modal_.is_edge_lost = false;
+    // Behind a move without length the new one is not travelled yet, either.
+    modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
+    modal_.waiting_edge = 0;
+    leave_changer();
+}
+
+void BlockWriter::call_edge(const Block& block, const Effect& effect) {
+    modal_.edge = {true,
+                   block.argument(effect.said_in(block), parameter_of<Function::ToolEdge>("edge"))};
+    modal_.is_edge_lost = false;
+    modal_.waiting_edge = 0;
+    modal_.is_length_due = false;
+    change_length(block);
+}
+
+/// Where the block has brought its axes only the control knows.
+void BlockWriter::forget_words(const Block& block, const Effect& effect) {
+    if (effect.function == Function::Probe) forget_motion();  // its code is a motion of its own
+    modal_.position.known &= ~block.given;
 }
 
 /// Another zero point: the axes that the block itself does not bring to a coordinate have others.
@@ -245,12 +257,9 @@ void BlockWriter::turn_axes(std::size_t axis) {
 }
 
 /// Its factors are multiplied with those that act, where a second one does not replace the first.
-void BlockWriter::follow_scale(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kOfAll = parameter_of<Function::Scale>("factor");
-    constexpr std::size_t kOfX = parameter_of<Function::Scale>("fx");
+void BlockWriter::follow_scale(const FrameChange& change) {
     for (std::size_t axis = 0; axis < modal_.factors.size(); ++axis) {
-        const double of_all = block.argument(invocation, kOfAll, 1);
-        const double factor = block.argument(invocation, kOfX + axis, of_all);
+        const double factor = change.factors[axis];
         modal_.factors[axis] = rules_.scale_replaces ? factor : modal_.factors[axis] * factor;
     }
 }
@@ -258,10 +267,10 @@ void BlockWriter::follow_scale(const Block& block, const Invocation& invocation)
 /// A shift replaces all of the programmable frame. Axes whose share in it does not change stay
 /// where they are. Of the others the coordinate could be worked out, but an incremental word behind
 /// it counts from the old one on some controls; and X may be a diameter.
-void BlockWriter::follow_shift(const Block& block, const Invocation& invocation) {
+void BlockWriter::follow_shift(const FrameChange& change) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const SlotMask mask = bit(static_cast<Slot>(axis));
-        const double shift = block.argument(invocation, parameter_of<Function::Shift>("x") + axis);
+        const double shift = change.values[axis];
         Standing& origin = modal_.origin[axis];
         const bool stays = (modal_.turned & mask) == 0 && origin.is_known && origin.value == shift;
         if (!stays) modal_.position.known &= ~mask;

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "nc/match.h"
+#include "nc/modal_functions.h"
 #include "nc/number_text.h"
 #include "nc/quoted.h"
 
@@ -94,6 +94,7 @@ struct WriterModal {
     Activity rotation = Activity::No;
     Activity mirror = Activity::No;
     Activity scale = Activity::No;
+    Activity tilted = Activity::No;             // whether the working plane is
     TurnMiss turn;                              // of the rotation
     TurnMiss tilt;                              // of the tilted plane
     std::array<double, 3> factors = {1, 1, 1};  // of the scale, X Y Z
@@ -129,6 +130,7 @@ struct WriterModal {
         if (rotation != other.rotation) rotation = Activity::Unknown;
         if (mirror != other.mirror) mirror = Activity::Unknown;
         if (scale != other.scale) scale = Activity::Unknown;
+        if (tilted != other.tilted) tilted = Activity::Unknown;
         if (factors != other.factors) factors = {1, 1, 1};
         position.known &= other.position.known;
         for (std::size_t i = 0; i < kAxes; ++i) {
@@ -148,7 +150,7 @@ struct WriterModal {
         tool.is_known = edge.is_known = false;
         waiting_edge = 0;
         position.forget();
-        rotation = mirror = scale = Activity::Unknown;
+        rotation = mirror = scale = tilted = Activity::Unknown;
         factors = {1, 1, 1};
         turned = kTargetSlots;
         for (Standing& s : shift) s.is_known = false;

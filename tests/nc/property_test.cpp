@@ -384,7 +384,7 @@ bool says_tilt(const Block& block, const Block& meant, const Invocation& plane) 
 /// The first field of `meant` that none of the blocks has; empty: all of them are there.
 std::string lost_field(const Block& meant, std::span<const Block> blocks, const Dialect& dialect) {
     ModalFunctions modal{dialect.tables().power_on};
-    for (const Block& one : blocks) follow_modal(one, modal);
+    for (const Block& one : blocks) follow_modal(dialect.rules(), one, modal);
     const auto any = [&](const auto& has) { return std::ranges::any_of(blocks, has); };
     if (meant.motion != Function::None &&
         !any([&](const Block& b) { return b.motion == meant.motion; }))

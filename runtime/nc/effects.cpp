@@ -1,0 +1,410 @@
+#include "nc/effects.h"
+
+#include "nc/parameters.h"
+
+namespace kadr::nc {
+
+namespace {
+
+using Kind = EffectKind;
+
+/// The effects of one function, one after the other.
+class OfFunction {
+  public:
+    OfFunction(Effects& effects, Function function, std::uint8_t invocation)
+        : effects_(effects), function_(function), invocation_(invocation) {}
+
+    OfFunction& at_once(EffectKind kind) { return add(kind, When::AtOnce); }
+    OfFunction& before_motion(EffectKind kind) { return add(kind, When::BeforeMotion); }
+    OfFunction& behind(EffectKind kind) { return add(kind, When::Behind); }
+    void own() { add(EffectKind::Own, When::AtOnce); }
+    /// The function is the member of its group from here on.
+    void sets(When when) { add(EffectKind::Sets, when); }
+
+  private:
+    OfFunction& add(EffectKind kind, When when) {
+        effects_.add({kind, when, function_, invocation_});
+        return *this;
+    }
+
+    Effects& effects_;
+    Function function_;
+    std::uint8_t invocation_;
+};
+
+/// When the function becomes the member of its group: spindle and coolant wait for the tool that
+/// the block may change.
+When time_of_group(const Rules& rules, Function function) {
+    const Group group = info(function).group;
+    if (group != Group::Spindle && group != Group::Coolant) return When::AtOnce;
+    const bool stops = has_fact(function, Fact::StopsMachine);
+    return stops && rules.stops_after_motion ? When::Behind : When::BeforeMotion;
+}
+
+bool selects_at_once(const Rules& rules, bool on_lathe) {
+    return rules.tool_select_changes == ToolSelectChanges::Yes ||
+           (rules.tool_select_changes == ToolSelectChanges::Lathe && on_lathe);
+}
+
+/// All but that on its group.
+void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFunction& does) {
+    switch (function) {
+        case Function::None:
+        case Function::Rapid:
+        case Function::Line:
+        case Function::ArcCw:
+        case Function::ArcCcw:
+        case Function::Spline:
+        case Function::TapIn:
+        case Function::TapOut:
+        case Function::Thread:
+        case Function::PlaneXy:
+        case Function::PlaneZx:
+        case Function::PlaneYz:
+        case Function::Inch:
+        case Function::Metric:
+        case Function::Absolute:
+        case Function::Incremental:
+        case Function::FeedPerMinute:
+        case Function::FeedPerRevolution:
+        case Function::FeedInverseTime:
+        case Function::CuttingSpeedOn:
+        case Function::CuttingSpeedOff:
+        case Function::RadiusCompOff:
+        case Function::RadiusCompLeft:
+        case Function::RadiusCompRight:
+        case Function::SideCompLeft:
+        case Function::SideCompRight:
+        case Function::CompStartNormal:
+        case Function::CompStartAround:
+        case Function::CompStartTangent:
+        case Function::CompStartSmooth:
+        case Function::CompCornerArc:
+        case Function::CompCornerIntersection:
+        case Function::CompCheckOn:
+        case Function::CompCheckOff:
+        case Function::CompInPlane:
+        case Function::CompInFrame:
+        case Function::CompBySide:
+        case Function::CompByFace:
+        case Function::CompByFaceInFrame:
+        case Function::CompByFaceInPlane:
+        case Function::CompTurnOnArc:
+        case Function::CompTurnBefore:
+        case Function::ExactStop:
+        case Function::ContinuousPath:
+        case Function::TappingMode:
+        case Function::BlendDistance:
+        case Function::BlendTolerance:
+        case Function::BlendSmooth:
+        case Function::CompressOn:
+        case Function::CompressOff:
+        case Function::DiameterOn:
+        case Function::DiameterOff:
+        case Function::TurnPlane:
+        case Function::TurnAxes:
+        case Function::TurnSurface:
+        case Function::TurnConeCw:
+        case Function::TurnConeCcw:
+        case Function::TurnConeOver:
+        case Function::TurnConeOn:
+        case Function::TurnPoint:
+        case Function::AnglesEuler:
+        case Function::AnglesZyz:
+        case Function::AnglesRpy:
+        case Function::AnglesXyz:
+        case Function::OrientInWork:
+        case Function::OrientInBase:
+        case Function::SpinFixed:
+        case Function::SpinPlane:
+        case Function::SpinTurn:
+        case Function::SpinPath:
+        case Function::SpindleCw:
+        case Function::SpindleCcw:
+        case Function::SpindleStop:
+        case Function::CoolantFlood:
+        case Function::CoolantMist:
+        case Function::CoolantOff:
+        case Function::CycleReturnInitial:
+        case Function::CycleReturnRetract:
+        case Function::ArcThrough:
+        case Function::ArcTangent:
+        case Function::DiameterAbsolute:
+        case Function::AkimaSpline:
+        case Function::CubicSpline:
+        case Function::Polynomial:
+        case Function::InvoluteCw:
+        case Function::InvoluteCcw:
+        case Function::ThreadIncreasing:
+        case Function::ThreadDecreasing:
+        case Function::ThreadArcCw:
+        case Function::ThreadArcCcw:
+        case Function::ParameterInput:
+        case Function::LifeInput:
+        case Function::DataInputOff: break;  // of a group: that says it all
+        case Function::Probe:
+        case Function::MachineCoordinates:
+        case Function::WayOffset: does.behind(Kind::LeavesWords).own(); break;
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: does.at_once(Kind::CorrectsOffset); break;
+        case Function::RadiusOffset: does.at_once(Kind::SelectsRadius); break;
+        case Function::LengthCompOn:
+        case Function::LengthCompOff:
+        case Function::LengthCompMinus: does.at_once(Kind::ChangesLength); break;
+        case Function::TcpLength:
+        case Function::TcpVector:
+            does.at_once(Kind::ChangesLength).at_once(Kind::SwitchesTcp);
+            break;
+        case Function::LengthOffset: does.at_once(Kind::SelectsLength); break;
+        case Function::WorkOffset: does.at_once(Kind::WorkOffset); break;
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::MeasureLength: does.behind(Kind::GoesToPoint).own(); break;
+        case Function::Shift: does.at_once(Kind::Shift); break;
+        case Function::ShiftAdd: does.at_once(Kind::ShiftAdd); break;
+        case Function::Rotate: does.at_once(Kind::Rotate); break;
+        case Function::RotateOff:
+            does.at_once(Kind::RotateOff);
+            if (rules.rotation_off_ends_tilt) does.at_once(Kind::EndsTilt);
+            break;
+        case Function::Scale: does.at_once(Kind::Scale); break;
+        case Function::ScaleOff: does.at_once(Kind::ScaleOff); break;
+        case Function::Mirror: does.at_once(Kind::Mirror); break;
+        case Function::MirrorOff: does.at_once(Kind::MirrorOff); break;
+        case Function::SetPosition: does.at_once(Kind::SetPosition); break;
+        case Function::WorkOffsetData: does.before_motion(Kind::WritesOffset); break;
+        case Function::ToolOffsetData:
+        case Function::LatheOffsetData:
+            if (rules.tool_offsets_act_at_once) does.before_motion(Kind::WritesLength);
+            does.own();
+            break;
+        case Function::ToolSelect:
+            does.at_once(Kind::SelectsTool);
+            if (selects_at_once(rules, on_lathe)) does.before_motion(Kind::ChangesTool);
+            break;
+        case Function::ToolChange: does.before_motion(Kind::ChangesTool); break;
+        case Function::ToolEdge: does.at_once(Kind::SelectsEdge); break;
+        case Function::Tool:
+            does.at_once(Kind::SelectsTool).before_motion(Kind::ChangesTool);
+            break;
+        case Function::TcpOn:
+        case Function::TcpBased:
+        case Function::TcpOff:
+        case Function::FaceOn:
+        case Function::CylinderOn:
+        case Function::InclinedOn: does.at_once(Kind::SwitchesTcp); break;
+        case Function::OrientReset: does.before_motion(Kind::TurnsAxes).own(); break;
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltAlign:
+        case Function::TiltPlane:
+        case Function::TiltPoint:
+        case Function::TiltVector:
+        case Function::TiltAlongTool:
+        case Function::TurnInSpace:
+        case Function::TiltAlignTip:
+        case Function::Swivel: does.at_once(Kind::Tilts).own(); break;
+        case Function::TiltOff: does.at_once(Kind::EndsTilt); break;
+        case Function::End:
+        case Function::EndRewind: does.behind(Kind::EndsProgram); break;
+        case Function::Cycle: does.behind(Kind::RunsCycle).own(); break;
+        case Function::PositionReset:
+        case Function::RotateSpace:
+        case Function::RotateSolid:
+        case Function::ShiftCoarse:
+        case Function::ShiftFine:
+        case Function::ShiftAxes:
+        case Function::ShiftAxesAdd:
+        case Function::SetPositionAxes:
+        case Function::ToolFrame:
+        case Function::ToolFrameOff:
+        case Function::TableFrame:
+        case Function::TableFrameOff:
+        case Function::ToolCarrier:
+        case Function::CarrierByData:
+        case Function::CarrierByFrame:
+        case Function::Preset: does.at_once(Kind::TurnsSystem).own(); break;
+        case Function::SplineDegree:
+        case Function::SplineWeight:
+        case Function::SplineInterval:
+        case Function::SplineKnot:
+        case Function::ThreadStart:
+        case Function::TapFloating:
+        case Function::TapRigid:
+        case Function::ProbeCheck:
+        case Function::ProbeClear:
+        case Function::ProbeKeep:
+        case Function::SpeedLimit:
+        case Function::CompCornerPointed:
+        case Function::CompOpenEnd:
+        case Function::CompDepth:
+        case Function::CompAllowance:
+        case Function::ExactStopOnce:
+        case Function::BlendFeedDistance:
+        case Function::BlendRapidDistance:
+        case Function::OrientTolerance:
+        case Function::PathTolerance:
+        case Function::HighSpeed:
+        case Function::FeedOverride:
+        case Function::RapidOverride:
+        case Function::AxisVelocity:
+        case Function::AxisAcceleration:
+        case Function::AxisJerk:
+        case Function::ToolVector:
+        case Function::ToolAngle:
+        case Function::ToolLead:
+        case Function::LeanLead:
+        case Function::LeanTilt:
+        case Function::SurfaceNormal:
+        case Function::ConeAxis:
+        case Function::ConeOpening:
+        case Function::ToolBetween:
+        case Function::ToolPoint:
+        case Function::ToolSpin:
+        case Function::SpindleOrient:
+        case Function::MasterSpindle:
+        case Function::SpindleSpeed:
+        case Function::SpindleTurn:
+        case Function::SpindleStand:
+        case Function::SpindleLimit:
+        case Function::SpindleBound:
+        case Function::SpindleDwell:
+        case Function::Dwell:
+        case Function::MachineFunction:
+        case Function::Stop:
+        case Function::OptionalStop:
+        case Function::Message:
+        case Function::CycleOff:
+        case Function::CyclePreset:
+        case Function::CycleWords:
+        case Function::CycleCall:
+        case Function::CycleModal:
+        case Function::Pole:
+        case Function::PolarPoint:
+        case Function::PolarOn:
+        case Function::PolarOff:
+        case Function::CornerChamfer:
+        case Function::CornerRound:
+        case Function::CornerRoundModal:
+        case Function::CornerFeed:
+        case Function::CornerFeedModal:
+        case Function::ContourAngle:
+        case Function::CompKeepVector:
+        case Function::CompCornerHere:
+        case Function::SoftApproach:
+        case Function::SoftRetract:
+        case Function::SoftRadius:
+        case Function::SoftClearance:
+        case Function::SoftFeed:
+        case Function::SoftSide:
+        case Function::SoftSteps:
+        case Function::RapidOnce:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave:
+        case Function::FeedOnce:
+        case Function::CompFeed:
+        case Function::AreaLimit:
+        case Function::AreaOn:
+        case Function::AreaOff:
+        case Function::SpeedBound:
+        case Function::CompPause:
+        case Function::CompResume:
+        case Function::SplineStart:
+        case Function::SplineEnd:
+        case Function::PolynomialAxis:
+        case Function::PolynomialWeight:
+        case Function::PolynomialRange:
+        case Function::ThreadChange:
+        case Function::PathMoves:
+        case Function::PointMoves:
+        case Function::PointRapids:
+        case Function::AxisConfiguration:
+        case Function::AxisSigns:
+        case Function::OrientSmooth:
+        case Function::OrientSmoothOff:
+        case Function::SumOffset:
+        case Function::LengthSuspend:
+        case Function::ToothFeed:
+        case Function::ParameterData:
+        case Function::LifeData:
+        case Function::FeedAxes:
+        case Function::FeedRadius:
+        case Function::AxisSpeed:
+        case Function::AxisFeed:
+        case Function::AxisOverride:
+        case Function::FeedCourse:
+        case Function::FeedPolynomial: does.own(); break;
+    }
+}
+
+void add_effects(const Rules& rules, const Block& block, std::size_t place, bool on_lathe,
+                 Effects& effects) {
+    const Function function = block.functions[place].function;
+    OfFunction does(effects, function, static_cast<std::uint8_t>(place));
+    add_own_effects(rules, function, on_lathe, does);
+    // At last: those above depend on the member that acted before.
+    if (info(function).group != Group::Once) does.sets(time_of_group(rules, function));
+}
+
+constexpr std::array kNames = {
+#define KADR_EFFECT(kind, meaning) std::string_view(#kind),
+#include "nc/effects.def"
+#undef KADR_EFFECT
+};
+
+}  // namespace
+
+std::string_view effect_name(EffectKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+Effects effects_of(const Rules& rules, const Block& block, bool on_lathe) {
+    Effects effects;
+    if (block.motion != Function::None)
+        effects.add({EffectKind::Sets, When::AtOnce, block.motion, Effect::kMotionCode});
+    // A rotation turns in the plane of its block, wherever that is said.
+    const bool plane_first = block.function_count > 1 && block.find(Function::Rotate) != nullptr;
+    const auto is_plane = [&](std::size_t place) {
+        return info(block.functions[place].function).group == Group::Plane;
+    };
+    for (std::size_t i = 0; plane_first && i < block.function_count; ++i)
+        if (is_plane(i)) add_effects(rules, block, static_cast<std::uint8_t>(i), on_lathe, effects);
+    for (std::size_t i = 0; i < block.function_count; ++i)
+        if (!plane_first || !is_plane(i)) add_effects(rules, block, i, on_lathe, effects);
+    return effects;
+}
+
+namespace {
+
+/// Three arguments from one on.
+std::array<double, 3> three_of(const Block& block, const Invocation& invocation, std::size_t first,
+                               double fallback = 0) {
+    return {block.argument(invocation, first, fallback),
+            block.argument(invocation, first + 1, fallback),
+            block.argument(invocation, first + 2, fallback)};
+}
+
+std::size_t first_value(Function function) {
+    constexpr std::size_t kShift =
+        parameter_of_all<"x", Function::Shift, Function::ShiftAdd, Function::Mirror,
+                         Function::MirrorOff, Function::SetPosition>();
+    constexpr std::size_t kCenter = parameter_of_all<"x", Function::Rotate, Function::Scale>();
+    return function == Function::Rotate || function == Function::Scale ? kCenter : kShift;
+}
+
+}  // namespace
+
+FrameChange frame_change(const Block& block, const Effect& effect) {
+    const Invocation& said = effect.said_in(block);
+    const std::size_t first = first_value(effect.function);
+    FrameChange change;
+    change.values = three_of(block, said, first);
+    change.given = {said.has(first), said.has(first + 1), said.has(first + 2)};
+    if (effect.kind == EffectKind::Rotate)
+        change.angle_deg = block.argument(said, parameter_of<Function::Rotate>("angle"));
+    if (effect.kind == EffectKind::Scale) {
+        const double of_all = block.argument(said, parameter_of<Function::Scale>("factor"), 1);
+        change.factors = three_of(block, said, parameter_of<Function::Scale>("fx"), of_all);
+    }
+    return change;
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,80 @@
+// effects.h — what the functions of a block do to the state of a control, as a short list.
+//
+// It is taught here once. Whoever follows a program folds the list into a state of its own, by a
+// switch over the kinds without `default`: the interpreter (what happens), the expander (what an
+// author may compute with), the writer (what its text has said) and the reader (what a line means).
+// They know different things: behind a change of tool the interpreter's position stands, that of
+// the expander is unknown, and the writer still knows X and Y.
+//
+// It stands in this room, below `control`, because the reader folds it, too.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "nc/block.h"
+#include "nc/rules.h"
+#include "nc/vocabulary.h"
+
+namespace kadr::nc {
+
+enum class EffectKind : std::uint8_t {
+#define KADR_EFFECT(kind, meaning) kind,
+#include "nc/effects.def"
+#undef KADR_EFFECT
+};
+
+/// "ShiftAdd".
+std::string_view effect_name(EffectKind kind);
+
+/// When it comes true.
+enum class When : std::uint8_t {
+    AtOnce,        // the words of the block are read so already
+    BeforeMotion,  // once all functions of the block are known
+    Behind,        // where the motion of the block has ended
+};
+
+struct Effect {
+    EffectKind kind;
+    When when;
+    Function function;        // that has it; Sets: the new member
+    std::uint8_t invocation;  // its place in the block; kMotionCode: it is the block's motion
+
+    static constexpr std::uint8_t kMotionCode = 0xff;
+
+    Group group() const { return info(function).group; }
+    const Invocation& said_in(const Block& block) const { return block.functions[invocation]; }
+};
+
+/// The effects of one block, function after function.
+class Effects {
+  public:
+    /// A function has three effects at most.
+    static constexpr std::size_t kMost = 1 + 3 * kMaxInvocations;
+
+    const Effect* begin() const { return list_.data(); }
+    const Effect* end() const { return list_.data() + count_; }
+
+    void add(const Effect& effect) { list_[count_++] = effect; }
+
+  private:
+    std::array<Effect, kMost> list_;  // not filled beforehand: nearly all blocks have one or two
+    std::size_t count_ = 0;
+};
+
+/// What the functions of a block and its motion do under the rules of a control.
+///
+/// on_lathe  the tools stand in a turret, which has nothing to prepare
+Effects effects_of(const Rules& rules, const Block& block, bool on_lathe);
+
+/// What a change of the programmable frame says.
+struct FrameChange {
+    std::array<double, 3> values{};   // X Y Z: of a shift, or the centre; mm
+    std::array<bool, 3> given{};      // which of them are named
+    std::array<double, 3> factors{};  // Scale
+    double angle_deg = 0;             // Rotate
+};
+FrameChange frame_change(const Block& block, const Effect& effect);
+
+}  // namespace kadr::nc

@@ -1,0 +1,64 @@
+#include "nc/modal_functions.h"
+
+#include "nc/effects.h"
+
+namespace kadr::nc {
+
+namespace {
+
+Function& member_of(ModalFunctions& modal, Group group) {
+    return modal[static_cast<std::size_t>(group)];
+}
+
+void follow_effect(const Block& block, const Effect& effect, ModalFunctions& modal) {
+    switch (effect.kind) {
+        case EffectKind::Sets:
+            member_of(modal, effect.group()) = effect.function;
+            // A motion code ends the cycle that stands for it.
+            if (effect.invocation == Effect::kMotionCode)
+                member_of(modal, Group::CycleMode) = Function::CycleOff;
+            break;
+        case EffectKind::RunsCycle:
+            member_of(modal, Group::CycleMode) = Function::Cycle;
+            modal.cycle = block.cycle;
+            break;
+        case EffectKind::Shift:
+        case EffectKind::ShiftAdd:
+        case EffectKind::Rotate:
+        case EffectKind::Scale:
+        case EffectKind::Mirror:
+        case EffectKind::RotateOff:
+        case EffectKind::ScaleOff:
+        case EffectKind::MirrorOff:
+        case EffectKind::SetPosition:
+        case EffectKind::WorkOffset:
+        case EffectKind::WritesOffset:
+        case EffectKind::CorrectsOffset:
+        case EffectKind::WritesLength:
+        case EffectKind::Tilts:
+        case EffectKind::EndsTilt:
+        case EffectKind::SwitchesTcp:
+        case EffectKind::TurnsAxes:
+        case EffectKind::TurnsSystem:
+        case EffectKind::SelectsTool:
+        case EffectKind::ChangesTool:
+        case EffectKind::SelectsEdge:
+        case EffectKind::ChangesLength:
+        case EffectKind::SelectsLength:
+        case EffectKind::SelectsRadius:
+        case EffectKind::LeavesWords:
+        case EffectKind::GoesToPoint:
+        case EffectKind::EndsProgram:
+        case EffectKind::Own: break;  // where the tool is no line depends on
+    }
+}
+
+}  // namespace
+
+void follow_modal(const Rules& rules, const Block& block, ModalFunctions& modal) {
+    // A turret has no group of its own.
+    for (const Effect& effect : effects_of(rules, block, false))
+        follow_effect(block, effect, modal);
+}
+
+}  // namespace kadr::nc
