@@ -88,13 +88,13 @@ class Expander final : public Stream<nc::Block> {
     /// What a cycle finds where it is called; values as in a Block.
     struct Surroundings {
         AxisValues position{};
-        double feed = 0;                            // mm/min; 0: none is set
-        double speed = 0;                           // rpm; 0: none is set
-        nc::Function spindle = nc::Function::None;  // None: not known how it turns
-        const path::Contour* shape = nullptr;       // for a parameter that is a contour, …
-        path::Plane plane = path::Plane::Zx;        // its plane,
-        bool is_diameter = false;                   // and whether X of its points is a diameter
-        bool x_is_diameter = true;                  // X of the position; else the cycle says so
+        double feed = 0;                                      // mm/min; 0: none is set
+        double speed = 0;                                     // rpm; 0: none is set
+        path::SpindleMode spindle = path::SpindleMode::Stop;  // Cw and Ccw: it turns
+        const path::Contour* shape = nullptr;  // for a parameter that is a contour, …
+        path::Plane plane = path::Plane::Zx;   // its plane,
+        bool is_diameter = false;              // and whether X of its points is a diameter
+        bool x_is_diameter = true;             // X of the position; else the cycle says so
     };
     /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s). A contour
     /// stands for all that its place has more of them: the numbers of its first and last block, or

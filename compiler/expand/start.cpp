@@ -307,8 +307,8 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
     modal.feed = at.feed;
     modal.has_speed = at.speed > 0;
     modal.speed = at.speed;
-    if (at.spindle == nc::Function::SpindleCw) modal.set_spindle(3, {});
-    if (at.spindle == nc::Function::SpindleCcw) modal.set_spindle(4, {});
+    if (at.spindle == path::SpindleMode::Cw) modal.set_spindle(3, {});
+    if (at.spindle == path::SpindleMode::Ccw) modal.set_spindle(4, {});
     const bool takes_shape = std::ranges::any_of(function.parameters, [](const ParameterInfo& p) {
         return p.kind == ParameterInfo::Kind::Contour;
     });

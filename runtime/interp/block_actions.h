@@ -2,6 +2,7 @@
 // Internal to interp.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "base/axes.h"
@@ -28,17 +29,18 @@ struct Actions {
     bool mist = false;
     bool coolant_off = false;
     double thread_start_deg = 0;
-    nc::Function spindle = nc::Function::None;
-    nc::Function stop = nc::Function::None;
-    nc::Function end = nc::Function::None;
-    nc::Function radius_comp = nc::Function::None;
+    std::optional<path::SpindleMode> spindle;
+    enum class Stop : std::uint8_t { None, Always, Optional };  // of the program
+    Stop stop = Stop::None;
+    bool ends = false;  // … likewise
+    std::optional<CompSide> radius_comp;
     bool comp_changed = false;  // its radius, allowance or rules
     bool keeps_vector = false;  // of the compensation
     ToolWords tool;
     bool switches_length = false;  // the transformation, as a kind of tool length compensation
     const nc::Invocation* comp_corner = nullptr;
-    const nc::Invocation* soft = nullptr;             // SoftApproach or SoftRetract
-    nc::Function motion_before = nc::Function::None;  // … in the block before
+    const nc::Invocation* soft = nullptr;  // SoftApproach or SoftRetract
+    bool was_rapid = false;                // the modal motion in the block before
     double feed_before = 0;
     bool had_feed = false;
     const nc::Invocation* corner = nullptr;  // chamfer or rounding at the end of the block

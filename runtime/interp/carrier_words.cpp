@@ -83,7 +83,7 @@ void Executor::take_carrier(const Block& block) {
         return;
     }
     const bool ends_comp = block.find(Function::RadiusCompOff) != nullptr;
-    if (comp_.side != Function::RadiusCompOff && word != Function::None && !ends_comp) {
+    if (comp_.is_on() && word != Function::None && !ends_comp) {
         report(diag::CarrierCompensated, block, word);
         return;
     }

@@ -136,23 +136,23 @@ void Executor::check_tool(const Block& block) {
     }
 }
 
-void Executor::check_units(const Block& block, nc::Function units) {
-    const bool changes = units_ != nc::Function::None && units_ != units;
-    const std::string_view acts = comp_.side != nc::Function::RadiusCompOff
-                                      ? "cutter radius compensation"
+void Executor::check_units(const Block& block, nc::Function function) {
+    const Units units = units_of(function);
+    const bool changes = units_ != Units::Unsaid && units_ != units;
+    const std::string_view acts = comp_.is_on()          ? "cutter radius compensation"
                                   : frames_.is_rotated() ? "a rotation"
                                   : frames_.is_scaled()  ? "a scaling"
                                                          : "";
     if (changes && rules_.comp_is_innermost && !acts.empty()) {
-        report(diag::UnitsInside, block, units)
-            .arg(units == nc::Function::Inch ? "inches" : "millimetres")
+        report(diag::UnitsInside, block, function)
+            .arg(units == Units::Inch ? "inches" : "millimetres")
             .arg(acts);
         return;
     }
     if (changes && has_moved_ && !told_.units) {
         told_.units = true;
-        const bool to_inch = units == nc::Function::Inch;
-        report(diag::UnitsMixed, block, units)
+        const bool to_inch = units == Units::Inch;
+        report(diag::UnitsMixed, block, function)
             .arg(to_inch ? "millimetres" : "inches")
             .arg(to_inch ? "inches" : "millimetres");
     }

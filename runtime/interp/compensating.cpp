@@ -41,12 +41,12 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
             tool_.radius_offset = std::llround(
                 block.argument(invocation, parameter_of<Function::RadiusOffset>("offset")));
             break;
-        case Function::CompStartNormal:
-        case Function::CompStartAround:
-        case Function::CompStartTangent:
-        case Function::CompStartSmooth: comp_.start = invocation.function; break;
-        case Function::CompCornerArc:
-        case Function::CompCornerIntersection: comp_.corner = invocation.function; break;
+        case Function::CompStartNormal: comp_.start = nc::CompStart::Normal; break;
+        case Function::CompStartAround: comp_.start = nc::CompStart::Around; break;
+        case Function::CompStartTangent: comp_.start = nc::CompStart::Tangent; break;
+        case Function::CompStartSmooth: comp_.start = nc::CompStart::Smooth; break;
+        case Function::CompCornerArc: comp_.corner = nc::CompCorner::Arc; break;
+        case Function::CompCornerIntersection: comp_.corner = nc::CompCorner::Intersection; break;
         case Function::CompCornerPointed:
             comp_.pointed =
                 block.argument(invocation, parameter_of<Function::CompCornerPointed>("percent"));
@@ -67,25 +67,23 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
             break;
         case Function::CompInPlane:
         case Function::CompInFrame:
-            comp_.system = Function::CompInPlane;
+            comp_.system = CompSystem::InPlane;
             comp_.is_in_frame = invocation.function == Function::CompInFrame;
             break;
         case Function::CompBySide:
         case Function::CompByFace:
         case Function::CompByFaceInFrame:
-        case Function::CompByFaceInPlane: comp_.system = invocation.function; break;
+        case Function::CompByFaceInPlane: comp_.system = comp_system_of(invocation.function); break;
         case Function::SideCompLeft:
         case Function::SideCompRight:
             if (!check_side_comp(block, invocation.function)) return;
             comp_.is_by_side_code = true;
-            actions.radius_comp = invocation.function == Function::SideCompLeft
-                                      ? Function::RadiusCompLeft
-                                      : Function::RadiusCompRight;
+            actions.radius_comp = comp_side_of(invocation.function);
             break;
         case Function::RadiusCompLeft:
         case Function::RadiusCompRight:
             comp_.is_by_side_code = false;
-            actions.radius_comp = invocation.function;
+            actions.radius_comp = comp_side_of(invocation.function);
             break;
         case Function::CompTurnOnArc:
         case Function::CompTurnBefore:
@@ -94,14 +92,14 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompDepth:
             comp_.depth = block.argument(invocation, parameter_of<Function::CompDepth>("depth"));
             break;
-        default: actions.radius_comp = invocation.function; break;
+        default: actions.radius_comp = comp_side_of(invocation.function); break;
     }
 }
 
 /// The choices of a block count together, whatever their order in it.
 void Executor::act_on_comp(const Block& block, const Actions& actions) {
-    if (actions.radius_comp == Function::RadiusCompOff) {
-        comp_.side = Function::RadiusCompOff;
+    if (actions.radius_comp == CompSide::Off) {
+        comp_.side = CompSide::Off;
         if (actions.soft != nullptr) return;  // its way still belongs to the contour
         CompChange leave;
         leave.kind = CompChange::Kind::Leave;
@@ -114,13 +112,13 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
     }
     // A surface has one side: there both words are the same.
     const bool is_other_side = actions.radius_comp != comp_.side && !comp_.acts_on_faces();
-    if (actions.radius_comp != Function::None && is_other_side) {
-        begin_comp(block, actions.radius_comp);
+    if (actions.radius_comp && is_other_side) {
+        begin_comp(block, *actions.radius_comp);
         return;
     }
-    if (comp_.side == Function::RadiusCompOff) return;
-    const bool is_again = actions.radius_comp != Function::None && rules_.comp_again_on_normal;
-    if (is_again && comp_.acting == Function::CompInPlane)
+    if (!comp_.is_on()) return;
+    const bool is_again = actions.radius_comp && rules_.comp_again_on_normal;
+    if (is_again && comp_.acting == CompSystem::InPlane)
         send_comp({CompChange::Kind::Again, {}, modal_.plane, 0, position_.base, {}, {}});
     if (ended_) return;
     const CompChange change = comp_change(block, CompChange::Kind::Set);
@@ -248,9 +246,9 @@ void Executor::change_space_comp(const CompChange& change) {
 path::Vec3 Executor::tool_direction() const {
     if (orienting_.is_on)
         return machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
-    if (comp_.acting == Function::CompByFaceInPlane)
+    if (comp_.acting == CompSystem::ByFaceInPlane)
         return path::unit(path::axes_of(modal_.plane).normal);
-    if (comp_.acting == Function::CompByFaceInFrame)
+    if (comp_.acting == CompSystem::ByFaceInFrame)
         return frames_.total().direction(path::Vec3::UnitZ()).normalized();
     return frames_.total().direction(path::unit(path::axes_of(modal_.plane).normal)).normalized();
 }
@@ -269,10 +267,10 @@ SpaceCompSettings Executor::space_comp_settings() const {
     return settings;
 }
 
-void Executor::begin_comp(const Block& block, Function side) {
+void Executor::begin_comp(const Block& block, CompSide side) {
     comp_.side = side;
     if (!comp_offset()) {
-        report(diag::CompWithoutTool, block, comp_.side);
+        report(diag::CompWithoutTool, block, function_of(comp_.side));
         return;
     }
     const bool has_number =
@@ -281,8 +279,8 @@ void Executor::begin_comp(const Block& block, Function side) {
     const bool has_word =
         !dialect_.tables().forms_of[static_cast<std::size_t>(Function::RadiusOffset)].empty();
     if (rules_.comp_radius_by_offset && !has_number && (has_word || is_lathe_)) {
-        DiagnosticBuilder message = report(diag::CompWithoutOffset, block, comp_.side);
-        message.arg(word_of(block, comp_.side)).arg(has_word ? "D" : "T");
+        DiagnosticBuilder message = report(diag::CompWithoutOffset, block, function_of(comp_.side));
+        message.arg(word_of(block, function_of(comp_.side))).arg(has_word ? "D" : "T");
         if (const Invocation* const length = block.find(Function::LengthOffset)) {
             const std::string number = std::to_string(std::llround(
                 block.argument(*length, parameter_of<Function::LengthOffset>("offset"))));
@@ -291,13 +289,13 @@ void Executor::begin_comp(const Block& block, Function side) {
     }
     comp_.acting = comp_.chosen();
     comp_.is_mirrored = frames_.is_mirrored(modal_.plane);
-    const bool is_of_tool = comp_.acting == Function::CompInPlane && !comp_.is_in_frame;
+    const bool is_of_tool = comp_.acting == CompSystem::InPlane && !comp_.is_in_frame;
     if (is_of_tool && is_turned_by_carrier() && !is_plane_on_carrier()) {
-        report(diag::CarrierPlane, block, comp_.side);
+        report(diag::CarrierPlane, block, function_of(comp_.side));
         return;
     }
-    if (comp_.acting != Function::CompInPlane && comp_settings().start == nc::CompStart::Around) {
-        report(diag::CompSpaceStart, block, comp_.side);
+    if (comp_.acting != CompSystem::InPlane && comp_settings().start == nc::CompStart::Around) {
+        report(diag::CompSpaceStart, block, function_of(comp_.side));
         return;
     }
     if (!is_tool_constant(block)) return;
@@ -322,7 +320,7 @@ CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
 
 /// What is chosen counts where the compensation begins.
 bool Executor::is_in_space(CompChange::Kind kind) const {
-    return kind == CompChange::Kind::Begin ? comp_.acting != Function::CompInPlane
+    return kind == CompChange::Kind::Begin ? comp_.acting != CompSystem::InPlane
                                            : space_comp_.is_on();
 }
 
@@ -338,10 +336,7 @@ static path::OutsideCorner corner_of(nc::CompCorner corner) {
 CompSettings Executor::comp_settings() const {
     CompSettings settings;
     path::CompRules& corners = settings.corners;
-    corners.outside = comp_.corner == Function::CompCornerArc ? path::OutsideCorner::Arc
-                      : comp_.corner == Function::CompCornerIntersection
-                          ? path::OutsideCorner::Intersection
-                          : corner_of(rules_.comp_corner);
+    corners.outside = corner_of(comp_.corner.value_or(rules_.comp_corner));
     corners.pointed = std::min(comp_.pointed, rules_.comp_pointed_limit) / 100;
     corners.limit = rad_from_deg(rules_.comp_corner_limit);
     corners.sharp = corner_of(rules_.comp_sharp_corner);
@@ -351,11 +346,7 @@ CompSettings Executor::comp_settings() const {
     corners.look_ahead = comp_.has_check
                              ? kCheckedBlocks
                              : static_cast<std::size_t>(std::max(1, rules_.comp_look_ahead));
-    settings.start = comp_.start == Function::CompStartNormal    ? nc::CompStart::Normal
-                     : comp_.start == Function::CompStartAround  ? nc::CompStart::Around
-                     : comp_.start == Function::CompStartTangent ? nc::CompStart::Tangent
-                     : comp_.start == Function::CompStartSmooth  ? nc::CompStart::Smooth
-                                                                 : rules_.comp_start;
+    settings.start = comp_.start.value_or(rules_.comp_start);
     settings.feed = comp_.feed ? static_cast<nc::CompFeed>(*comp_.feed) : rules_.comp_feed;
     settings.radius_changes_in_lines = rules_.comp_keeps_tool;
     settings.takes_inverse_time = rules_.comp_takes_inverse_time;
@@ -409,11 +400,12 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
         std::find(told_.radii.begin(), told_.radii.end(), number) != told_.radii.end();
     if ((radius == 0 || has_no_tip) && number != 0 && !is_known_gap) {
         told_.radii.push_back(number);
-        report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block, comp_.side)
+        report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block,
+               function_of(comp_.side))
             .arg(ToolOffsets::tool_of(number));
     }
     const bool is_left =
-        (comp_.side == Function::RadiusCompLeft) !=
+        (comp_.side == CompSide::Left) !=
         (change.settings.lie == path::Mat3::Identity() && frames_.is_mirrored(modal_.plane));
     change.distance = (radius + comp_.allowance) * (is_left ? 1 : -1);
     if (is_turned) change.aside = radius * tip_direction(tip);
@@ -437,7 +429,7 @@ void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_l
     if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();
     take_comp(alarm);
     // A frame that mirrors the plane from here on changes the side, as the other word would.
-    const bool goes_on = !ended_ && comp_.side != Function::RadiusCompOff && is_same_plane;
+    const bool goes_on = !ended_ && comp_.is_on() && is_same_plane;
     if (goes_on && frames_.is_mirrored(modal_.plane) != comp_.is_mirrored)
         begin_comp(block, comp_.side);
 }

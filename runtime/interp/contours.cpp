@@ -29,8 +29,8 @@ std::optional<path::Plane> plane_of(Function function) {
 /// The digit of how the blocks join.
 int path_mode_of(const Modal& modal) {
     if (modal.has_exact_stop) return 0;
-    if (modal.blend == Function::None) return 1;
-    return modal.blend == Function::BlendDistance ? 2 : 3;
+    if (modal.blend == Blend::None) return 1;
+    return modal.blend == Blend::Distance ? 2 : 3;
 }
 
 int feed_mode_of(const Modal& modal, const Spindle& spindle) {
@@ -77,8 +77,8 @@ bool Executor::check_contour_block(const Block& block) {
             return false;
         }
         const auto plane = plane_of(function);
-        const bool changes_units = (function == Function::Inch && units_ != Function::Inch) ||
-                                   (function == Function::Metric && units_ == Function::Inch);
+        const bool changes_units = (function == Function::Inch && units_ != Units::Inch) ||
+                                   (function == Function::Metric && units_ == Units::Inch);
         if (nc::has_fact(function, nc::Fact::EndsContour) || changes_units ||
             (plane && *plane != modal_.plane))
             return refuse(diag::ContourBlockWrong, function);

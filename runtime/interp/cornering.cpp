@@ -96,7 +96,7 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
     CornerWish wish;
     if (actions.corner != nullptr) {
         const Invocation& said = *actions.corner;
-        const bool begins = nc::has_fact(actions.radius_comp, nc::Fact::CompSide);
+        const bool begins = actions.radius_comp && *actions.radius_comp != CompSide::Off;
         if (rules_.corner_strict && begins) {
             report(diag::CornerAtCompStart, block, said.function);
             return;

@@ -538,7 +538,7 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
 
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
 void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape* shape) {
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         report(diag::CycleCompensated, block);
         return;
     }
@@ -574,8 +574,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     request.feed = modal_.feed;
     request.feed_mode = modal_.feed_mode;
     request.speed = spindle_.speed;
-    if (spindle_.mode == path::SpindleMode::Cw) request.spindle = Function::SpindleCw;
-    if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
+    if (is_running(spindle_.mode)) request.spindle = spindle_.mode;
     request.source = block.source;
     if (places_ != nullptr) request.place = places_->place(origin(block));
     // Without a shape it is the plane alone, in which turning cycles work.
@@ -704,7 +703,7 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
         spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
     // A program that calls no tool at all finds the one from before; it is warned where it cuts.
     std::string_view missing;
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         missing = "cutter radius compensation must be off before a cycle";
     } else if (tool_.source == Tool::Source::None && tool_.current != 0) {
         missing = "no tool offset acts, and the cycle needs one";
@@ -742,8 +741,8 @@ void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const
 void Executor::finish_cycle() {
     if (was_refused(cycle_.caller)) return;
     // Compensation that the cycle has not ended is over; the cutter stays where it is.
-    if (comp_.side != Function::RadiusCompOff) {
-        comp_.side = Function::RadiusCompOff;
+    if (comp_.is_on()) {
+        comp_.side = CompSide::Off;
         stop_comp();
         if (ended_) return;
         position_.base = space_comp_.is_on() ? space_comp_.place() : compensation_.place();

@@ -179,7 +179,7 @@ void Executor::watch_dwell(const Block& block) {
 void Executor::watch_tap(const Block& block, Function function) {
     const double pitch = modal_.feed / spindle_.speed;
     if (!(pitch < danger::kLeastPitch)) return;
-    const double unit = units_ == Function::Inch ? kMmPerInch : 1;
+    const double unit = units_ == Units::Inch ? kMmPerInch : 1;
     (block.has(Slot::Feed) ? report(diag::TapPitchTiny, block, Slot::Feed)
                            : report(diag::TapPitchTiny, block, function))
         .arg(round_to(pitch, 6))
@@ -213,7 +213,7 @@ void Executor::watch_radius(const Block& block, std::int64_t number) {
     dangers_.told_radii.push_back(number);
     const bool is_said_here = block.find(Function::RadiusOffset) != nullptr;
     (is_said_here ? report(diag::OtherToolsRadius, block, Function::RadiusOffset)
-                  : report(diag::OtherToolsRadius, block, comp_.side))
+                  : report(diag::OtherToolsRadius, block, function_of(comp_.side)))
         .arg(number)
         .arg(tool_.current);
 }

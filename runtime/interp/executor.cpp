@@ -228,7 +228,7 @@ void Executor::run_functions(const Block& said) {
     const Block& block = with_depth_apart(said);
     Actions actions = apply_functions(block);
     if (ended_) return;
-    actions.motion_before = modal_.motion;
+    actions.was_rapid = modal_.motion == Function::Rapid;
     actions.feed_before = modal_.feed;
     actions.had_feed = modal_.has_feed;
     actions.spindle_before = spindle_.told.mode;

@@ -514,7 +514,7 @@ class Executor {
 
     // compensating.cpp
     void choose_comp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
-    void begin_comp(const nc::Block& block, nc::Function side);
+    void begin_comp(const nc::Block& block, CompSide side);
     void act_on_comp(const nc::Block& block, const Actions& actions);
     bool is_any_comp_on() const { return compensation_.is_on() || space_comp_.is_on(); }
     void send_comp(const CompChange& change);
@@ -640,7 +640,7 @@ class Executor {
     bool check_probe(const nc::Block& block);
     void check_rapid(const nc::Block& block, const Target& target);
     void check_tool(const nc::Block& block);
-    void check_units(const nc::Block& block, nc::Function units);
+    void check_units(const nc::Block& block, nc::Function function);
     bool check_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
     bool check_machine_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
     bool check_area(const nc::Block& block, const AxisValues& base, AxisMask moved);
@@ -852,7 +852,7 @@ class Executor {
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool is_scanning_ = false;  // motions are a scanner's
     bool has_moved_ = false;
-    nc::Function units_ = nc::Function::None;  // that the program said last
+    Units units_ = Units::Unsaid;      // that the program said last
     bool owes_speed_ = false;          // the motion side was not told of a new speed of the spindle
     std::optional<SplineRun> spline_;  // that is being read
     std::optional<ThroughRun> through_;  // … through points

@@ -38,7 +38,7 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         report(diag::SetPositionInCycle, block, invocation.function);
         return;
     }
-    const bool is_compensated = comp_.side != Function::RadiusCompOff && rules_.comp_is_innermost;
+    const bool is_compensated = comp_.is_on() && rules_.comp_is_innermost;
     if (is_compensated && nc::has_fact(invocation.function, nc::Fact::LetsCompGo) &&
         !cycle_.blocks) {
         send_comp({CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base, {}, {}});

@@ -64,12 +64,11 @@ bool Executor::is_other_plane(Function function) const {
 
 /// Whether cutter radius compensation must have ended before the function.
 bool Executor::needs_comp_off(const Block& block, Function function) const {
-    const bool acts =
-        comp_.side != Function::RadiusCompOff && block.find(Function::RadiusCompOff) == nullptr;
+    const bool acts = comp_.is_on() && block.find(Function::RadiusCompOff) == nullptr;
     if (!rules_.comp_is_innermost || !acts || cycle_.blocks) return false;
     if (nc::has_fact(function, nc::Fact::NeedsCompOff)) return true;
     // It begins anew behind, which it can in a plane alone.
-    return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != Function::CompInPlane;
+    return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != CompSystem::InPlane;
 }
 
 void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
@@ -178,7 +177,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             break;
         case Function::CompKeepVector:
         case Function::CompCornerHere:
-            if (comp_.side == Function::RadiusCompOff) {
+            if (!comp_.is_on()) {
                 report(diag::CompNoVector, block, invocation.function);
                 return;
             }
@@ -208,7 +207,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompFeed:
             comp_.feed = std::clamp<std::int64_t>(
                 count_of(block, invocation, parameter_of<Function::CompFeed>("kind")), 0, 2);
-            actions.comp_changed |= comp_.side != Function::RadiusCompOff;
+            actions.comp_changed |= comp_.is_on();
             break;
         case Function::FeedOnce:
             actions.feed_once =
@@ -225,7 +224,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             break;
         case Function::CompPause:
         case Function::CompResume:
-            if (comp_.side != Function::RadiusCompOff && !keeps_shape()) {
+            if (comp_.is_on() && !keeps_shape()) {
                 if (!is_comp_in_plane(block, invocation.function)) return;
                 send_comp({invocation.function == Function::CompPause ? CompChange::Kind::Pause
                                                                       : CompChange::Kind::Resume,
@@ -271,7 +270,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
             set_length_source(tool_.edge_called == 0 ? Tool::Source::None : Tool::Source::Edge,
                               actions);
-            if (!keeps_shape()) actions.comp_changed |= comp_.side != Function::RadiusCompOff;
+            if (!keeps_shape()) actions.comp_changed |= comp_.is_on();
             break;
         case Function::ToolSelect: {
             constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
@@ -314,22 +313,26 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TurnConeCcw:
         case Function::TurnConeOver:
         case Function::TurnConeOn:
-        case Function::TurnPoint: orienting_.turning = invocation.function; break;
+        case Function::TurnPoint: orienting_.turning = turn_way_of(invocation.function); break;
         case Function::AnglesEuler:
-        case Function::AnglesZyz: orienting_.euler = invocation.function; [[fallthrough]];
+        case Function::AnglesZyz:
+            orienting_.euler = tool_angles_of(invocation.function);
+            [[fallthrough]];
         case Function::AnglesRpy:
-        case Function::AnglesXyz: orienting_.angles = invocation.function; break;
+        case Function::AnglesXyz: orienting_.angles = tool_angles_of(invocation.function); break;
         case Function::SpinFixed:
         case Function::SpinPlane:
         case Function::SpinTurn:
-        case Function::SpinPath: orienting_.spin = invocation.function; break;
+        case Function::SpinPath: orienting_.spin = spin_from_of(invocation.function); break;
         case Function::OrientInWork:
         case Function::OrientInBase:
             orienting_.is_in_base = invocation.function == Function::OrientInBase;
             break;
         case Function::PathMoves:
         case Function::PointMoves:
-        case Function::PointRapids: orienting_.moves = invocation.function; break;
+        case Function::PointRapids:
+            orienting_.point_to_point = point_to_point_of(invocation.function);
+            break;
         case Function::AxisConfiguration:
         case Function::AxisSigns: choose_axes(block, invocation, actions.tool); break;
         case Function::OrientReset: actions.orient_reset = &invocation; break;
@@ -494,9 +497,9 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::PositionReset:
         case Function::SetPosition: apply_frame(block, invocation); break;
 
-        case Function::SpindleCw:
-        case Function::SpindleCcw:
-        case Function::SpindleStop: actions.spindle = invocation.function; break;
+        case Function::SpindleCw: actions.spindle = SpindleMode::Cw; break;
+        case Function::SpindleCcw: actions.spindle = SpindleMode::Ccw; break;
+        case Function::SpindleStop: actions.spindle = SpindleMode::Stop; break;
         case Function::SpindleOrient: actions.orient = &invocation; break;
         case Function::MasterSpindle: select_master(block, invocation); break;
         case Function::SpindleTurn:
@@ -518,10 +521,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
 
         case Function::Dwell:
         case Function::SpindleDwell: actions.dwell = &invocation; break;
-        case Function::Stop:
-        case Function::OptionalStop: actions.stop = invocation.function; break;
+        case Function::Stop: actions.stop = Actions::Stop::Always; break;
+        case Function::OptionalStop: actions.stop = Actions::Stop::Optional; break;
         case Function::End:
-        case Function::EndRewind: actions.end = invocation.function; break;
+        case Function::EndRewind: actions.ends = true; break;
         case Function::Message: actions.message = &invocation; break;
 
         case Function::CycleOff:
@@ -579,9 +582,8 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
         return;
     }
     // What was said of a standing spindle is said anew when it stands again.
-    if (actions.spindle != Function::None) told_.spindle_stopped = told_.rapid = false;
-    if (actions.spindle == Function::SpindleCw) spindle_.mode = SpindleMode::Cw;
-    if (actions.spindle == Function::SpindleCcw) spindle_.mode = SpindleMode::Ccw;
+    if (actions.spindle) told_.spindle_stopped = told_.rapid = false;
+    if (actions.spindle && is_running(*actions.spindle)) spindle_.mode = *actions.spindle;
     if (!rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
     update_spindle(block);
     if (actions.orient != nullptr) orient_spindle(block, *actions.orient);
@@ -605,18 +607,18 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
 void Executor::act_after_motion(const Block& block, const Actions& actions) {
     if (rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
     issue_functions(block, actions, Side::Behind);
-    if (actions.stop == Function::Stop) put(Op::Stop, block);
-    if (actions.stop == Function::OptionalStop && options_.optional_stop) {
+    if (actions.stop == Actions::Stop::Always) put(Op::Stop, block);
+    if (actions.stop == Actions::Stop::Optional && options_.optional_stop) {
         put(Op::OptionalStop, block);
     }
-    if (actions.end != Function::None) {
+    if (actions.ends) {
         put(Op::End, block);
         ended_ = true;
     }
 }
 
 void Executor::stop_spindle_and_coolant(const Block& block, const Actions& actions) {
-    if (actions.spindle == Function::SpindleStop) {
+    if (actions.spindle == SpindleMode::Stop) {
         watch_spindle_stop(block);
         spindle_.mode = SpindleMode::Stop;
         update_spindle(block);

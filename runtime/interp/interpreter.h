@@ -43,8 +43,8 @@ struct CycleCall {
     AxisValues position{};
     double feed = 0;  // the modal feed, unit of its mode; 0: none
     path::FeedMode feed_mode = path::FeedMode::PerMinute;
-    double speed = 0;                           // of the spindle, rpm
-    nc::Function spindle = nc::Function::None;  // how it turns; None: it does not
+    double speed = 0;                                     // of the spindle, rpm
+    path::SpindleMode spindle = path::SpindleMode::Stop;  // Cw and Ccw: it turns
     SourceId source;
     std::optional<LinePlace> place;     // of the block that calls it; nothing: nobody knows
     const CycleShape* shape = nullptr;  // of a cycle that takes one

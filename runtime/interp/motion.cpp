@@ -61,8 +61,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (may_move && refuses_point_to_point(block, actions)) return;
     // They have told where the compensation ends.
     if (arc_words != 0 && leave_direction(block)) arc_words &= ~nc::kCenterSlots;
-    if (actions.soft != nullptr &&
-        (space_comp_.is_on() || comp_.chosen() != Function::CompInPlane)) {
+    if (actions.soft != nullptr && (space_comp_.is_on() || comp_.chosen() != CompSystem::InPlane)) {
         report(diag::CompSpaceStart, block, actions.soft->function);
         return;
     }
@@ -72,7 +71,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     }
     if (actions.reference != nullptr) return refer(block, *actions.reference);
     if (actions.measure != nullptr) return measure_length(block, *actions.measure);
-    if (actions.probes && comp_.side != Function::RadiusCompOff) {
+    if (actions.probes && comp_.is_on()) {
         report(diag::ProbeCompensated, block, Function::Probe);
         return;
     }
@@ -149,8 +148,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     // At rapid a way to a place of the machine ends at rest on every control.
     const bool goes_to_machine = frames_off_ && modal_.motion == Function::Rapid;
     const bool exact_stop = stops_exactly(actions.exact_stop || goes_to_machine);
-    if (actions.at_rapid && comp_.side != Function::RadiusCompOff &&
-        (targets & plane_mask()) != 0) {
+    if (actions.at_rapid && comp_.is_on() && (targets & plane_mask()) != 0) {
         report(diag::CompMotion, block);
         return;
     }

@@ -32,11 +32,6 @@ constexpr std::size_t kSpindle =
                      Function::SpindleStand, Function::SpindleLimit, Function::SpindleBound,
                      Function::SpindleDwell>();
 
-SpindleMode mode_of(Function sense) {
-    if (sense == Function::SpindleCw) return SpindleMode::Cw;
-    return sense == Function::SpindleCcw ? SpindleMode::Ccw : SpindleMode::Stop;
-}
-
 /// Whether a word of the block says how the spindle with this number turns.
 bool names_spindle(const Block& block, std::int64_t number) {
     const auto end = block.functions.begin() + block.function_count;
@@ -138,8 +133,8 @@ void Executor::act_on_spindle(const Block& block, const Invocation& invocation) 
                 break;
             }
             case Function::SpindleTurn:
-                spindle_.mode = mode_of(sense_by_code(
-                    count_of(block, invocation, parameter_of<Function::SpindleTurn>("sense"))));
+                spindle_.mode = sense_by_code(
+                    count_of(block, invocation, parameter_of<Function::SpindleTurn>("sense")));
                 break;
             case Function::SpindleLimit:
                 limit_speed(

@@ -133,7 +133,7 @@ Write Executor::set_edge_offset(Quantity quantity, std::int64_t tool, std::int64
 
 Write Executor::set_tool_offset(ToolOffsets::Column column, std::int64_t number, double value) {
     if (number < 1 || ToolOffsets::tool_of(number) > rules_.tool_offsets) return Write::NoPlace;
-    const double mm_per_unit = units_ == Function::Inch ? kMmPerInch / 10 : 1;
+    const double mm_per_unit = units_ == Units::Inch ? kMmPerInch / 10 : 1;
     constexpr double kRounding = 1e-9;  // of a value that was worked out in inches
     if (rules_.most_tool_offset > 0 &&
         std::abs(value) > rules_.most_tool_offset * mm_per_unit + kRounding)
@@ -180,8 +180,7 @@ Write Executor::set_extra(Quantity quantity, std::int64_t first, double value) {
     const bool is_of_radius = quantity == Quantity::ExtraRadius || quantity == Quantity::ExtraBoth;
     if (is_of_radius) extra_.radius = value;
     tool_.has_changed = true;
-    if (is_of_radius && comp_.side != Function::RadiusCompOff)
-        send_comp(comp_change({}, CompChange::Kind::Set));
+    if (is_of_radius && comp_.is_on()) send_comp(comp_change({}, CompChange::Kind::Set));
     return Write::Done;
 }
 

@@ -155,7 +155,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
         return;
     }
     if (is_wanted == orienting_.is_on || refuses_in_spline(block, invocation.function)) return;
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         report(diag::TransformationComp, block, invocation.function)
             .arg(word_of(block, invocation.function));
         return;
@@ -220,7 +220,7 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
         report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
         return;
     }
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         report(diag::TransformationComp, block, invocation.function)
             .arg(word_of(block, invocation.function));
         return;
@@ -230,8 +230,7 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
         parameter_of_all<"offset", Function::TcpLength, Function::TcpVector>();
     constexpr std::size_t kPlane =
         parameter_of_all<"plane", Function::TcpLength, Function::TcpVector>();
-    orienting_.turning =
-        block.argument(invocation, kPlane) == 1 ? Function::TurnPlane : Function::TurnAxes;
+    orienting_.turning = block.argument(invocation, kPlane) == 1 ? TurnWay::Plane : TurnWay::Axes;
     orienting_.lead = orienting_.takes_vectors
                           ? block.argument(invocation, parameter_of<Function::TcpVector>("lead"))
                           : 0;
@@ -289,7 +288,7 @@ void Executor::check_offset_said(const Block& block) {
 /// F 4.7: PS5421.
 bool Executor::refuses_under_tcp(const Block& block, Function function) {
     if (!orienting_.has_length || cycle_.blocks) return false;
-    const bool is_by_side = comp_.side != Function::RadiusCompOff && comp_.is_by_side_code;
+    const bool is_by_side = comp_.is_on() && comp_.is_by_side_code;
     if (is_by_side && nc::info(function).group == nc::Group::LengthComp) {
         report(diag::SideCompOrder, block, function).arg(word_of(block, function));
         return true;

@@ -41,12 +41,13 @@ bool is_told_by_sign(const machine::MachineAxis& axis) {
 /// Whether a motion of this kind goes from point to point.
 bool Executor::goes_straight(Op op) const {
     if (!orienting_.is_on || orienting_.has_length) return false;
-    switch (orienting_.moves) {
-        case Function::PointMoves: return op == Op::Rapid || op == Op::Line;
+    switch (orienting_.point_to_point) {
+        case PointToPoint::None: return false;
+        case PointToPoint::All: return op == Op::Rapid || op == Op::Line;
         // Beside a contour the tip goes along its path at rapid, too.
-        case Function::PointRapids: return op == Op::Rapid && comp_.side == Function::RadiusCompOff;
-        default: return false;
+        case PointToPoint::Rapids: return op == Op::Rapid && !comp_.is_on();
     }
+    return false;
 }
 
 /// … the motion of a block.
@@ -58,8 +59,8 @@ bool Executor::goes_straight(const Block& block, const Actions& actions) const {
 
 /// What has a path of its own has no place where axes go from point to point: reported. S 14144.
 bool Executor::refuses_point_to_point(const Block& block, const Actions& actions) {
-    const bool is_wanted = orienting_.moves == Function::PointMoves ||
-                           (orienting_.moves == Function::PointRapids &&
+    const bool is_wanted = orienting_.point_to_point == PointToPoint::All ||
+                           (orienting_.point_to_point == PointToPoint::Rapids &&
                             (actions.at_rapid || modal_.motion == Function::Rapid));
     if (is_wanted && virtual_.axes.is_on()) {
         report(diag::IsoNotSupported, block)
@@ -67,11 +68,12 @@ bool Executor::refuses_point_to_point(const Block& block, const Actions& actions
                 "a motion from point to point on a face, on a cylinder or along an inclined slide");
         return true;
     }
-    if (orienting_.moves != Function::PointMoves || !orienting_.is_on || orienting_.has_length)
+    if (orienting_.point_to_point != PointToPoint::All || !orienting_.is_on ||
+        orienting_.has_length)
         return false;
     std::string why;
     if (actions.soft != nullptr) why = word_of(block, actions.soft->function);
-    else if (comp_.side != Function::RadiusCompOff) why = spelling_of(comp_.side);
+    else if (comp_.is_on()) why = spelling_of(function_of(comp_.side));
     else if (actions.probes) why = word_of(block, Function::Probe);
     else if (!actions.at_rapid && modal_.motion != Function::Rapid &&
              modal_.motion != Function::Line)
@@ -135,9 +137,9 @@ machine::JointLimits Executor::signed_limits(const ToolWords& tool) const {
 bool Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || spins_with_path(tool);
     if (is_led || tool.lead) {
-        const Function word = tool.lead ? Function::ToolLead : orienting_.turning;
+        const Function word = tool.lead ? Function::ToolLead : function_of(orienting_.turning);
         report(diag::PointMotion, block)
-            .arg(spins_with_path(tool) ? spelling_of(orienting_.spin)
+            .arg(spins_with_path(tool) ? spelling_of(function_of(orienting_.spin))
                  : tool.lead           ? word_of(block, word)
                                        : spelling_of(word));
         return false;

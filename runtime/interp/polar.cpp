@@ -237,7 +237,7 @@ const Block* Executor::with_polar_axes(const Block& block) {
     if (block.has(angle)) {
         // The reader took the number for a length.
         const double angle_deg =
-            units_ == Function::Inch ? block.at(angle) / kMmPerInch : block.at(angle);
+            units_ == Units::Inch ? block.at(angle) / kMmPerInch : block.at(angle);
         polar_.angle_deg = is_distance(block, angle) ? polar_.angle_deg + angle_deg : angle_deg;
     }
     set_polar_place(block);

@@ -54,7 +54,7 @@ void Executor::begin_with(Function function) {
     apply_function(block, block.functions[0], actions);
     if (!ended_) act_before_motion(block, actions);
     // What this machine, without a tool, cannot do does not act.
-    if (ended_) comp_.side = Function::RadiusCompOff;
+    if (ended_) comp_.side = CompSide::Off;
     ended_ = alarmed_ = false;
 }
 

@@ -76,7 +76,7 @@ std::optional<double> Executor::touch_of_event(const Block& block, const Program
     if (!is_said || found->axes == 0) return std::nullopt;
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((found->axes >> i & 1u) == 0) continue;
-        const bool is_inch = units_ == Function::Inch && !is_rotary(static_cast<Axis>(i));
+        const bool is_inch = units_ == Units::Inch && !is_rotary(static_cast<Axis>(i));
         const double unit = axes_.word_scale[i] * (is_inch ? kMmPerInch : 1);
         const double at = found->at[i] * unit;
         const double from = way.from[i];

@@ -29,7 +29,7 @@ constexpr std::int64_t kTeeth = 100;
 /// The axes of the block go to its place with their bare spindle; the length acts again with the
 /// next motion of each.
 void Executor::move_without_length(const Block& block, const Target& target, bool exact_stop) {
-    if (orienting_.is_on || comp_.side != Function::RadiusCompOff) {
+    if (orienting_.is_on || comp_.is_on()) {
         report(diag::IsoNotSupported, block, Function::LengthSuspend)
             .arg(orienting_.is_on
                      ? "a block without tool offsets under a transformation"
@@ -53,7 +53,7 @@ void Executor::move_without_length(const Block& block, const Target& target, boo
 /// Where the axes stand gets other machine coordinates; no axis moves. What the machine itself
 /// knows, limits and fixed points, stays where it is.
 void Executor::preset_axes(const Block& block, const Invocation& invocation) {
-    if (orienting_.is_on || comp_.side != Function::RadiusCompOff || corners_.is_active()) {
+    if (orienting_.is_on || comp_.is_on() || corners_.is_active()) {
         report(diag::PresetMisplaced, block, Function::Preset)
             .arg(orienting_.is_on ? "a transformation" : "cutter radius compensation");
         return;
@@ -74,7 +74,7 @@ void Executor::preset_axes(const Block& block, const Invocation& invocation) {
             return;
         }
         const double wanted = block.argument(invocation, kTo + i) * axes_.word_scale[index(*axis)] *
-                              (is_rotary(*axis) || units_ != Function::Inch ? 1 : kMmPerInch);
+                              (is_rotary(*axis) || units_ != Units::Inch ? 1 : kMmPerInch);
         const double now = *place_of(Quantity::MachinePosition, *axis);
         frames_.preset(*axis, now - wanted);
         preset_[index(*axis)] += now - wanted;
@@ -122,7 +122,7 @@ void Executor::measure_length(const Block& block, const Invocation& invocation) 
         report(diag::MeasureOffsetMissing, block, Function::MeasureLength);
         return;
     }
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         report(diag::ProbeCompensated, block, Function::MeasureLength);
         return;
     }

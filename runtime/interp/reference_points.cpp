@@ -211,7 +211,7 @@ void Executor::leave_reference(const Block& block) {
 /// Makes the ways longer by the radius offset, so many times. False: that is not possible, and it
 /// was said.
 bool Executor::offset_ways(const Block& block, double times, Target& target) {
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         report(diag::WayOffsetCompensated, block, Function::WayOffset);
         return false;
     }

@@ -19,8 +19,8 @@ struct ShapeRun {
     bool is_named = false;     // it stands in a program; a block that calls the cycle is behind it
     bool is_followed = false;  // the blocks are executed; then the tool goes back to its start
     bool has_begun = false;    // a block of the shape has come
-    nc::Function approach = nc::Function::None;  // motion of the first block
-    nc::SlotMask approach_axes = 0;              // … and the axes that it names
+    bool approaches_at_rapid = false;  // in the first block
+    nc::SlotMask approach_axes = 0;    // that it names
 
     // As the cycle found them.
     Modal modal;

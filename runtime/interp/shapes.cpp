@@ -79,7 +79,7 @@ bool Executor::check_shape_block(const Block& block) {
     const bool goes_on = shape_->is_named && block.motion == Function::None;
     const Function motion = goes_on ? modal_.motion : block.motion;
     if (nc::has_fact(motion, nc::Fact::Straight)) {
-        shape_->approach = motion;
+        shape_->approaches_at_rapid = motion == Function::Rapid;
         shape_->approach_axes = block.given & nc::kTargetSlots;
         return true;
     }
@@ -121,7 +121,7 @@ void Executor::finish_shape() {
             call.given |= 1u << i;
         }
     };
-    set("rapid", run.approach == Function::Rapid);
+    set("rapid", run.approaches_at_rapid);
     set("both",
         (run.approach_axes & bit(nc::Slot::X)) != 0 && (run.approach_axes & bit(nc::Slot::Z)) != 0);
     const CycleShape shape = shape_of(run);

@@ -73,12 +73,12 @@ path::Blending Executor::blending(Op op) const {
     path::Blending blending;
     if (virtual_.axes.is_on() || !path::is_motion(op)) return blending;
     const double orientation = smoothing_.orientation.value_or(machine_.orientation_tolerance);
-    if (modal_.blend == Function::BlendDistance) {
+    if (modal_.blend == Blend::Distance) {
         blending.kind = BlendKind::Distance;
         blending.size = op == Op::Rapid ? smoothing_.rapid_distance : smoothing_.feed_distance;
-    } else if (modal_.blend != Function::None) {
+    } else if (modal_.blend != Blend::None) {
         blending.kind = BlendKind::Tolerance;
-        blending.with_tangents = modal_.blend == Function::BlendSmooth;
+        blending.with_tangents = modal_.blend == Blend::Smooth;
         blending.size = smoothing_.tolerance.value_or(machine_.corner_tolerance);
         blending.orientation = orientation;
     }

@@ -74,7 +74,7 @@ std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions
         command.line = origin(block).line;
         return command;
     };
-    const bool was_rapid = actions.motion_before == Function::Rapid || !actions.had_feed;
+    const bool was_rapid = actions.was_rapid || !actions.had_feed;
     const bool is_rapid = modal_.motion == Function::Rapid;
     move.fast = motion(
         actions.soft->function == Function::SoftApproach ? was_rapid : is_rapid,
@@ -107,12 +107,11 @@ std::optional<path::SoftWay> Executor::soft_way(const Block& block, const SoftMo
     switch (move.choice.side) {
         case SoftState::Side::OfCutter:
             if (offset != 0) break;
-            if (!compensation_.is_on() || comp_.side == Function::RadiusCompOff) {
+            if (!compensation_.is_on() || !comp_.is_on()) {
                 report(diag::SoftNoDirection, block);
                 return std::nullopt;
             }
-            way.is_left =
-                (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
+            way.is_left = (comp_.side == CompSide::Left) != frames_.is_mirrored(modal_.plane);
             break;
         case SoftState::Side::Left:
         case SoftState::Side::Right:
@@ -158,8 +157,8 @@ void Executor::approach_softly(const Block& block, const Actions& actions) {
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
     // A contour that was followed so far ends on its normal, and the compensation begins anew.
-    const bool is_new = actions.radius_comp != Function::None;
-    if (compensation_.is_on() && comp_.side == Function::RadiusCompOff) {
+    const bool is_new = actions.radius_comp.has_value();
+    if (compensation_.is_on() && !comp_.is_on()) {
         stop_comp();
     } else if (compensation_.is_on() && !is_new) {
         send_comp(comp_change(block, CompChange::Kind::Begin));
@@ -331,8 +330,7 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
     }
     arrive({frames_.from_base(here), here,
             static_cast<AxisMask>(target.moved | bit(axes.first) | bit(axes.second))});
-    if (comp_.side != Function::RadiusCompOff && was_on)
-        send_comp(comp_change(block, CompChange::Kind::Begin));
+    if (comp_.is_on() && was_on) send_comp(comp_change(block, CompChange::Kind::Begin));
 }
 
 }  // namespace kadr::interp

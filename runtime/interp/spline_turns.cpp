@@ -35,8 +35,8 @@ bool Executor::may_turn_along(const Block& block, const ToolWords& tool) {
     // What is modal would act on the spans that wait, too.
     bool is_refused = tool.is_any() && (!is_alone || (tool.changes_lean && is_in_spline()));
     if (modal_.motion == Function::Spline) {
-        const Function turning = orienting_.turning;
-        const bool is_free = turning == Function::TurnPlane || turning == Function::TurnAxes;
+        const TurnWay turning = orienting_.turning;
+        const bool is_free = turning == TurnWay::Plane || turning == TurnWay::Axes;
         const bool spins = tool.spin || tool.spin_by ||
                            (tool.angles.is_said() && machine_.kinematics->chain.has(machine::kPsi));
         is_refused |= is_led_by_surface(tool) || (tool.is_any() && !is_free) || spins;
@@ -129,7 +129,7 @@ bool Executor::share_turn(const Block& block, const ToolWords& tool,
         if (tool.is_any() || is_led) pieces.back()->tool = tool;
         return true;
     }
-    const bool is_plane = orienting_.turning == Function::TurnPlane && tool.says_direction() &&
+    const bool is_plane = orienting_.turning == TurnWay::Plane && tool.says_direction() &&
                           !is_led && !tool.spin && !tool.spin_by;
     if (!is_plane) {
         report(diag::IsoNotSupported, block)

@@ -28,15 +28,12 @@ bool Modal::set(Function function) {
         case Function::ExactStop:
         case Function::ContinuousPath:
         case Function::TappingMode:
-            has_exact_stop = function == Function::ExactStop;
-            taps = function == Function::TappingMode;
-            blend = Function::None;
-            return true;
         case Function::BlendDistance:
         case Function::BlendTolerance:
         case Function::BlendSmooth:
-            has_exact_stop = taps = false;
-            blend = function;
+            has_exact_stop = function == Function::ExactStop;
+            taps = function == Function::TappingMode;
+            blend = blend_of(function);
             return true;
         default: return false;  // not modal, or the state of something else than the block
     }

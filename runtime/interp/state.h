@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "base/axes.h"
+#include "interp/modes.h"
 #include "interp/tool_offsets.h"
 #include "nc/block.h"
+#include "nc/rules.h"
 #include "path/command.h"
 #include "path/contour.h"
 #include "path/radius_comp.h"
@@ -23,8 +25,8 @@ struct Modal {
     path::FeedMode feed_mode = path::FeedMode::PerMinute;
     bool is_incremental = false;
     bool has_exact_stop = false;
-    bool taps = false;                        // neither an override of the feed nor a hold acts
-    nc::Function blend = nc::Function::None;  // how corners are rounded
+    bool taps = false;  // neither an override of the feed nor a hold acts
+    Blend blend = Blend::None;
     bool has_feed = false;
     double feed = 0;  // unit of the feed mode
 
@@ -127,30 +129,27 @@ struct ExtraTool {
 
 /// What the program has chosen of the cutter radius compensation.
 struct RadiusCompState {
-    nc::Function side = nc::Function::RadiusCompOff;
-    nc::Function start = nc::Function::None;  // None: as the control begins
-    nc::Function corner = nc::Function::None;
+    CompSide side = CompSide::Off;
+    std::optional<nc::CompStart> start;    // nothing: as the control begins
+    std::optional<nc::CompCorner> corner;  // likewise
     bool has_check = false;
     path::OpenEnd open_end = path::OpenEnd::None;
-    std::optional<std::int64_t> feed;  // CompFeed by number; nothing: as the control begins
-    double pointed = 0;                // of arcs about corners, percent
-    double allowance = 0;              // mm
-    nc::Function system = nc::Function::CompInPlane;  // chosen for where it begins next …
-    bool is_in_frame = false;                         // … in the plane that frames have tilted
-    bool is_by_side_code = false;                     // … unless its own code says by the side
-    nc::Function acting = nc::Function::CompInPlane;  // where it has begun
-    bool is_mirrored = false;  // … and whether a frame mirrored its plane there
-    bool turns_on_arc = true;  // in space: blocks at corners that only turn the tool
-    double depth = 0;          // in space: of the contour above the tip, mm
+    std::optional<std::int64_t> feed;         // CompFeed by number; nothing: as the control begins
+    double pointed = 0;                       // of arcs about corners, percent
+    double allowance = 0;                     // mm
+    CompSystem system = CompSystem::InPlane;  // chosen for where it begins next …
+    bool is_in_frame = false;                 // … in the plane that frames have tilted
+    bool is_by_side_code = false;             // … unless its own code says by the side
+    CompSystem acting = CompSystem::InPlane;  // where it has begun
+    bool is_mirrored = false;                 // … and whether a frame mirrored its plane there
+    bool turns_on_arc = true;                 // in space: blocks at corners that only turn the tool
+    double depth = 0;                         // in space: of the contour above the tip, mm
 
-    nc::Function chosen() const { return is_by_side_code ? nc::Function::CompBySide : system; }
-    bool acts_on_faces() const {
-        return side != nc::Function::RadiusCompOff && nc::has_fact(acting, nc::Fact::OnFaces);
-    }
+    bool is_on() const { return side != CompSide::Off; }
+    CompSystem chosen() const { return is_by_side_code ? CompSystem::BySide : system; }
+    bool acts_on_faces() const { return is_on() && is_on_faces(acting); }
     /// Whether the surface normals of blocks are the cutter's matter.
-    bool takes_faces() const {
-        return acts_on_faces() || nc::has_fact(chosen(), nc::Fact::OnFaces);
-    }
+    bool takes_faces() const { return acts_on_faces() || is_on_faces(chosen()); }
 };
 
 /// What the program has chosen for soft approaches and retracts.
@@ -172,10 +171,10 @@ struct Smoothing {
 
 /// How words of the orientation are understood, and on which way the tool turns.
 struct OrientModes {
-    nc::Function turning = nc::Function::TurnPlane;
-    nc::Function angles = nc::Function::AnglesEuler;
-    nc::Function euler = nc::Function::AnglesEuler;  // what Euler's angles are on this control
-    nc::Function spin = nc::Function::SpinFixed;
+    TurnWay turning = TurnWay::Plane;
+    ToolAngles angles = ToolAngles::Euler;
+    ToolAngles euler = ToolAngles::Euler;  // what Euler's angles are on this control
+    SpinFrom spin = SpinFrom::Fixed;
     bool is_in_base = false;  // orientations are said in the base system
 };
 
@@ -184,11 +183,11 @@ struct Orienting : OrientModes {
     bool is_on = false;          // X, Y and Z are the tip in the workpiece
     bool has_length = false;     // it was switched on as a kind of tool length compensation
     bool takes_vectors = false;  // … whose blocks say the tool's direction
-    nc::Function moves = nc::Function::PathMoves;  // or from point to point
-    int configuration = 0;                         // wanted there, 1 or 2; 0: any
-    double lead = 0;     // deg, of a direction whose block does not say another one
-    path::Lean lean;     // from the surface normal
-    bool leans = false;  // … at the end of every block, until one says a direction
+    PointToPoint point_to_point = PointToPoint::None;
+    int configuration = 0;  // wanted there, 1 or 2; 0: any
+    double lead = 0;        // deg, of a direction whose block does not say another one
+    path::Lean lean;        // from the surface normal
+    bool leans = false;     // … at the end of every block, until one says a direction
     // Behind the latest motion, in the base system:
     std::optional<path::Vec3> normal;      // of the surface; nothing: none was said yet
     path::Vec3 rate = path::Vec3::Zero();  // how the tool's direction changed at its end
@@ -242,7 +241,7 @@ struct ToolWords {
 
 /// What the blocks of one tilted plane have said so far, if it takes several.
 struct SaidPlane {
-    nc::Function by = nc::Function::None;
+    bool is_by_points = false;  // or by vectors
     bool is_added = false;
     unsigned next = 0;  // number of the block that has to come
     std::array<path::Vec3, 4> values{};
@@ -268,7 +267,6 @@ struct Virtual {
     /// (G18) arcs and compensation go the other way round.
     bool by_rotary = false;
     bool is_turned_over = false;
-    nc::Function said = nc::Function::None;  // FaceOn, CylinderOn or InclinedOn
     path::Plane plane_before = path::Plane::Xy;
 };
 

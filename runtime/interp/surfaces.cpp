@@ -20,7 +20,7 @@ std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
     const std::int64_t number = comp_offset().value_or(0);
     const auto found = face_cutter(tool_offsets_, number, extra_.radius + sum_offset(4));
     if (!found) {
-        report(diag::CompFaceTool, block, comp_.side)
+        report(diag::CompFaceTool, block, function_of(comp_.side))
             .arg(found.error() == FaceCutterFault::EdgeTooLarge
                      ? "its edge is rounded with more than its radius, or with less than nothing"
                      : "its side leans by 90 degrees and more, or inwards");
@@ -28,7 +28,7 @@ std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
     }
     if (!found->is_known && number != 0 && !told_.shape) {
         told_.shape = true;
-        report(diag::CompFaceShape, block, comp_.side).arg(tool_offsets_.type(number));
+        report(diag::CompFaceShape, block, function_of(comp_.side)).arg(tool_offsets_.type(number));
     }
     SpaceCutter cutter;
     cutter.contact.kind = path::ContactKind::Face;
@@ -42,9 +42,9 @@ std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
 /// Where the program has said that the tool keeps its direction, nothing may turn it.
 bool Executor::is_tool_constant(const Block& block) {
     const bool is_constant =
-        comp_.acting == Function::CompByFaceInFrame || comp_.acting == Function::CompByFaceInPlane;
+        comp_.acting == CompSystem::ByFaceInFrame || comp_.acting == CompSystem::ByFaceInPlane;
     if (!is_constant || !orienting_.is_on) return true;
-    report(diag::CompFaceTurned, block, comp_.side);
+    report(diag::CompFaceTurned, block, function_of(comp_.side));
     return false;
 }
 
@@ -79,7 +79,7 @@ bool Executor::check_side_comp(const Block& block, Function function) {
 
 /// F 4.4: with a tool and a table that turn, lines and positioning only.
 bool Executor::check_side_arc(const Block& block) {
-    const bool is_on = comp_.side != Function::RadiusCompOff && comp_.is_by_side_code;
+    const bool is_on = comp_.is_on() && comp_.is_by_side_code;
     if (!is_on || !is_arc(modal_.motion)) return true;
     const machine::Chain& chain = machine_.kinematics->chain;
     bool turns_tool = false;

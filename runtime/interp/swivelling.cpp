@@ -68,7 +68,7 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     const auto refuse = [&](std::string_view what) {
         report(diag::SwivelValue, block, Function::Swivel).arg(what);
     };
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         report(diag::TiltCompensated, block, Function::Swivel).arg("CYCLE800");
         return;
     }

@@ -81,6 +81,11 @@ std::optional<std::array<Axis, 3>> axes_in_order(double digits) {
     return order;
 }
 
+/// The word of the blocks that say it.
+Function function_of(const SaidPlane& said) {
+    return said.is_by_points ? Function::TiltPoint : Function::TiltVector;
+}
+
 }  // namespace
 
 // ------------------------------------------------------------------------------ planes
@@ -97,7 +102,7 @@ std::optional<Vec3> Executor::origin_of_plane(const Block& block, const Invocati
 
 /// Whether a plane may be said here.
 bool Executor::begin_plane(const Block& block, const Invocation& invocation, bool is_added) {
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         report(diag::TiltCompensated, block, invocation.function)
             .arg(word_of(block, invocation.function));
         return false;
@@ -181,12 +186,12 @@ void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) 
     if (!tilting_.open) {
         if (!begin_plane(block, invocation, is_added)) return;
         tilting_.open.emplace();
-        tilting_.open->by = invocation.function;
+        tilting_.open->is_by_points = is_by_points;
         tilting_.open->is_added = is_added;
         tilting_.open->next = is_by_points && number == 0 ? 0 : 1;
     }
     SaidPlane& said = *tilting_.open;
-    if (said.by != invocation.function || said.is_added != is_added || number != said.next) {
+    if (said.is_by_points != is_by_points || said.is_added != is_added || number != said.next) {
         report(diag::TiltFormat, block, invocation.function)
             .arg("its blocks do not stand in their order");
         return;
@@ -211,22 +216,21 @@ void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) 
 
 std::optional<Frame> Executor::plane_by_blocks(const Block& block, const SaidPlane& said) {
     const std::array<Vec3, 3> points = {said.values[1], said.values[2], said.values[3]};
-    const bool is_by_points = said.by == Function::TiltPoint;
-    const auto plane = is_by_points
+    const auto plane = said.is_by_points
                            ? machine::through_points(points)
                            : machine::by_axes(said.values[1], said.values[2], kSquareTolerance);
     if (!plane) {
-        report(diag::TiltFormat, block, said.by).arg(words_of(plane.error()));
+        report(diag::TiltFormat, block, function_of(said)).arg(words_of(plane.error()));
         return std::nullopt;
     }
-    if (!is_by_points) return path::translation(said.origin) * turned(*plane);
+    if (!said.is_by_points) return path::translation(said.origin) * turned(*plane);
     return path::translation(points[0]) * turned(*plane) * path::translation(said.values[0]) *
            path::rotation_in_plane(path::Plane::Xy, said.turn);
 }
 
 /// False: another block stands among those of a plane, and it was reported.
 bool Executor::check_open_plane(const Block& block) {
-    if (block.find(tilting_.open->by) != nullptr) return true;
+    if (block.find(function_of(*tilting_.open)) != nullptr) return true;
     report(diag::TiltFormat, block)
         .arg("its blocks are not complete: number " + std::to_string(tilting_.open->next) +
              " is missing");

@@ -58,7 +58,7 @@ void Executor::choose_sum_offset(const Block& block, const Invocation& invocatio
     }
     tool_.has_changed = true;
     actions.length_changed = true;
-    actions.comp_changed |= comp_.side != Function::RadiusCompOff;
+    actions.comp_changed |= comp_.is_on();
 }
 
 /// What the sum offset adds, mm: to length 1, 2 or 3 (part 1 to 3), or to the radius (4): wear by
@@ -109,7 +109,7 @@ bool Executor::selects_at_once() const {
 
 void Executor::change_tool(const Block& block) {
     const bool is_other = tool_.selected != tool_.current;
-    if (is_other && rules_.comp_keeps_tool && comp_.side != Function::RadiusCompOff) {
+    if (is_other && rules_.comp_keeps_tool && comp_.is_on()) {
         report(diag::CompToolChange, block);
         return;
     }

@@ -146,7 +146,7 @@ void Executor::settle_turn(const Target& target) {
 
 /// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
 bool Executor::turn_by_axes(const Block& block, Target& target) {
-    if (orienting_.turning != Function::TurnPlane || (block.given & joint_axes()) == 0) return true;
+    if (orienting_.turning != TurnWay::Plane || (block.given & joint_axes()) == 0) return true;
     const Chain& chain = machine_.kinematics->chain;
     constexpr double kSameJoint = 1e-6;  // rad
     const Vec3 wanted = joints_of(target.base);
@@ -166,12 +166,16 @@ bool Executor::turn_by_axes(const Block& block, Target& target) {
 /// To a direction, on the way that the program has chosen.
 bool Executor::turn_to(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
     switch (orienting_.turning) {
-        case Function::TurnConeCw:
-        case Function::TurnConeCcw:
-        case Function::TurnConeOver:
-        case Function::TurnConeOn: return lay_cone(block, tool, to, target);
-        default: return lay_turn(block, to, target, tool.angles.is_said() ? &tool : nullptr);
+        case TurnWay::ConeCw:
+        case TurnWay::ConeCcw:
+        case TurnWay::ConeOver:
+        case TurnWay::ConeOn: return lay_cone(block, tool, to, target);
+        case TurnWay::Plane:
+        case TurnWay::Axes:
+        case TurnWay::Surface:
+        case TurnWay::Point: break;
     }
+    return lay_turn(block, to, target, tool.angles.is_said() ? &tool : nullptr);
 }
 
 machine::JointLimits Executor::joint_limits() const {
@@ -217,7 +221,7 @@ bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
     if ((to - from).norm() < kSameDirection && !fixes_spin) return true;
     machine::PathQuery query = query_to(to, angles);
     const bool is_plane =
-        orienting_.turning == Function::TurnPlane || orienting_.turning == Function::TurnSurface;
+        orienting_.turning == TurnWay::Plane || orienting_.turning == TurnWay::Surface;
     query.mode = is_plane ? machine::PathMode::Vector : machine::PathMode::Axis;
     const auto arc = machine::great_circle(from, to);
     if (is_plane && !arc) {
@@ -272,7 +276,7 @@ machine::Mat3 Executor::base_rotation() const {
 std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, const ToolWords& tool,
                                                          const Vec3& from, const Vec3& to) {
     using machine::ConeSense;
-    const bool is_cw = (orienting_.turning == Function::TurnConeCw) != mirrors_words();
+    const bool is_cw = (orienting_.turning == TurnWay::ConeCw) != mirrors_words();
     const ConeSense sense = is_cw ? ConeSense::Cw : ConeSense::Ccw;
     const auto refuse = [&](const DiagnosticRow& row) {
         report(row, block);
@@ -280,12 +284,12 @@ std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, con
     };
     Result<machine::OrientationArc, machine::OrientationFault> arc =
         machine::OrientationFault::EqualVectors;
-    if (orienting_.turning == Function::TurnConeOver) {
+    if (orienting_.turning == TurnWay::ConeOver) {
         if (!tool.between.is_said()) return refuse(diag::ConeBetweenMissing);
         const auto between = direction_in_base(block, tool.between.vector(), Function::ToolBetween);
         if (!between) return std::nullopt;
         arc = machine::cone_through(from, *between, to);
-    } else if (orienting_.turning == Function::TurnConeOn) {
+    } else if (orienting_.turning == TurnWay::ConeOn) {
         arc = machine::cone_tangential(from, orienting_.rate, to);
     } else if (tool.cone_axis.is_said()) {
         const auto axis = direction_in_base(block, tool.cone_axis.vector(), Function::ConeAxis);
@@ -509,7 +513,7 @@ bool Executor::turn_first(const Block& block, const Vec3& to) {
     if (path::angle_between(from, to) < kSameStart) return true;
     Target here{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
                 kLinearXYZ};
-    const Function turning = std::exchange(orienting_.turning, Function::TurnPlane);
+    const TurnWay turning = std::exchange(orienting_.turning, TurnWay::Plane);
     const bool is_laid = lay_turn(block, to, here);
     orienting_.turning = turning;
     if (!is_laid) return false;
@@ -527,29 +531,29 @@ bool Executor::turn_first(const Block& block, const Vec3& to) {
 
 /// Whether the tool's own angle counts from the direction of travel.
 bool Executor::spins_with_path(const ToolWords& tool) const {
-    return orienting_.spin == Function::SpinPath && (tool.spin || tool.spin_by);
+    return orienting_.spin == SpinFrom::Path && (tool.spin || tool.spin_by);
 }
 
 /// The direction across the tool from which its own angle counts; nothing if there is none.
 std::optional<Vec3> Executor::spin_reference(const Vec3& tool, const path::Curve* curve) const {
     Vec3 reference = Vec3::Zero();
     switch (orienting_.spin) {
-        case Function::SpinPlane:
-        case Function::SpinTurn:
+        case SpinFrom::Plane:
+        case SpinFrom::Turn:
             if (next_turn_.turning == Turning::Cone)
                 reference = next_turn_.axis.cross(tool) * (next_turn_.angle < 0 ? -1 : 1);
             break;
-        case Function::SpinPath:
+        case SpinFrom::Path:
             if (curve != nullptr) reference = path::evaluate(*curve, path::length(*curve)).tangent;
             break;
-        default: {
+        case SpinFrom::Fixed: {
             const machine::Mat3 back = turn_into_base().transpose();
             const Vec3 said = back * tool;
             const double away = std::hypot(said.x(), said.y());
             const double around = away < kSameStart ? 0 : std::atan2(said.y(), said.x());
             const double tilt = std::atan2(away, said.z());
             const machine::Mat3 turned =
-                orienting_.euler == Function::AnglesZyz
+                orienting_.euler == ToolAngles::Zyz
                     ? machine::euler_zyz({around, tilt, 0})
                     : machine::euler_zxz(
                           {away < kSameStart ? 0 : around + std::numbers::pi / 2, tilt, 0});

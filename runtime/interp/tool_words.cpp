@@ -151,7 +151,7 @@ bool Executor::lacks_axis_for_direction(const Block& block) {
 }
 
 /// Whether the tool is led by a surface in every block.
-bool Executor::leans_on_surface() const { return orienting_.turning == Function::TurnSurface; }
+bool Executor::leans_on_surface() const { return orienting_.turning == TurnWay::Surface; }
 
 /// Whether a surface tells how the tool stands in this block: along it, or at its end.
 bool Executor::is_led_by_surface(const ToolWords& tool) const {
@@ -163,19 +163,19 @@ bool Executor::is_led_by_surface(const ToolWords& tool) const {
 /// compensated on the surface they are of the surface alone; a cone, or the second point of the
 /// tool, says itself where the tool goes.
 bool Executor::surface_leads_end() const {
-    const Function turning = orienting_.turning;
-    const bool is_free = turning == Function::TurnPlane || turning == Function::TurnAxes;
+    const TurnWay turning = orienting_.turning;
+    const bool is_free = turning == TurnWay::Plane || turning == TurnWay::Axes;
     return rules_.surface_words_at_end && is_free && !comp_.takes_faces();
 }
 
 /// Words that the way on which the tool turns has no place for: nothing may be lost silently.
 bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
-    const Function turning = orienting_.turning;
-    const bool is_about_axis = turning == Function::TurnConeCw || turning == Function::TurnConeCcw;
+    const TurnWay turning = orienting_.turning;
+    const bool is_about_axis = turning == TurnWay::ConeCw || turning == TurnWay::ConeCcw;
     const bool takes_surface =
-        turning == Function::TurnSurface || surface_leads_end() || comp_.takes_faces();
+        turning == TurnWay::Surface || surface_leads_end() || comp_.takes_faces();
     const nc::Invocation* const spin = block.find(Function::ToolSpin);
-    if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == Function::SpinPath) {
+    if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == SpinFrom::Path) {
         report(diag::SpinAgainstPath, block, Function::ToolSpin)
             .arg(word_of(block, Function::ToolSpin));
         return true;
@@ -191,8 +191,8 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
     } checks[] = {
         {tool.cone_axis.is_said() && !is_about_axis, Function::ConeAxis},
         {tool.opening.has_value() && !is_about_axis, Function::ConeOpening},
-        {tool.between.is_said() && turning != Function::TurnConeOver, Function::ToolBetween},
-        {tool.point.is_said() && turning != Function::TurnPoint, Function::ToolPoint},
+        {tool.between.is_said() && turning != TurnWay::ConeOver, Function::ToolBetween},
+        {tool.point.is_said() && turning != TurnWay::Point, Function::ToolPoint},
         {tool.normals[0].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.normals[1].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.changes_lean && tool.says_direction(),
@@ -203,11 +203,11 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
         if (!check.is_idle) continue;
         report(diag::OrientWordIdle, block, check.word)
             .arg(word_of(block, check.word))
-            .arg(spelling_of(turning));
+            .arg(spelling_of(function_of(turning)));
         return true;
     }
-    if (nc::has_fact(turning, nc::Fact::ConeTurning) && !tool.says_direction() && tool.is_any() &&
-        !tool.spin && !tool.spin_by) {
+    if (is_on_cone(turning) && !tool.says_direction() && tool.is_any() && !tool.spin &&
+        !tool.spin_by) {
         report(diag::ConeEndMissing, block);
         return true;
     }
@@ -218,11 +218,12 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
 machine::Mat3 Executor::rotation_by_angles(const Vec3& angles_deg) const {
     const Vec3 angles = angles_deg * (std::numbers::pi / 180);
     switch (orienting_.angles) {
-        case Function::AnglesRpy: return machine::rpy_zyx(angles);
-        case Function::AnglesXyz: return machine::rpy_xyz(angles);
-        case Function::AnglesZyz: return machine::euler_zyz(angles);
-        default: return machine::euler_zxz(angles);
+        case ToolAngles::Rpy: return machine::rpy_zyx(angles);
+        case ToolAngles::Xyz: return machine::rpy_xyz(angles);
+        case ToolAngles::Zyz: return machine::euler_zyz(angles);
+        case ToolAngles::Euler: break;
     }
+    return machine::euler_zxz(angles);
 }
 
 /// How frames turn what is said of the tool into the base system. Scales stretch places, not

@@ -92,6 +92,17 @@ bool stands_there(Function function, VirtualKind kind) {
     }
 }
 
+/// The word that ends it.
+Function ending_function(VirtualKind kind) {
+    switch (kind) {
+        case VirtualKind::Cylinder: return Function::CylinderOn;
+        case VirtualKind::Inclined: return Function::InclinedOn;
+        case VirtualKind::Face:
+        case VirtualKind::None: break;
+    }
+    return Function::TcpOff;
+}
+
 }  // namespace
 
 // ------------------------------------------------------------------------------ begin and end
@@ -101,7 +112,7 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
     const bool ends_cylinder = invocation.function == Function::CylinderOn &&
                                invocation.has(kRadius) && block.argument(invocation, kRadius) == 0;
     if (ends_cylinder) {
-        if (virtual_.said == Function::CylinderOn) return end_virtual(block);
+        if (virtual_.axes.kind == VirtualKind::Cylinder) return end_virtual(block);
         report(diag::CylinderWrong, block, invocation.function)
             .arg("radius 0")
             .arg("it ends the work on a cylinder, and none has begun");
@@ -109,7 +120,7 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
     }
     if (rules_.virtual_is_narrow && virtual_.axes.is_on())
         return refuse_virtual(block, invocation.function);
-    if (comp_.side != Function::RadiusCompOff) {
+    if (comp_.is_on()) {
         report(diag::VirtualComp, block, invocation.function);
         return;
     }
@@ -124,7 +135,6 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
     const std::optional<VirtualAxes> axes = wanted_virtual(block, invocation);
     if (!axes) return;
     virtual_.axes = *axes;
-    virtual_.said = invocation.function;
     virtual_.by_rotary = rules_.virtual_by_rotary && axes->turns();
     virtual_.plane_before = modal_.plane;
     if (virtual_.by_rotary) say_virtual_plane(modal_.plane);
@@ -136,9 +146,8 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
 
 void Executor::end_virtual(const Block& block) {
     if (!virtual_.axes.is_on()) return;
-    if (comp_.side != Function::RadiusCompOff) {
-        const bool is_face = virtual_.axes.kind == VirtualKind::Face;
-        report(diag::VirtualComp, block, is_face ? Function::TcpOff : virtual_.said);
+    if (comp_.is_on()) {
+        report(diag::VirtualComp, block, ending_function(virtual_.axes.kind));
         return;
     }
     leave_corners(diag::CornerWithoutMotion);
@@ -333,8 +342,8 @@ bool Executor::take_rotary_word(const Block& block) {
     }
     if (!block.has(word)) return true;
     const bool is_face = virtual_.axes.kind == VirtualKind::Face;
-    const Function power_on = dialect_.power_on(nc::Group::Units);
-    const bool is_inch = (units_ != Function::None ? units_ : power_on) == Function::Inch;
+    const Units power_on = units_of(dialect_.power_on(nc::Group::Units));
+    const bool is_inch = (units_ != Units::Unsaid ? units_ : power_on) == Units::Inch;
     const double factor =
         is_face ? (is_inch ? kMmPerInch : 1) : virtual_.axes.size * std::numbers::pi / 180;
     const bool is_distance = (block.incremental & bit(word)) != 0;

@@ -1,0 +1,86 @@
+// modes.cpp — which functions of the vocabulary choose what.
+#include "interp/modes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/assert.h"
+
+namespace kadr::interp {
+
+using nc::Function;
+
+namespace {
+
+// One row for each enumerator, in their order.
+constexpr std::array kCompSides = {Function::RadiusCompOff, Function::RadiusCompLeft,
+                                   Function::RadiusCompRight};
+constexpr std::array kCompSystems = {Function::CompInPlane, Function::CompBySide,
+                                     Function::CompByFace, Function::CompByFaceInFrame,
+                                     Function::CompByFaceInPlane};
+constexpr std::array kTurnWays = {
+    Function::TurnPlane,   Function::TurnAxes,     Function::TurnSurface, Function::TurnConeCw,
+    Function::TurnConeCcw, Function::TurnConeOver, Function::TurnConeOn,  Function::TurnPoint};
+constexpr std::array kToolAngles = {Function::AnglesEuler, Function::AnglesZyz, Function::AnglesRpy,
+                                    Function::AnglesXyz};
+constexpr std::array kSpins = {Function::SpinFixed, Function::SpinPlane, Function::SpinTurn,
+                               Function::SpinPath};
+constexpr std::array kPointToPoint = {Function::PathMoves, Function::PointRapids,
+                                      Function::PointMoves};
+
+template <typename Mode>
+Mode mode_of(const auto& rows, Function function) {
+    const auto row = std::ranges::find(rows, function);
+    KADR_ASSERT(row != rows.end(), "a function of another group");
+    return static_cast<Mode>(row - rows.begin());
+}
+
+}  // namespace
+
+/// The side of a cutter that is compensated square to the tool is the same choice.
+CompSide comp_side_of(Function function) {
+    if (function == Function::SideCompLeft) return CompSide::Left;
+    if (function == Function::SideCompRight) return CompSide::Right;
+    return mode_of<CompSide>(kCompSides, function);
+}
+
+Function function_of(CompSide side) { return kCompSides.at(static_cast<std::size_t>(side)); }
+
+CompSystem comp_system_of(Function function) {
+    if (function == Function::CompInFrame) return CompSystem::InPlane;
+    return mode_of<CompSystem>(kCompSystems, function);
+}
+
+bool is_on_faces(CompSystem system) {
+    return nc::has_fact(kCompSystems.at(static_cast<std::size_t>(system)), nc::Fact::OnFaces);
+}
+
+TurnWay turn_way_of(Function function) { return mode_of<TurnWay>(kTurnWays, function); }
+
+Function function_of(TurnWay way) { return kTurnWays.at(static_cast<std::size_t>(way)); }
+
+bool is_on_cone(TurnWay way) { return nc::has_fact(function_of(way), nc::Fact::ConeTurning); }
+
+ToolAngles tool_angles_of(Function function) { return mode_of<ToolAngles>(kToolAngles, function); }
+
+SpinFrom spin_from_of(Function function) { return mode_of<SpinFrom>(kSpins, function); }
+
+Function function_of(SpinFrom from) { return kSpins.at(static_cast<std::size_t>(from)); }
+
+PointToPoint point_to_point_of(Function function) {
+    return mode_of<PointToPoint>(kPointToPoint, function);
+}
+
+/// The other members of the group round no corner.
+Blend blend_of(Function function) {
+    if (function == Function::BlendDistance) return Blend::Distance;
+    if (function == Function::BlendTolerance) return Blend::Tolerance;
+    return function == Function::BlendSmooth ? Blend::Smooth : Blend::None;
+}
+
+Units units_of(Function function) {
+    if (function == Function::Inch) return Units::Inch;
+    return function == Function::Metric ? Units::Metric : Units::Unsaid;
+}
+
+}  // namespace kadr::interp
