@@ -130,7 +130,7 @@ std::string Checker::hint_of_call(std::span<const nc::SourceWord> source) {
 }
 
 /// `M97 P1` in a source of a FANUC: beside a code of another kind P is no word of the modal cycle.
-bool Checker::check_cycle_words(const nc::BlockPlan& plan, std::span<const Word> words) {
+Done Checker::check_cycle_words(const nc::BlockPlan& plan, std::span<const Word> words) {
     const nc::DialectTables& tables = modules_[module_].dialect->tables();
     const auto functions = std::span(plan.block.functions).first(plan.block.function_count);
     const bool has_words = std::ranges::find(functions, nc::Function::CycleWords,
@@ -146,12 +146,12 @@ bool Checker::check_cycle_words(const nc::BlockPlan& plan, std::span<const Word>
                        std::ranges::any_of(plan.holes, [](const nc::Hole& hole) {
                            return !hole.is_argument && hole.place < kAxes;
                        });
-    if (!has_words || !has_code || moves) return true;
+    if (!has_words || !has_code || moves) return kDone;
     for (const Word& word : words) {
         if (kind_of(word) != nc::Address::Kind::Value) continue;
         report(diag::BlockWordUnused, word.range).arg(word_text(word));
     }
-    return false;
+    return kFailed;
 }
 
 void Checker::check_units_function(nc::Function function, const SourceRange& range) {
@@ -217,9 +217,9 @@ std::string read_as(double number, const nc::Hole& hole, bool is_inch) {
 
 }  // namespace
 
-bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> words) {
+Done Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> words) {
     const nc::Dialect& dialect = *modules_[module_].dialect;
-    bool is_good = true;
+    Done checked = kDone;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const Word& word = words[i];
         const bool is_plain = word.form == Word::Form::Literal && word.unit == syntax::Unit::None;
@@ -246,9 +246,9 @@ bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> word
         else
             message.fix("write the point: `" + number + "` if " + as_read + " is meant, `" +
                         word_text(word) + ".` if not");
-        is_good = false;
+        checked = kFailed;
     }
-    return is_good;
+    return checked;
 }
 
 std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words) const {
@@ -465,12 +465,13 @@ Filling Checker::fill_literal(const Word& word, const nc::Hole& hole, Reg reg) {
 }
 
 /// Across a part measures only X: any other word with a diameter means half of it or is a mistake.
-bool Checker::takes_diameter(const Value& value, const SourceRange& range, std::string_view what) {
-    if (!is_diameter(value)) return true;
+Done Checker::require_no_diameter(const Value& value, const SourceRange& range,
+                                  std::string_view what) {
+    if (!is_diameter(value)) return kDone;
     report(diag::DiameterPlace, range)
         .arg(what)
         .fix("half of it, the radius, is a length: `…/2`; the measure itself is `length(…)`");
-    return false;
+    return kFailed;
 }
 
 /// A value that the program computes, or one that carries a unit.
@@ -488,7 +489,7 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
         return fill_speed(value, word, reg);
     }
     const bool is_x = !hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::X);
-    if (!is_x && !takes_diameter(value, value_range, what)) return filling;
+    if (!is_x && !require_no_diameter(value, value_range, what)) return filling;
     const TypeInfo info = type_info(value.type);
     if (info.kind == Kind::Bool) {
         convert(value, types_.real(quantity_of(hole.dimension)), word.range, what);
@@ -713,7 +714,7 @@ Value Checker::target_value(ExprId point, std::span<const Word> words) {
     return convert(value, types::kPoint, range, "the target");
 }
 
-bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
+void Checker::emit_words(std::span<const Word> words, const Behind& behind,
                          const SourceRange& range, std::int8_t skip, std::uint32_t customs) {
     const ExprId point = behind.point;
     const Reg mark = emit_.mark();
@@ -727,9 +728,9 @@ bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
                 if (word.value.is_valid()) expression(word.value);
             }
             emit_.release_to(mark);
-            return false;
+            return;
         }
-        if (!check_cycle_words(*planned, words)) return false;
+        if (!check_cycle_words(*planned, words)) return;
         check_units_words(*planned, words);
         check_counts(*planned, words);
         // The arguments of a cycle stand behind the values of the block itself.
@@ -766,7 +767,9 @@ bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
     if (behind.orient.is_valid()) {
         const Expr& orient = ast()[behind.orient];
         emit_.set_place(orient.range);
-        if (direction(orient, static_cast<Reg>(first + holes))) add_direction(plan, orient.range);
+        // A block without its direction is written as well: it deserves its own messages.
+        const auto reg = static_cast<Reg>(first + holes);
+        if (take_direction(orient, reg)) (void)add_direction(plan, orient.range);
     }
     emit_.set_place(range);
     const std::optional<SourceCycle> cycle =
@@ -801,7 +804,6 @@ bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
     else if (!cycle_modules_.empty() && !dialect.is_core()) emit_run_cycle(range);
     if (has_stops && !is_before) emit_plan(std::move(stops), first, 0, range);
     emit_.release_to(mark);
-    return true;
 }
 
 void Checker::words_statement(const Stmt& stmt) {

@@ -29,22 +29,22 @@ constexpr std::array<std::string_view, 48> kNames = {
 
 std::span<const std::string_view> builtin_names() { return kNames; }
 
-bool Checker::count_arguments(const Expr& expr, std::string_view name, std::size_t least,
-                              std::size_t most) {
+Done Checker::require_argument_count(const Expr& expr, std::string_view name, std::size_t least,
+                                     std::size_t most) {
     const auto arguments = ast().exprs(expr.list);
     for (const ExprId item : arguments) {
         const Expr& argument = ast()[item];
         if (argument.kind == ExprKind::Argument && !argument.text.is_empty()) {
             report(diag::UnknownArgument, argument.range).arg(name).arg(text(argument.text));
-            return false;
+            return kFailed;
         }
     }
-    if (arguments.size() >= least && arguments.size() <= most) return true;
+    if (arguments.size() >= least && arguments.size() <= most) return kDone;
     const std::string count = least == most ? std::to_string(least)
                               : most > 100  ? std::to_string(least) + " or more"
                                             : std::to_string(least) + " or " + std::to_string(most);
     report(diag::ArgumentCount, expr.range).arg(name).arg(count).arg(arguments.size());
-    return false;
+    return kFailed;
 }
 
 std::optional<Value> Checker::numeric_argument(ExprId item, std::string_view name) {
@@ -91,7 +91,7 @@ Value Checker::math_value(Math function, const Value& a, const Value& b, Type ty
 }
 
 Value Checker::math_call(Math function, const Expr& expr, std::string_view name, Reg hint) {
-    if (!count_arguments(expr, name, 1, 1)) return error_value();
+    if (!require_argument_count(expr, name, 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
     const std::optional<Value> argument = numeric_argument(item, name);
     if (!argument) return error_value();
@@ -136,7 +136,7 @@ Value Checker::math_call(Math function, const Expr& expr, std::string_view name,
 }
 
 Value Checker::trigonometric(Op op, const Expr& expr, std::string_view name, Reg hint) {
-    if (!count_arguments(expr, name, 1, 1)) return error_value();
+    if (!require_argument_count(expr, name, 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
     const std::optional<Value> argument = numeric_argument(item, name);
     if (!argument) return error_value();
@@ -156,7 +156,7 @@ Value Checker::trigonometric(Op op, const Expr& expr, std::string_view name, Reg
 
 /// `sqrt` and `cbrt`, with the dimension of the root.
 Value Checker::root_call(int degree, const Expr& expr, std::string_view name) {
-    if (!count_arguments(expr, name, 1, 1)) return error_value();
+    if (!require_argument_count(expr, name, 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
     const std::optional<Value> argument = numeric_argument(item, name);
     if (!argument) return error_value();
@@ -184,7 +184,7 @@ Value Checker::root_call(int degree, const Expr& expr, std::string_view name) {
 }
 
 Value Checker::power_call(const Expr& expr) {
-    if (!count_arguments(expr, "pow", 2, 2)) return error_value();
+    if (!require_argument_count(expr, "pow", 2, 2)) return error_value();
     const auto arguments = ast().exprs(expr.list);
     const std::optional<Value> base = numeric_argument(arguments[0], "pow");
     const std::optional<Value> exponent = numeric_argument(arguments[1], "pow");
@@ -217,7 +217,7 @@ Value Checker::power_call(const Expr& expr) {
 }
 
 Value Checker::round_call(Rounding rounding, const Expr& expr, std::string_view name) {
-    if (!count_arguments(expr, name, 1, 2)) return error_value();
+    if (!require_argument_count(expr, name, 1, 2)) return error_value();
     const auto arguments = ast().exprs(expr.list);
     const std::optional<Value> argument = numeric_argument(arguments[0], name);
     if (!argument) return error_value();
@@ -269,7 +269,7 @@ Value Checker::round_call(Rounding rounding, const Expr& expr, std::string_view 
 }
 
 Value Checker::extreme(Math function, const Expr& expr, std::string_view name) {
-    if (!count_arguments(expr, name, 2, 1000)) return error_value();
+    if (!require_argument_count(expr, name, 2, 1000)) return error_value();
     const auto arguments = ast().exprs(expr.list);
     std::optional<Value> result = numeric_argument(arguments[0], name);
     if (!result) return error_value();
@@ -309,7 +309,7 @@ Value Checker::extreme(Math function, const Expr& expr, std::string_view name) {
 }
 
 Value Checker::mod_call(const Expr& expr) {
-    if (!count_arguments(expr, "mod", 2, 2)) return error_value();
+    if (!require_argument_count(expr, "mod", 2, 2)) return error_value();
     const auto arguments = ast().exprs(expr.list);
     const std::optional<Value> a = numeric_argument(arguments[0], "mod");
     const std::optional<Value> b = numeric_argument(arguments[1], "mod");
@@ -355,7 +355,7 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
     if (name == "max") return extreme(Math::Max, expr, name);
     if (name == "mod") return mod_call(expr);
     if (name == "atan2" || name == "hypot") {
-        if (!count_arguments(expr, name, 2, 2)) return error_value();
+        if (!require_argument_count(expr, name, 2, 2)) return error_value();
         const auto arguments = ast().exprs(expr.list);
         std::optional<Value> a = numeric_argument(arguments[0], name);
         std::optional<Value> b = numeric_argument(arguments[1], name);
@@ -370,7 +370,7 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
                           is_angle ? types::kAngleType : left.type, expr.range, hint);
     }
     if (name == "real") {
-        if (!count_arguments(expr, name, 1, 1)) return error_value();
+        if (!require_argument_count(expr, name, 1, 1)) return error_value();
         const ExprId item = ast().exprs(expr.list)[0];
         const std::optional<Value> value = numeric_argument(item, name);
         if (!value) return error_value();
@@ -378,7 +378,7 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
     }
     if (const std::optional<Value> value = test_builtin(name, expr)) return *value;
     if (name == "text") {
-        if (!count_arguments(expr, name, 1, 1)) return error_value();
+        if (!require_argument_count(expr, name, 1, 1)) return error_value();
         const ExprId item = ast().exprs(expr.list)[0];
         return text_of(require_given(expression(item), ast()[item].range, {}), ast()[item].range);
     }
@@ -405,7 +405,7 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
 /// A length as a diameter: `diameter(2*r)`; a diameter as a length of the same measure:
 /// `length(d)`.
 Value Checker::length_as(Type type, const Expr& expr, std::string_view name) {
-    if (!count_arguments(expr, name, 1, 1)) return error_value();
+    if (!require_argument_count(expr, name, 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
     const std::optional<Value> value = numeric_argument(item, name);
     if (!value) return error_value();
@@ -417,7 +417,7 @@ Value Checker::length_as(Type type, const Expr& expr, std::string_view name) {
 
 /// Distance of two points in the coordinates that they have: both the same ones.
 Value Checker::distance_call(const Expr& expr) {
-    if (!count_arguments(expr, "distance", 2, 2)) return error_value();
+    if (!require_argument_count(expr, "distance", 2, 2)) return error_value();
     const auto arguments = ast().exprs(expr.list);
     const Reg a = expression_in(arguments[0], types::kPoint, kNoReg, "the first point");
     const Reg b = expression_in(arguments[1], types::kPoint, kNoReg, "the second point");

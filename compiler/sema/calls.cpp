@@ -46,13 +46,13 @@ Value Checker::call(ExprId id, Reg hint) {
         report(diag::NotAFunction, callee.range).arg(name);
         return error_value();
     }
-    if (is_lost(name)) return error_value();
+    if (!require_not_lost(name)) return error_value();
     // `MSG("…")` and `CYCLE81(…)`, as the control of the input dialect has them.
     const nc::CallMeaning meaning = nc::call_meaning(*modules_[module_].dialect, name);
     if (meaning.function == nc::Function::Cycle) return cycle_call(expr, SourceCycle::Kind::Once);
     if (meaning.function != nc::Function::None)
         return call_vocabulary(nc::info(meaning.function), expr);
-    if (report_foreign(name, callee.range)) return error_value();
+    if (!require_no_foreign_keyword(name, callee.range)) return error_value();
     auto builder = report(diag::UnknownFunction, callee.range);
     builder.arg(name);
     if (name == "cycle" || name == "program") {
@@ -196,7 +196,7 @@ void Checker::pass_argument(const ParameterDecl& parameter, ExprId argument, Reg
     if (!found) return;
     if (found->is_temporary) {
         report(diag::ReferenceArgument, range).arg(parameter.name);
-    } else if (check_assignable(*found, range)) {
+    } else if (require_assignable(*found, range)) {
         if (found->type != parameter.type) {
             check_places(found->type, parameter.type, range, parameter.name);
         } else {
@@ -281,7 +281,7 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
     std::vector<std::string_view> names;
     for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
     const auto bound = bind_arguments(expr, info.name, names, {});
-    if (!bound || !check_least(info, *bound, expr)) return in_registers(types::kVoid, 0);
+    if (!bound || !require_least(info, *bound, expr)) return in_registers(types::kVoid, 0);
     const Reg mark = emit_.mark();
     Plan plan;
     nc::Invocation invocation;
@@ -312,7 +312,7 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
             }
             value = *named;
             if (parameter.dimension == nc::Dimension::Length &&
-                !takes_diameter(value, range, parameter.name))
+                !require_no_diameter(value, range, parameter.name))
                 value = error_value();
             filling = fill_value(value, parameter.dimension, range, parameter.name, reg);
             emit_.release_to(inner);
@@ -382,7 +382,7 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
     const bool pops = name == "pop";
     const bool clears = name == "clear";
     if (name == "count") {
-        if (!count_arguments(expr, name, 0, 0)) return error_value();
+        if (!require_argument_count(expr, name, 0, 0)) return error_value();
         const std::optional<Value> count = property_value(array, callee);
         return count ? *count : error_value();
     }
@@ -404,18 +404,18 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
         }
         return error_value();
     }
-    if (!check_assignable(array, callee.range)) return error_value();
+    if (!require_assignable(array, callee.range)) return error_value();
     if (info.count >= 0) {
         report(diag::FixedArrayGrows, callee.range).arg(type_name(array.type)).arg(name);
         return error_value();
     }
-    if (!count_arguments(expr, name,
-                         inserts           ? 2
-                         : adds || removes ? 1
-                                           : 0,
-                         inserts           ? 2
-                         : adds || removes ? 1
-                                           : 0)) {
+    if (!require_argument_count(expr, name,
+                                inserts           ? 2
+                                : adds || removes ? 1
+                                                  : 0,
+                                inserts           ? 2
+                                : adds || removes ? 1
+                                                  : 0)) {
         return error_value();
     }
     const auto arguments = ast().exprs(expr.list);
@@ -462,7 +462,7 @@ Value Checker::string_method(const Place& string, const Expr& callee, const Expr
     const std::string_view name = text(callee.text);
     const bool is_part = name == "part";
     if (name == "count") {
-        if (!count_arguments(expr, name, 0, 0)) return error_value();
+        if (!require_argument_count(expr, name, 0, 0)) return error_value();
         const std::optional<Value> count = property_value(string, callee);
         return count ? *count : error_value();
     }
@@ -568,7 +568,7 @@ std::string Checker::folder_of_file() const {
 
 /// `image<picture>("part.pgm")`: a struct of width, height and brightness.
 Value Checker::image_call(const Expr& expr) {
-    if (!count_arguments(expr, "image", 1, 1)) return error_value();
+    if (!require_argument_count(expr, "image", 1, 1)) return error_value();
     const Type type = resolve_type(expr.type);
     if (kind(type) == Kind::Error) return error_value();
     PictureSource source;
@@ -627,7 +627,7 @@ Value Checker::table(const Expr& expr) {
         return error_value();
     }
     const Type row = resolve_type(expr.type);
-    if (!count_arguments(expr, "table", 1, 1)) return error_value();
+    if (!require_argument_count(expr, "table", 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
     const ExprId argument = ast()[item].kind == ExprKind::Argument ? ast()[item].child[0] : item;
     if (kind(row) == Kind::Error) return error_value();

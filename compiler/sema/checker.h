@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/done.h"
 #include "sema/check.h"
 #include "sema/code.h"
 #include "sema/emitter.h"
@@ -109,37 +110,37 @@ class Checker {
         std::int32_t symbol = -1;    // local
         const Name* name = nullptr;  // top-level
     };
-    Found find(std::string_view name);
+    Found find(std::string_view name) const;
     const Name* find_global(std::uint32_t module, std::string_view name) const;
     void check_unambiguous(std::string_view name, const SourceRange& range);
     Symbol& add_symbol(const Symbol& symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
-    bool report_unit(std::string_view name, const SourceRange& range);
-    bool report_foreign(std::string_view name, const SourceRange& range);
+    Done require_no_unit(std::string_view name, const SourceRange& range);
+    Done require_no_foreign_keyword(std::string_view name, const SourceRange& range);
     bool is_numbered_word(std::string_view word) const;
     std::size_t glued_letters(std::string_view name, const SourceRange& range);
     static void fix_glued(std::size_t letters, const SourceRange& range,
                           DiagnosticBuilder& builder);
-    bool report_glued_point(const SourceRange& range);
+    Done require_no_glued_point(const SourceRange& range);
     std::optional<nc::BlockPlan> plan_source(const nc::Dialect& dialect,
                                              std::span<const nc::SourceWord> source);
     std::string name_in_library(std::string_view name);
     std::string hint_of_cycle(std::string_view word);
     std::string hint_of_command(std::string_view word);
     std::string hint_of_call(std::span<const nc::SourceWord> source);
-    bool report_control_index(std::string_view name, const SourceRange& range);
+    Done require_no_control_index(std::string_view name, const SourceRange& range);
     bool fix_lookalike(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
-    bool report_foreign_word(std::string_view name, const SourceRange& range);
-    bool report_word(std::string_view name, const SourceRange& range);
+    Done require_no_foreign_word(std::string_view name, const SourceRange& range);
+    Done require_no_letter_for_digit(std::string_view name, const SourceRange& range);
     bool is_statement_at(const SourceRange& range) const;
     bool fix_as_word(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     void report_unknown_type(std::string_view name, const SourceRange& range);
     bool fix_next_word(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     bool fix_loop_variable(const SourceRange& range, DiagnosticBuilder& builder);
     bool fix_statement(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
-    /// Whether a mistake that is told already has taken this name away.
-    bool is_lost(std::string_view name);
+    /// A name that a mistake has taken away, which is told already.
+    Done require_not_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
     void leave_scope(std::size_t symbols);
     void report_unused(const Symbol& symbol);
@@ -178,11 +179,11 @@ class Checker {
     Value require_given(const Value& value, const SourceRange& range, std::string_view name);
     bool is_plain_number(const Value& value) const;
     bool is_diameter(const Value& value) const;
-    bool match_diameters(Value& left, Value& right, const syntax::Expr& expr);
+    Done match_diameters(Value& left, Value& right, const syntax::Expr& expr);
     /// Whether a length stands where a diameter is needed, or a diameter where a length is:
     /// reported.
-    bool mistakes_diameter(const Value& value, Type target, const SourceRange& range,
-                           std::string_view what);
+    Done require_same_measure(const Value& value, Type target, const SourceRange& range,
+                              std::string_view what);
     std::string quantity_name(Type type) const;
     static Value retyped(Value value, Type type);
     Value whole_number(const Value& value, Type target, const SourceRange& range,
@@ -206,7 +207,7 @@ class Checker {
     Value error_value() const;
     std::optional<double> number_of(const Value& constant) const;
     bool writes(syntax::ExprId id);
-    bool reports_finite(double value, const SourceRange& range);
+    Done require_finite(double value, const SourceRange& range);
 
     // operators.cpp
     Value unary(syntax::ExprId id, Type expected, Reg hint);
@@ -254,8 +255,8 @@ class Checker {
     void warn_equality(const syntax::Expr& expr, const Value& left, const Value& right);
     std::optional<Sides> compared_sides(const syntax::Expr& expr);
     std::optional<Comparison> compare(const syntax::Expr& expr, Value left, Value right);
-    /// Makes two numbers comparable and addable: the same quantity; false: reported.
-    bool match_quantities(Value& left, Value& right, const syntax::Expr& expr);
+    /// Makes two numbers comparable and addable: the same quantity.
+    Done match_quantities(Value& left, Value& right, const syntax::Expr& expr);
     Value to_real(const Value& value);
     Value plain_form(const Value& value, int form);
     /// Jumps to the label if the condition has this truth. `depth` ≥ 0: a loop's backward jump.
@@ -282,7 +283,7 @@ class Checker {
     Value load(const Place& place, const SourceRange& range, bool checked, Reg hint);
     void store(const Place& place, const Value& value, const SourceRange& range);
     Reg reference_to(const Place& place);
-    bool check_assignable(const Place& place, const SourceRange& range);
+    Done require_assignable(const Place& place, const SourceRange& range);
 
     // calls.cpp
     Value call(syntax::ExprId id, Reg hint);
@@ -317,8 +318,8 @@ class Checker {
     Value distance_call(const syntax::Expr& expr);
     Value mod_call(const syntax::Expr& expr);
     Value length_as(Type type, const syntax::Expr& expr, std::string_view name);
-    bool count_arguments(const syntax::Expr& expr, std::string_view name, std::size_t least,
-                         std::size_t most);
+    Done require_argument_count(const syntax::Expr& expr, std::string_view name, std::size_t least,
+                                std::size_t most);
     std::optional<Value> numeric_argument(syntax::ExprId argument, std::string_view name);
     Value math_value(Math function, const Value& a, Type type, const SourceRange& range, Reg hint);
     Value math_value(Math function, const Value& a, const Value& b, Type type,
@@ -343,8 +344,8 @@ class Checker {
 
     // text.cpp
     Value string(syntax::ExprId id, Reg hint);
-    bool format_piece(const Value& value, std::string_view format, const SourceRange& range,
-                      FormatPiece& piece);
+    Done read_format(const Value& value, std::string_view format, const SourceRange& range,
+                     FormatPiece& piece);
     /// Lets the piece show the unit of its values behind them, with `between` before it.
     void set_factor(Quantity quantity, FormatPiece& piece) const;
     void add_unit(Type type, std::string_view between, FormatPiece& piece);
@@ -356,17 +357,22 @@ class Checker {
     std::uint32_t text_constant(std::string_view text);
     std::uint32_t layout_constant(Type type);
 
-    // statements.cpp: true if the statement can end normally
-    bool statement(syntax::StmtId id);
-    bool block(syntax::List statements);
+    // statements.cpp
+    /// How a statement ends: what stands behind it is reached, or not (`return`, `break`).
+    enum class Completion : std::uint8_t { Normal, Abrupt };
+    static Completion completion(bool is_normal) {
+        return is_normal ? Completion::Normal : Completion::Abrupt;
+    }
+    Completion statement(syntax::StmtId id);
+    Completion block(syntax::List statements);
     void variable(const syntax::Decl& decl);
     bool is_optional_type(const syntax::Decl& decl) const {
         return decl.type.is_valid() && ast()[decl.type].is_optional;
     }
     void warn_of_empty_body(const syntax::Stmt& stmt);  // empty_body.cpp
     void warn_of_empty_range(const syntax::Expr& range);
-    bool if_statement(const syntax::Stmt& stmt);
-    bool switch_statement(const syntax::Stmt& stmt);
+    Completion if_statement(const syntax::Stmt& stmt);
+    Completion switch_statement(const syntax::Stmt& stmt);
     bool is_own_local(syntax::ExprId id);
     void return_statement(const syntax::Stmt& stmt);
     void leave_function(const SourceRange& range);
@@ -376,16 +382,17 @@ class Checker {
     std::uint32_t statement_id(const SourceRange& range);
 
     // loops.cpp
-    bool while_statement(const syntax::Stmt& stmt);
-    bool do_statement(const syntax::Stmt& stmt);
-    bool for_statement(const syntax::Stmt& stmt);
+    Completion while_statement(const syntax::Stmt& stmt);
+    Completion do_statement(const syntax::Stmt& stmt);
+    Completion for_statement(const syntax::Stmt& stmt);
     bool counting_loop(const syntax::Stmt& stmt, Label& top, int depth);
-    bool for_each(const syntax::Stmt& stmt);
+    Completion for_each(const syntax::Stmt& stmt);
     Value characters(const Value& string, bool is_reference, const syntax::Decl& decl,
                      const SourceRange& range);
-    bool for_range(const syntax::Stmt& stmt, const syntax::Decl& decl);
+    void for_range(const syntax::Stmt& stmt, const syntax::Decl& decl);
     void jump_if_quietly(syntax::ExprId condition, Label& top, int depth);
-    bool is_plain_constant(syntax::ExprId id);
+    void check_named_global(syntax::ExprId id);
+    bool is_plain_constant(syntax::ExprId id) const;
     void jump_out(bool is_break, const SourceRange& range);
 
     // blocks.cpp
@@ -397,48 +404,46 @@ class Checker {
         syntax::ExprId orient;
     };
     Behind behind_words(const syntax::Stmt& stmt);
-    bool emit_words(std::span<const syntax::Word> words, const Behind& behind,
+    void emit_words(std::span<const syntax::Word> words, const Behind& behind,
                     const SourceRange& range, std::int8_t skip = -1, std::uint32_t customs = 0);
     void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
     std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
     void check_units_function(nc::Function function, const SourceRange& range);
-    /// Numbers without a point where the control of the input dialect counts increments. False:
-    /// there is one.
-    bool check_points(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
+    /// Numbers without a point where the control of the input dialect counts increments.
+    Done check_points(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     /// What the control of the input dialect does otherwise than the language (`custom`).
     std::uint32_t customs_of(const Plan& plan, std::span<const syntax::Word> words) const;
     bool has_point(const syntax::Word& word) const;
-    bool check_cycle_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
+    Done check_cycle_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     void check_units_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     void check_counts(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     Filling fill_word(const syntax::Word& word, const nc::Hole& hole, Reg reg);
     Filling fill_literal(const syntax::Word& word, const nc::Hole& hole, Reg reg);
     Filling fill_computed(const Value& source, const syntax::Word& word, const nc::Hole& hole,
                           bool has_unit, Reg reg);
-    bool takes_diameter(const Value& value, const SourceRange& range, std::string_view what);
+    Done require_no_diameter(const Value& value, const SourceRange& range, std::string_view what);
     Filling fill_feed(const Value& value, const syntax::Word& word, Reg reg);
     Filling fill_speed(const Value& value, const syntax::Word& word, Reg reg);
     Filling fill_value(const Value& value, nc::Dimension dimension, const SourceRange& range,
                        std::string_view what, Reg reg);
     std::uint32_t plan_constant(Plan plan);
     void emit_plan(Plan plan, Reg first, unsigned point, const SourceRange& range);
-    bool with_statement(const syntax::Stmt& stmt);
+    Completion with_statement(const syntax::Stmt& stmt);
     ModalMask modal_mask(const nc::BlockPlan& plan, bool& is_modal) const;
     ModalMask words_mask(std::span<const syntax::Word> words, bool is_preserves);
     ModalMask named_state(const syntax::Word& word) const;
     ModalMask with_mask(const syntax::Stmt& stmt);
-    bool check_least(const nc::FunctionInfo& info, std::span<const syntax::ExprId> bound,
-                     const syntax::Expr& expr);
+    Done require_least(const nc::FunctionInfo& info, std::span<const syntax::ExprId> bound,
+                       const syntax::Expr& expr);
     void frame_call(syntax::ExprId id);
     std::string word_text(const syntax::Word& word) const;
 
     // orienting.cpp
     bool is_orient(syntax::ExprId id);
-    bool direction(const syntax::Expr& expr, Reg first);
-    bool direction_of_parts(std::span<const syntax::ExprId> bound, Reg first);
-    bool direction_of_angles(std::span<const syntax::ExprId> bound, const SourceRange& range,
-                             Reg first);
-    bool add_direction(Plan& plan, const SourceRange& range);
+    Done take_direction(const syntax::Expr& expr, Reg first);
+    Done take_parts(std::span<const syntax::ExprId> bound, Reg first);
+    Done take_angles(std::span<const syntax::ExprId> bound, const SourceRange& range, Reg first);
+    Done add_direction(Plan& plan, const SourceRange& range);
     Value orient_call(const syntax::Expr& expr);
     Value tcp_call(const syntax::Expr& expr);
 
@@ -457,14 +462,14 @@ class Checker {
     /// Takes the cycle out of a block; its fillings become those of the cycle.
     std::optional<SourceCycle> take_cycle(Plan& plan, const nc::BlockPlan& planned,
                                           std::span<const syntax::Word> words);
-    bool begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange& range);
+    Done begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange& range);
     void emit_cycle(SourceCycle cycle, Reg first, const SourceRange& range);
     void emit_run_cycle(const SourceRange& range);
 
     // tests.cpp
     void declare_test(std::uint32_t module, syntax::DeclId id);
     void property_ranges(std::uint32_t function);
-    bool range_end(syntax::ExprId id, const ParameterDecl& parameter, Slot& end);
+    Done read_range_end(syntax::ExprId id, const ParameterDecl& parameter, Slot& end);
     bool is_in_test() const;
     void report_test_block(const SourceRange& range);
     std::optional<Value> test_builtin(std::string_view name, const syntax::Expr& expr);
@@ -472,14 +477,14 @@ class Checker {
     std::optional<std::uint32_t> test_subject(std::string_view name, syntax::ExprId id);
     /// A figure of an execution; `call` is null where it is not called.
     Value figure(const Place& execution, const syntax::Expr& member, const syntax::Expr* call);
-    bool figure_arguments(const FigureInfo& info, const syntax::Expr& call, Reg first);
+    Done take_figure_arguments(const FigureInfo& info, const syntax::Expr& call, Reg first);
     void expect_statement(const syntax::Stmt& stmt);
     void assume_statement(const syntax::Stmt& stmt);
     void expectation(syntax::ExprId id);
     void expect_comparison(const syntax::Expr& expr);
     void jump_if_near(Reg a, Reg b, Label& near);
     bool is_measured(Type type) const;
-    bool emit_agreement(const syntax::Expr& expr, const Value& left, const Value& right,
+    Done emit_agreement(const syntax::Expr& expr, const Value& left, const Value& right,
                         Label& good);
     Reg shown(const Value& value);
     void append_shown(const Value& value, FormatPattern& pattern);

@@ -67,7 +67,7 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
             return adapt_number(value, target);
         }
     } else if (types_.is_numeric(value.type) && types_.is_numeric(target)) {
-        if (mistakes_diameter(value, target, range, what)) return error_value();
+        if (!require_same_measure(value, target, range, what)) return error_value();
         if (const std::optional<Value> same = same_quantity(value, target)) return *same;
         report(diag::DimensionMismatch, range)
             .arg(subject(what))
@@ -89,13 +89,13 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
     return error_value();
 }
 
-bool Checker::mistakes_diameter(const Value& value, Type target, const SourceRange& range,
-                                std::string_view what) {
+Done Checker::require_same_measure(const Value& value, Type target, const SourceRange& range,
+                                   std::string_view what) {
     const TypeInfo& from = type_info(value.type);
     const TypeInfo& to = type_info(target);
     const bool are_lengths = from.kind == Kind::Real && to.kind == Kind::Real &&
                              from.quantity == kLength && to.quantity == kLength;
-    if (!are_lengths || from.is_diameter == to.is_diameter || value.is_constant()) return false;
+    if (!are_lengths || from.is_diameter == to.is_diameter || value.is_constant()) return kDone;
     const std::string text(sources_.text(range));
     DiagnosticBuilder builder = report(diag::DiameterOrLength, range);
     builder.arg(subject(what)).arg(type_name(target)).arg(type_name(value.type));
@@ -106,7 +106,7 @@ bool Checker::mistakes_diameter(const Value& value, Type target, const SourceRan
         builder.fix("the radius is `" + text + "/2`")
             .fix("where the place means the measure across: `length(" + text + ")`");
     }
-    return true;
+    return kFailed;
 }
 
 bool Checker::is_plain_number(const Value& value) const {

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/diagnostics/sema.h"
+#include "base/done.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "base/unicode.h"
@@ -85,7 +86,7 @@ class TableReader {
                 has_header = true;
                 // Some spreadsheets write semicolons, where the comma is the decimal sign.
                 separator_ = line_text_.find(';') != std::string_view::npos ? ';' : ',';
-                if (!header()) return std::nullopt;
+                if (!read_header()) return std::nullopt;
                 continue;
             }
             if (rows_.slots.size() > kMostSlots) {
@@ -147,11 +148,11 @@ class TableReader {
         return unit.quantity == (is_feed ? kFeedPerTurn : kFeedPerTime);
     }
 
-    bool header() {
+    Done read_header() {
         std::vector<Cell> cells;
         if (!split(line_text_, separator_, cells)) {
             report(diag::TableQuote, 1, line_text_.size());
-            return false;
+            return kFailed;
         }
         std::vector<UnknownColumn> unknown;
         for (const Cell& cell : cells) {
@@ -184,7 +185,7 @@ class TableReader {
             }
             columns_.push_back(bound);
         }
-        if (is_something_else(unknown)) return false;
+        if (!require_table(unknown)) return kFailed;
         report_missing(unknown);
         std::size_t told = 0;
         for (const UnknownColumn& column : unknown) {
@@ -192,7 +193,7 @@ class TableReader {
             if (++told > kMostUnknown) break;  // each message would hold all of a very long line
             report_unknown(column);
         }
-        return !failed_;
+        return Done(!failed_);
     }
 
     /// A column of the file that no member takes.
@@ -204,11 +205,11 @@ class TableReader {
 
     /// A file that does not call itself a table and has none of its columns may have been named by
     /// mistake, or by somebody who wants to see it in messages: nothing of it is shown.
-    bool is_something_else(const std::vector<UnknownColumn>& unknown) {
-        if (unknown.size() != columns_.size() || upper_ascii(file_).ends_with(".CSV")) return false;
+    Done require_table(const std::vector<UnknownColumn>& unknown) {
+        if (unknown.size() != columns_.size() || upper_ascii(file_).ends_with(".CSV")) return kDone;
         sink_.report(diag::TableElse, place_).arg(file_).arg(schema_.type_name);
         failed_ = true;
-        return true;
+        return kFailed;
     }
 
     void report_unknown(const UnknownColumn& unknown) {

@@ -65,12 +65,12 @@ const Name* Checker::cycle_function(nc::CycleId cycle) const {
     return &found->second;
 }
 
-bool Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange& range) {
+Done Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange& range) {
     const nc::Dialect& dialect = *modules_[module_].dialect;
     const Name* found = cycle_function(id);
     if (found == nullptr) {
         report(diag::SourceCycle, range).arg(cycle.word);
-        return false;
+        return kFailed;
     }
     FunctionDecl& function = functions_[found->index];
     if (!function.is_wanted) {
@@ -81,7 +81,7 @@ bool Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange&
     cycle.has_distances = dialect.rules().cycle_levels_incremental;
     cycle.stops_rigid_spindle = dialect.rules().rigid_tap_stops_spindle;
     cycle.has_other_in_strokes = nc::cycle_with_strokes(dialect, id).has_value();
-    return true;
+    return kDone;
 }
 
 void Checker::emit_cycle(SourceCycle cycle, Reg first, const SourceRange& range) {

@@ -261,7 +261,8 @@ Type Checker::resolve_type(syntax::TypeId id) {
     } else if (name == "element") {
         type = types::kElement;  // not reserved: a program may have its own
     } else if (!name.empty()) {
-        if (is_lost(name) || report_foreign(name, ref.range)) return types::kError;
+        if (!require_not_lost(name) || !require_no_foreign_keyword(name, ref.range))
+            return types::kError;
         report_unknown_type(name, ref.range);
         return types::kError;
     }
@@ -639,17 +640,17 @@ void Checker::check_function(std::uint32_t index) {
         emit_.emit_pair(Op::EnterPreserves, 0, 0, 0, mask);
         code_->functions[index + 1].needs = preserved_members(decl);
     }
-    bool falls_through = true;
+    Completion completion = Completion::Normal;
     if (decl.body.is_valid()) {
         const syntax::Stmt body = ast()[decl.body];
-        falls_through =
+        completion =
             body.kind == syntax::StmtKind::Block ? block(body.statements) : statement(decl.body);
     }
     emit_native_cycle();
     const SourceRange end{decl.range.file, decl.range.end > 0 ? decl.range.end - 1 : 0,
                           decl.range.end};
     emit_.set_place(end);
-    if (falls_through) {
+    if (completion == Completion::Normal) {
         if (function.result != types::kVoid && kind(function.result) != Kind::Error)
             report_missing_return(function, decl, end);
         leave_function(end);

@@ -55,7 +55,7 @@ void Checker::jump_out(bool is_break, const SourceRange& range) {
     report(diag::OutsideLoop, range).arg(is_break ? "break" : "continue");
 }
 
-bool Checker::while_statement(const Stmt& stmt) {
+Checker::Completion Checker::while_statement(const Stmt& stmt) {
     Label top;
     Label check;
     Label done;
@@ -74,10 +74,10 @@ bool Checker::while_statement(const Stmt& stmt) {
     loops_.pop_back();
     emit_.bind(done);
     --loop_depth_;
-    return !(is_always(ast(), stmt.expression[0]) && !breaks(ast(), stmt.statement[0]));
+    return completion(!(is_always(ast(), stmt.expression[0]) && !breaks(ast(), stmt.statement[0])));
 }
 
-bool Checker::do_statement(const Stmt& stmt) {
+Checker::Completion Checker::do_statement(const Stmt& stmt) {
     Label top;
     Label check;
     Label done;
@@ -92,7 +92,7 @@ bool Checker::do_statement(const Stmt& stmt) {
     loops_.pop_back();
     emit_.bind(done);
     --loop_depth_;
-    return !(is_always(ast(), stmt.expression[0]) && !breaks(ast(), stmt.statement[0]));
+    return completion(!(is_always(ast(), stmt.expression[0]) && !breaks(ast(), stmt.statement[0])));
 }
 
 /// `i++`, `i += 2`, `i--` on a whole local variable and a comparison with a variable or a constant:
@@ -152,7 +152,7 @@ bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
     return true;
 }
 
-bool Checker::for_statement(const Stmt& stmt) {
+Checker::Completion Checker::for_statement(const Stmt& stmt) {
     const std::size_t symbols = symbols_.size();
     const std::size_t scope = std::exchange(scope_begin_, symbols);
     const Reg mark = emit_.mark();
@@ -165,10 +165,14 @@ bool Checker::for_statement(const Stmt& stmt) {
     // A whole constant as the limit gets a register for the time of the loop.
     const Reg outer_limit = std::exchange(for_limit_, kNoReg);
     const ExprId condition = stmt.expression[0];
-    if (condition.is_valid() && ast()[condition].kind == ExprKind::Binary &&
-        is_plain_constant(ast()[condition].child[1])) {
-        const Value limit = expression(ast()[condition].child[1]);
-        if (limit.is_constant() && kind(limit.type) == Kind::Int) for_limit_ = in_register(limit);
+    if (condition.is_valid() && ast()[condition].kind == ExprKind::Binary) {
+        const ExprId end = ast()[condition].child[1];
+        check_named_global(end);
+        if (is_plain_constant(end)) {
+            const Value limit = expression(end);
+            if (limit.is_constant() && kind(limit.type) == Kind::Int)
+                for_limit_ = in_register(limit);
+        }
     }
     const Reg this_limit = for_limit_;
     emit_.emit_pair(Op::LoopStart, 0, 0, 0, 0, depth);
@@ -206,7 +210,7 @@ bool Checker::for_statement(const Stmt& stmt) {
     leave_scope(symbols);
     scope_begin_ = scope;
     emit_.release_to(mark);
-    return !(is_always(ast(), condition) && !breaks(ast(), stmt.statement[1]));
+    return completion(!(is_always(ast(), condition) && !breaks(ast(), stmt.statement[1])));
 }
 
 /// The condition a second time: what it had to report was reported the first time.
@@ -216,7 +220,15 @@ void Checker::jump_if_quietly(ExprId condition, Label& top, int depth) {
     sink_.is_quiet = was_quiet;
 }
 
-bool Checker::is_plain_constant(ExprId id) {
+/// What a global is, is known when it has been checked; it may stand further down.
+void Checker::check_named_global(ExprId id) {
+    if (ast()[id].kind != ExprKind::Name) return;
+    const Found found = find(text(ast()[id].text));
+    if (found.symbol >= 0 || found.name == nullptr) return;
+    if (found.name->what == Name::What::Variable) check_global(found.name->index, is_startup_);
+}
+
+bool Checker::is_plain_constant(ExprId id) const {
     const Expr& expr = ast()[id];
     if (expr.kind == ExprKind::Int) return true;
     if (expr.kind != ExprKind::Name) return false;
@@ -226,7 +238,6 @@ bool Checker::is_plain_constant(ExprId id) {
                Symbol::Storage::Constant;
     }
     if (found.name == nullptr || found.name->what != Name::What::Variable) return false;
-    check_global(found.name->index, is_startup_);
     return globals_[found.name->index].symbol.storage == Symbol::Storage::Constant;
 }
 
@@ -253,7 +264,7 @@ void Checker::warn_of_empty_range(const Expr& range) {
              "; i >= " + std::to_string(*last) + "; i--)`");
 }
 
-bool Checker::for_range(const Stmt& stmt, const Decl& decl) {
+void Checker::for_range(const Stmt& stmt, const Decl& decl) {
     // `for (int i : 1..6)`: both ends included.
     Symbol symbol;
     symbol.name = text(decl.name);
@@ -292,7 +303,6 @@ bool Checker::for_range(const Stmt& stmt, const Decl& decl) {
     emit_.jump(Op::ForLeI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
     emit_.bind(done);
     --loop_depth_;
-    return true;
 }
 
 /// The characters of a string as an array for `for`.
@@ -309,7 +319,7 @@ Value Checker::characters(const Value& string, bool is_reference, const Decl& de
     return in_registers(types_.array(types::kString, -1), reg);
 }
 
-bool Checker::for_each(const Stmt& stmt) {
+Checker::Completion Checker::for_each(const Stmt& stmt) {
     const std::size_t symbols = symbols_.size();
     const std::size_t scope = std::exchange(scope_begin_, symbols);
     const Reg mark = emit_.mark();
@@ -322,7 +332,7 @@ bool Checker::for_each(const Stmt& stmt) {
     if (ast()[stmt.expression[0]].kind == ExprKind::Range) {
         for_range(stmt, decl);
         leave();
-        return true;
+        return Completion::Normal;
     }
     const SourceRange range = ast()[stmt.expression[0]].range;
     const bool is_reference = decl.type.is_valid() && ast()[decl.type].is_reference;
@@ -353,7 +363,7 @@ bool Checker::for_each(const Stmt& stmt) {
         loops_.pop_back();
         emit_.bind(nowhere);
         leave();
-        return true;
+        return Completion::Normal;
     }
     const Type element = type_info(list.type).element;
     if (!decl.type.is_valid()) symbol.type = element;
@@ -415,7 +425,7 @@ bool Checker::for_each(const Stmt& stmt) {
     emit_.bind(done);
     --loop_depth_;
     leave();
-    return true;
+    return Completion::Normal;
 }
 
 }  // namespace kadr::sema

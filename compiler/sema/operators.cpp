@@ -362,12 +362,12 @@ Value Checker::vectors(Operator op, const Value& left, const Value& right, const
 }
 
 /// A diameter beside a length: a constant is a diameter there; of a variable nobody knows.
-bool Checker::match_diameters(Value& left, Value& right, const Expr& expr) {
-    if (is_diameter(left) == is_diameter(right)) return true;
+Done Checker::match_diameters(Value& left, Value& right, const Expr& expr) {
+    if (is_diameter(left) == is_diameter(right)) return kDone;
     Value& other = is_diameter(left) ? right : left;
     if (other.is_constant()) {
         other = retyped(other, types::kDiameter);
-        return true;
+        return kDone;
     }
     const bool is_call = expr.kind == ExprKind::Call;
     report(diag::MixedDimensions, expr.range)
@@ -377,10 +377,10 @@ bool Checker::match_diameters(Value& left, Value& right, const Expr& expr) {
         .fix(
             "`diameter(…)` makes a diameter of a length: of a radius, `diameter(2*r)`; "
             "the radius of a diameter is `d/2`");
-    return false;
+    return kFailed;
 }
 
-bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
+Done Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
     const auto bare = [&](const Value& v) {
         return v.is_constant() && (kind(v.type) == Kind::Int || v.type == types::kReal);
     };
@@ -389,13 +389,13 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
     };
     // A family keeps its form as long as both sides agree; against a plain feed it must have that
     // form.
-    if (is_family(left) && is_family(right) && left.type == right.type) return true;
+    if (is_family(left) && is_family(right) && left.type == right.type) return kDone;
     if (is_family(left) != is_family(right)) {
         Value& family = is_family(left) ? left : right;
         Value& other = is_family(left) ? right : left;
         if (bare(other)) {
             other = adapt_number(other, family.type);
-            return true;
+            return kDone;
         }
         if (kind(other.type) == Kind::Real) {
             const Quantity q = type_info(other.type).quantity;
@@ -403,7 +403,7 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
                     form_of(q / type_info(family.type).quantity, kind(family.type))) {
                 family = plain_form(family, *form);
                 other = retyped(other, family.type);
-                return true;
+                return kDone;
             }
         }
     } else if (!is_family(left)) {
@@ -412,11 +412,11 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
         if (a == b) return match_diameters(left, right, expr);
         if (bare(right)) {
             right = adapt_number(right, left.type);
-            return true;
+            return kDone;
         }
         if (bare(left)) {
             left = adapt_number(left, right.type);
-            return true;
+            return kDone;
         }
     }
     const bool is_settled = settle(left);
@@ -429,13 +429,13 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
         .arg(is_call ? sources_.text(ast()[expr.child[0]].range) : spelling(expr.op))
         .arg(words(left))
         .arg(words(right));
-    return false;
+    return kFailed;
 }
 
-bool Checker::reports_finite(double value, const SourceRange& range) {
-    if (std::isfinite(value)) return true;
+Done Checker::require_finite(double value, const SourceRange& range) {
+    if (std::isfinite(value)) return kDone;
     report(diag::ConstantFault, range).arg("the result is too large for a number");
-    return false;
+    return kFailed;
 }
 
 Value Checker::fold_integers(Operator op, std::int64_t a, std::int64_t b,
@@ -507,7 +507,7 @@ Value Checker::emit_reals(Operator op, const Value& a, const Value& b, Type type
                              : op == Operator::Multiply ? x * y
                              : op == Operator::Divide   ? x / y
                                                         : std::fmod(x, y);
-        if (!reports_finite(value, range)) return error_value();
+        if (!require_finite(value, range)) return error_value();
         return constant_number(value, type);
     }
     const auto target = [&] { return hint != kNoReg ? hint : emit_.take(1); };

@@ -40,19 +40,19 @@ bool Checker::is_orient(ExprId id) {
 }
 
 /// `G0 Xd Yd;`: to the parser two points.
-bool Checker::report_glued_point(const SourceRange& range) {
+Done Checker::require_no_glued_point(const SourceRange& range) {
     const std::string_view spelled = sources_.text(range);
     const std::size_t end = std::min(spelled.find_first_of(" \t.+-*/([{"), spelled.size());
     const std::string_view name = spelled.substr(0, end);
     const std::size_t letters = syntax::glued_address(*modules_[module_].dialect, name);
     const Found found = find(name);
-    if (letters == 0 || found.symbol >= 0 || found.name != nullptr) return false;
+    if (letters == 0 || found.symbol >= 0 || found.name != nullptr) return kDone;
     auto builder =
         report(diag::WordWithoutValue,
                {range.file, range.begin, range.begin + static_cast<std::uint32_t>(letters)});
     builder.arg(quoted(name.substr(0, letters)));
     fix_glued(letters, range, builder);
-    return true;
+    return kFailed;
 }
 
 /// One point and one `orient(…)`, in whatever order.
@@ -66,7 +66,7 @@ Checker::Behind Checker::behind_words(const syntax::Stmt& stmt) {
             place = id;
             continue;
         }
-        if (!is_direction && report_glued_point(ast()[id].range)) continue;
+        if (!is_direction && !require_no_glued_point(ast()[id].range)) continue;
         report(diag::BehindWordsTwice, ast()[id].range)
             .arg(sources_.text(ast()[id].range))
             .arg(is_direction ? "direction" : "point");
@@ -74,11 +74,10 @@ Checker::Behind Checker::behind_words(const syntax::Stmt& stmt) {
     return behind;
 }
 
-/// The direction that a call of `orient` says, in the registers from `first`. False: it was
-/// reported.
-bool Checker::direction(const Expr& expr, Reg first) {
+/// The direction that a call of `orient` says, in the registers from `first`.
+Done Checker::take_direction(const Expr& expr, Reg first) {
     const auto bound = bind_arguments(expr, "orient", kOrientNames, {});
-    if (!bound) return false;
+    if (!bound) return kFailed;
     const auto is_said = [&](std::size_t i) { return (*bound)[i].is_valid(); };
     const bool by_parts = is_said(0) || is_said(1) || is_said(2);
     const bool by_angles = is_said(3) || is_said(4);
@@ -88,17 +87,17 @@ bool Checker::direction(const Expr& expr, Reg first) {
             .fix(
                 "say the direction from the tip to the holder, `orient(i: 0.5, k: 1)`, or its "
                 "angles, `orient(b: 30deg)`");
-        return false;
+        return kFailed;
     }
     const Reg mark = emit_.mark();
-    const bool is_good = by_parts ? direction_of_parts(*bound, first)
-                                  : direction_of_angles(*bound, expr.range, first);
+    const Done taken =
+        by_parts ? take_parts(*bound, first) : take_angles(*bound, expr.range, first);
     emit_.release_to(mark);
-    return is_good;
+    return taken;
 }
 
 /// Numbers or lengths of any size; what is not said is 0.
-bool Checker::direction_of_parts(std::span<const ExprId> bound, Reg first) {
+Done Checker::take_parts(std::span<const ExprId> bound, Reg first) {
     for (std::size_t i = 0; i < kComponents; ++i) {
         const auto reg = static_cast<Reg>(first + i);
         if (!bound[i].is_valid()) {
@@ -106,7 +105,7 @@ bool Checker::direction_of_parts(std::span<const ExprId> bound, Reg first) {
             continue;
         }
         const std::optional<Value> argument = numeric_argument(bound[i], "orient");
-        if (!argument) return false;
+        if (!argument) return kFailed;
         const Value value = to_real(*argument);
         const TypeInfo& info = type_info(value.type);
         const bool is_component =
@@ -116,18 +115,17 @@ bool Checker::direction_of_parts(std::span<const ExprId> bound, Reg first) {
                 .arg(kOrientNames[i])
                 .arg("number")
                 .arg(type_name(value.type));
-            return false;
+            return kFailed;
         }
         copy_value(value, reg);
     }
-    return true;
+    return kDone;
 }
 
 /// Where Z comes to, turned about X by a, then about the new Y by b: as Z of a tilted plane.
 ///
 /// source  Rx(a)·Ry(b)·z = (sin b, −sin a·cos b, cos a·cos b)
-bool Checker::direction_of_angles(std::span<const ExprId> bound, const SourceRange& range,
-                                  Reg first) {
+Done Checker::take_angles(std::span<const ExprId> bound, const SourceRange& range, Reg first) {
     std::array<Value, 2> sines;
     std::array<Value, 2> cosines;
     const auto figure = [&](Op op, const Value& angle) {
@@ -145,10 +143,10 @@ bool Checker::direction_of_angles(std::span<const ExprId> bound, const SourceRan
         Value angle = constant_number(0, types::kAngleType);
         if (id.is_valid()) {
             const std::optional<Value> argument = numeric_argument(id, "orient");
-            if (!argument) return false;
+            if (!argument) return kFailed;
             angle = convert(*argument, types::kAngleType, ast()[id].range,
                             kOrientNames[kComponents + i]);
-            if (is_error(angle)) return false;
+            if (is_error(angle)) return kFailed;
         }
         sines[i] = figure(Op::SinDeg, angle);
         cosines[i] = figure(Op::CosDeg, angle);
@@ -160,12 +158,11 @@ bool Checker::direction_of_angles(std::span<const ExprId> bound, const SourceRan
     copy_value(times(times(sines[0], constant_number(-1, types::kReal)), cosines[1]),
                static_cast<Reg>(first + 1));
     copy_value(times(cosines[0], cosines[1]), static_cast<Reg>(first + 2));
-    return true;
+    return kDone;
 }
 
 /// Adds the components to a plan; their values stand in registers behind those of its fillings.
-/// False: it was reported.
-bool Checker::add_direction(Plan& plan, const SourceRange& range) {
+Done Checker::add_direction(Plan& plan, const SourceRange& range) {
     const bool has_room =
         plan.functions.size() + kComponents <= nc::kMaxInvocations &&
         std::size_t{plan.argument_count} + 2 * kComponents <= nc::kMaxArguments &&
@@ -174,7 +171,7 @@ bool Checker::add_direction(Plan& plan, const SourceRange& range) {
         });
     if (!has_room) {
         report(diag::OrientBlock, range);
-        return false;
+        return kFailed;
     }
     plan.customs |= custom::kDirection;
     constexpr std::size_t kComponent = nc::parameter_of<Function::ToolVector>("component");
@@ -194,7 +191,7 @@ bool Checker::add_direction(Plan& plan, const SourceRange& range) {
         plan.functions.push_back(invocation);
         plan.argument_count = static_cast<std::uint8_t>(plan.argument_count + 2);
     }
-    return true;
+    return kDone;
 }
 
 /// `orient(…);`: the tool turns while its tip stands.
@@ -202,10 +199,10 @@ Value Checker::orient_call(const Expr& expr) {
     const Reg mark = emit_.mark();
     const Reg first = emit_.take(kComponents);
     emit_.set_place(expr.range);
-    if (direction(expr, first)) {
-        Plan plan;
+    Plan plan;
+    if (take_direction(expr, first) && add_direction(plan, expr.range)) {
         emit_.set_place(expr.range);
-        if (add_direction(plan, expr.range)) emit_plan(std::move(plan), first, 0, expr.range);
+        emit_plan(std::move(plan), first, 0, expr.range);
     }
     emit_.release_to(mark);
     return in_registers(types::kVoid, 0);

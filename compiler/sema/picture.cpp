@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "base/diagnostics/sema.h"
+#include "base/done.h"
 #include "base/text.h"
 
 namespace kadr::sema {
@@ -31,17 +32,17 @@ class PictureReader {
             return std::nullopt;
         }
         at_ = 2;
-        if (!head("width", kMostDots, picture_.width)) return std::nullopt;
-        if (!head("height", kMostDots, picture_.height)) return std::nullopt;
-        if (!head("grey value of white", kMostWhite, white_)) return std::nullopt;
+        if (!read_head("width", kMostDots, picture_.width)) return std::nullopt;
+        if (!read_head("height", kMostDots, picture_.height)) return std::nullopt;
+        if (!read_head("grey value of white", kMostWhite, white_)) return std::nullopt;
         if (picture_.width > kMostDots / picture_.height) {
             sink_.report(diag::ImageTooLarge, place_).arg(picture_.width).arg(picture_.height);
             return std::nullopt;
         }
         // No more is reserved than the file can hold: its head may promise anything.
         picture_.brightness.reserve(std::min(picture_.width * picture_.height, text_.size()));
-        const bool is_good = is_text ? text_dots() : byte_dots();
-        if (!is_good) return std::nullopt;
+        const Done dots = is_text ? read_text_dots() : read_byte_dots();
+        if (!dots) return std::nullopt;
         return std::move(picture_);
     }
 
@@ -96,17 +97,17 @@ class PictureReader {
         return builder;
     }
 
-    bool head(std::string_view what, std::size_t most, std::size_t& value) {
+    Done read_head(std::string_view what, std::size_t most, std::size_t& value) {
         const std::string_view found = word();
-        if (number(found, value) && value >= 1 && value <= most) return true;
+        if (number(found, value) && value >= 1 && value <= most) return kDone;
         report(diag::ImageHead, found).arg(printable(found.substr(0, kShown))).arg(what);
-        return false;
+        return kFailed;
     }
 
     std::size_t row() const { return picture_.brightness.size() / picture_.width + 1; }
     std::size_t column() const { return picture_.brightness.size() % picture_.width + 1; }
 
-    bool is_short() {
+    Done refuse_short() {
         sink_.report(diag::ImageShort, place_)
             .arg(file_)
             .arg(text_.size())
@@ -114,23 +115,23 @@ class PictureReader {
             .arg(column())
             .arg(picture_.width)
             .arg(picture_.height);
-        return false;
+        return kFailed;
     }
 
-    bool is_long() {
+    Done refuse_long() {
         sink_.report(diag::ImageLong, place_).arg(file_).arg(at_);
-        return false;
+        return kFailed;
     }
 
     void add(std::size_t grey) {
         picture_.brightness.push_back(static_cast<double>(grey) / static_cast<double>(white_));
     }
 
-    bool text_dots() {
+    Done read_text_dots() {
         const std::size_t dots = picture_.width * picture_.height;
         while (picture_.brightness.size() < dots) {
             const std::string_view found = word();
-            if (found.empty()) return is_short();
+            if (found.empty()) return refuse_short();
             std::size_t grey = 0;
             if (!number(found, grey) || grey > white_) {
                 report(diag::ImageGrey, found)
@@ -138,22 +139,22 @@ class PictureReader {
                     .arg(row())
                     .arg(column())
                     .arg(white_);
-                return false;
+                return kFailed;
             }
             add(grey);
         }
         skip_blanks();
-        return at_ >= text_.size() || is_long();
+        return at_ >= text_.size() ? kDone : refuse_long();
     }
 
-    bool byte_dots() {
+    Done read_byte_dots() {
         // One blank ends the head; a comment there would be dots.
-        if (at_ >= text_.size()) return is_short();
+        if (at_ >= text_.size()) return refuse_short();
         ++at_;
         const std::size_t dots = picture_.width * picture_.height;
         const std::size_t size = white_ > 255 ? 2 : 1;
         while (picture_.brightness.size() < dots) {
-            if (text_.size() - at_ < size) return is_short();
+            if (text_.size() - at_ < size) return refuse_short();
             std::size_t grey = static_cast<unsigned char>(text_[at_]);
             if (size == 2) grey = grey * 256 + static_cast<unsigned char>(text_[at_ + 1]);
             if (grey > white_) {
@@ -163,7 +164,7 @@ class PictureReader {
                     .arg(column())
                     .arg(white_)
                     .note("at byte " + std::to_string(at_) + " of " + file_);
-                return false;
+                return kFailed;
             }
             at_ += size;
             add(grey);
@@ -171,7 +172,7 @@ class PictureReader {
         // Some programs end every file with a line end.
         std::size_t end = text_.size();
         while (end > at_ && is_blank(text_[end - 1])) --end;
-        return at_ == end || is_long();
+        return at_ == end ? kDone : refuse_long();
     }
 
     std::string file_;

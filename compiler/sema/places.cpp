@@ -264,22 +264,22 @@ Value Checker::load(const Place& place, const SourceRange& range, bool checked, 
     return value;
 }
 
-bool Checker::check_assignable(const Place& place, const SourceRange& range) {
+Done Checker::require_assignable(const Place& place, const SourceRange& range) {
     if (place.is_contour_part) {
         report(diag::ContourPartAssigned, range);
-        return false;
+        return kFailed;
     }
     if (place.is_temporary) {
         report(diag::NotAPlace, range);
-        return false;
+        return kFailed;
     }
     if (place.is_const) {
         report(diag::ConstAssigned, range)
             .arg(place.root)
             .note(place.root_range, "it is declared `const` here");
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 void Checker::note_assignment(const Place& place) {
@@ -290,7 +290,7 @@ void Checker::note_assignment(const Place& place) {
 }
 
 void Checker::store(const Place& place, const Value& value, const SourceRange& range) {
-    if (!check_assignable(place, range)) return;
+    if (!require_assignable(place, range)) return;
     const std::uint16_t slots = type_info(place.type).slots;
     if (place.storage == Place::Storage::Local) {
         copy_value(value, place.reg);
@@ -351,7 +351,7 @@ Value Checker::assign(ExprId id, bool is_value) {
         expression(expr.child[1]);
         return error_value();
     }
-    if (!check_assignable(*target, target_range)) return error_value();
+    if (!require_assignable(*target, target_range)) return error_value();
     const bool is_local = target->storage == Place::Storage::Local;
     const std::uint16_t slots = type_info(target->type).slots;
     const std::string_view what =
@@ -422,7 +422,7 @@ Value Checker::step(ExprId id, bool is_value) {
     const SourceRange range = ast()[expr.child[0]].range;
     const bool was_read = is_read(expr.child[0]);
     const std::optional<Place> target = place(expr.child[0]);
-    if (!target || !check_assignable(*target, range)) return error_value();
+    if (!target || !require_assignable(*target, range)) return error_value();
     const Value old = require_given(load(*target, range, true, kNoReg), range, {});
     if (target->symbol >= 0 && !is_value)
         symbols_[static_cast<std::size_t>(target->symbol)].is_read = was_read;

@@ -49,7 +49,7 @@ void Checker::check_unambiguous(std::string_view name, const SourceRange& range)
     for (const Name* declared : all) builder.note(declared->range, "it is declared here");
 }
 
-Checker::Found Checker::find(std::string_view name) {
+Checker::Found Checker::find(std::string_view name) const {
     const auto local = visible_.find(name);
     if (local != visible_.end() && !local->second.empty()) return {local->second.back(), nullptr};
     return {-1, find_global(module_, name)};
@@ -133,17 +133,17 @@ std::vector<std::string_view> Checker::known_names(bool functions) const {
     return names;
 }
 
-bool Checker::is_lost(std::string_view name) {
+Done Checker::require_not_lost(std::string_view name) {
     const std::vector<std::string>& lost = ast().lost_names;
-    if (std::find(lost.begin(), lost.end(), name) == lost.end()) return false;
+    if (std::find(lost.begin(), lost.end(), name) == lost.end()) return kDone;
     ++sink_.errors;  // the parser has said why
-    return true;
+    return kFailed;
 }
 
 /// `mm` in `X=5 mm` and `min` in `100mm / min`, which are no names: the unit stands apart.
-bool Checker::report_unit(std::string_view name, const SourceRange& range) {
+Done Checker::require_no_unit(std::string_view name, const SourceRange& range) {
     if (range.file == unit_.file && range.begin >= unit_.begin && range.end <= unit_.end)
-        return true;
+        return kFailed;
     const std::string_view source = sources_.text(range.file);
     const std::string_view before = source.substr(0, range.begin);
     const auto behind_blanks = [&](std::size_t end) {
@@ -159,7 +159,7 @@ bool Checker::report_unit(std::string_view name, const SourceRange& range) {
     }
     const bool is_behind_number =
         number > 0 && std::string_view("0123456789.").find(before[number - 1]) != std::string::npos;
-    if (!is_behind_number || !find_unit(unit)) return false;
+    if (!is_behind_number || !find_unit(unit)) return kDone;
     // `100 mm/min`: all of it.
     std::size_t end = range.end;
     if (end < source.size() && source[end] == '/') {
@@ -176,7 +176,7 @@ bool Checker::report_unit(std::string_view name, const SourceRange& range) {
         .arg(unit)
         .fix({range.file, static_cast<std::uint32_t>(number), unit_.end}, unit,
              "write it right behind the number");
-    return true;
+    return kFailed;
 }
 
 /// Whether this is a word with a number: `X10`.
@@ -189,30 +189,30 @@ bool Checker::is_numbered_word(std::string_view word) const {
 }
 
 /// A keyword of English in a file of another keyword language: `program`, `warn(…)`.
-bool Checker::report_foreign(std::string_view name, const SourceRange& range) {
+Done Checker::require_no_foreign_keyword(std::string_view name, const SourceRange& range) {
     const auto found = ast().keyword_words.find(name);
-    if (found == ast().keyword_words.end()) return false;
+    if (found == ast().keyword_words.end()) return kDone;
     report(diag::ForeignKeyword, range)
         .arg(name)
         .arg(found->second)
         .arg(ast().language)
         .fix(range, found->second, "use the word of the keyword language");
-    return true;
+    return kFailed;
 }
 
 /// The word of another control where the target of a block may stand: `G1 X10 Q5`.
-bool Checker::report_foreign_word(std::string_view name, const SourceRange& range) {
+Done Checker::require_no_foreign_word(std::string_view name, const SourceRange& range) {
     const std::size_t digit = name.find_first_of("0123456789");
     const bool is_like_word =
         digit != 0 && digit != std::string_view::npos && upper_ascii(name) == name;
     const syntax::Habit* habit = syntax::habit_of(name);
     const bool is_statement = habit != nullptr && habit->is_statement;  // `N20 END1`
-    if (!is_like_word || is_statement || !(range == target_)) return false;
+    if (!is_like_word || is_statement || !(range == target_)) return kDone;
     report(diag::BlockWordUnknown, range)
         .arg(name)
         .arg(modules_[module_].dialect->name())
         .fix(syntax::kForeignWord);
-    return true;
+    return kFailed;
 }
 
 /// Whether a statement begins with the name at `range`.
@@ -234,16 +234,16 @@ bool is_control_parameter(std::string_view word) {
 }  // namespace
 
 /// `GO` and `XO` where words stand: a letter for a digit. Not `NO = 5;`, nor the loop `DO1;`.
-bool Checker::report_word(std::string_view name, const SourceRange& range) {
+Done Checker::require_no_letter_for_digit(std::string_view name, const SourceRange& range) {
     const std::string_view behind = sources_.text(range.file).substr(range.end);
     const std::size_t at = behind.find_first_not_of(" \t");
     const char next = at == std::string_view::npos ? ';' : behind[at];
     const bool is_lone = is_statement_at(range) && (next == ';' || (next >= 'A' && next <= 'Z'));
-    if ((!(range == target_) && !is_lone) || name.starts_with("DO")) return false;
+    if ((!(range == target_) && !is_lone) || name.starts_with("DO")) return kDone;
     const std::string word = syntax::word_with_digits(*modules_[module_].dialect, name);
-    if (word.empty()) return false;
+    if (word.empty()) return kDone;
     report(diag::LetterForDigit, range).arg(name).arg(word).fix(range, word, "write digits");
-    return true;
+    return kFailed;
 }
 
 /// `G1 X=dY5`: a variable with the next word right behind it.
@@ -329,19 +329,19 @@ void Checker::fix_glued(std::size_t letters, const SourceRange& range, Diagnosti
 }
 
 /// `SIN[30]` and `sin[30]`: a function of a control, its argument in square brackets.
-bool Checker::report_control_index(std::string_view name, const SourceRange& range) {
+Done Checker::require_no_control_index(std::string_view name, const SourceRange& range) {
     const std::string_view source = sources_.text(range.file);
     const std::string function = syntax::lower_ascii(name);
     const std::vector<std::string_view> functions = known_names(true);
     if (range.end >= source.size() || source[range.end] != '[' ||
         !std::binary_search(functions.begin(), functions.end(), function))
-        return false;
+        return kDone;
     std::size_t close = range.end;
     for (int depth = 0; close < source.size() && source[close] != '\n'; ++close) {
         if (source[close] == '[') ++depth;
         if (source[close] == ']' && --depth == 0) break;
     }
-    if (close >= source.size() || source[close] != ']') return false;
+    if (close >= source.size() || source[close] != ']') return kDone;
     std::string argument(source.substr(range.end + 1, close - range.end - 1));
     const bool is_number = argument.find_first_not_of("0123456789.-") == std::string::npos;
     const bool takes_angle = function == "sin" || function == "cos" || function == "tan";
@@ -351,7 +351,7 @@ bool Checker::report_control_index(std::string_view name, const SourceRange& ran
         .fix({range.file, range.begin, static_cast<std::uint32_t>(close + 1)},
              function + '(' + argument + ')',
              "functions are in small letters, their arguments in round brackets");
-    return true;
+    return kFailed;
 }
 
 /// A Latin `c` where a Cyrillic one is declared, and the other way round.
@@ -377,7 +377,7 @@ bool Checker::may_propose() {
 }
 
 void Checker::report_unknown(std::string_view name, const SourceRange& range) {
-    if (is_lost(name)) return;
+    if (!require_not_lost(name)) return;
     for (std::size_t i = defaults_from_; function_ != nullptr && i < function_->parameters.size();
          ++i) {
         if (function_->parameters[i].name != name) continue;
@@ -388,9 +388,9 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
             .note(function_->parameters[i].range, "it is declared here");
         return;
     }
-    if (report_unit(name, range) || report_foreign(name, range)) return;
-    if (report_word(name, range) || report_foreign_word(name, range) ||
-        report_control_index(name, range))
+    if (!require_no_unit(name, range) || !require_no_foreign_keyword(name, range)) return;
+    if (!require_no_letter_for_digit(name, range) || !require_no_foreign_word(name, range) ||
+        !require_no_control_index(name, range))
         return;
     auto builder = report(diag::UnknownName, range);
     builder.arg(name);

@@ -20,7 +20,7 @@ std::uint32_t Checker::statement_id(const SourceRange& range) {
     return id;
 }
 
-bool Checker::block(syntax::List list) {
+Checker::Completion Checker::block(syntax::List list) {
     const std::size_t symbols = symbols_.size();
     const std::size_t scope = std::exchange(scope_begin_, symbols);
     const Reg mark = emit_.mark();
@@ -32,53 +32,53 @@ bool Checker::block(syntax::List list) {
             said = true;
         }
         if (native_pending_ && !is_check(id)) emit_native_cycle();
-        const bool ends = statement(id);
-        reachable = reachable && ends;
+        const Completion completion = statement(id);
+        reachable = reachable && completion == Completion::Normal;
         // `error(…); return 0;` is written so that the reader sees the end.
         if (ast()[id].kind == StmtKind::ErrorStmt) said = true;
     }
     leave_scope(symbols);
     scope_begin_ = scope;
     emit_.release_to(mark);
-    return reachable;
+    return completion(reachable);
 }
 
-bool Checker::statement(StmtId id) {
-    if (!id.is_valid() || is_late()) return true;
+Checker::Completion Checker::statement(StmtId id) {
+    if (!id.is_valid() || is_late()) return Completion::Normal;
     const Stmt& stmt = ast()[id];
     const SourceRange before = emit_.place();
     emit_.set_place(stmt.range);
     const Reg mark = emit_.mark();
-    bool ends = true;
+    Completion completion = Completion::Normal;
     bool keeps_registers = false;
     warn_of_empty_body(stmt);
     switch (stmt.kind) {
         case StmtKind::Invalid:
         case StmtKind::Empty: break;
-        case StmtKind::Block: ends = block(stmt.statements); break;
+        case StmtKind::Block: completion = block(stmt.statements); break;
         case StmtKind::Expression: expression_statement(stmt); break;
         case StmtKind::Declaration:
             variable(ast()[stmt.declaration]);
             keeps_registers = true;
             break;
-        case StmtKind::If: ends = if_statement(stmt); break;
-        case StmtKind::While: ends = while_statement(stmt); break;
-        case StmtKind::DoWhile: ends = do_statement(stmt); break;
-        case StmtKind::For: ends = for_statement(stmt); break;
-        case StmtKind::ForEach: ends = for_each(stmt); break;
-        case StmtKind::Switch: ends = switch_statement(stmt); break;
+        case StmtKind::If: completion = if_statement(stmt); break;
+        case StmtKind::While: completion = while_statement(stmt); break;
+        case StmtKind::DoWhile: completion = do_statement(stmt); break;
+        case StmtKind::For: completion = for_statement(stmt); break;
+        case StmtKind::ForEach: completion = for_each(stmt); break;
+        case StmtKind::Switch: completion = switch_statement(stmt); break;
         case StmtKind::Case: break;
         case StmtKind::Break:
         case StmtKind::Continue:
             jump_out(stmt.kind == StmtKind::Break, stmt.range);
-            ends = false;
+            completion = Completion::Abrupt;
             break;
         case StmtKind::Return:
             return_statement(stmt);
-            ends = false;
+            completion = Completion::Abrupt;
             break;
         case StmtKind::Words: words_statement(stmt); break;
-        case StmtKind::With: ends = with_statement(stmt); break;
+        case StmtKind::With: completion = with_statement(stmt); break;
         case StmtKind::Note: text_statement(stmt, Op::EmitText, 0); break;
         case StmtKind::Raw: text_statement(stmt, Op::EmitText, 1); break;
         case StmtKind::Units: {
@@ -93,7 +93,7 @@ bool Checker::statement(StmtId id) {
         case StmtKind::Assert: check_statement(stmt, false); break;
         case StmtKind::ErrorStmt:
             text_statement(stmt, Op::UserError, 0);
-            ends = false;
+            completion = Completion::Abrupt;
             break;
         case StmtKind::WarnStmt: text_statement(stmt, Op::UserWarning, 0); break;
         case StmtKind::Close:
@@ -105,7 +105,7 @@ bool Checker::statement(StmtId id) {
     }
     if (!keeps_registers) emit_.release_to(mark);
     emit_.set_place(before);
-    return ends;
+    return completion;
 }
 
 void Checker::variable(const Decl& decl) {
@@ -218,7 +218,7 @@ void Checker::expression_statement(const Stmt& stmt) {
     if (errors == sink_.errors) report(diag::UselessExpression, expr.range);
 }
 
-bool Checker::if_statement(const Stmt& stmt) {
+Checker::Completion Checker::if_statement(const Stmt& stmt) {
     const ExprId condition = stmt.expression[0];
     Label otherwise;
     const std::uint32_t start = emit_.here();
@@ -229,27 +229,27 @@ bool Checker::if_statement(const Stmt& stmt) {
                        code_->instructions[start].op == Op::Jump;
     const bool always = otherwise.pending.empty() && emit_.here() == start;
     assume_given(condition, true);
-    bool then_ends = statement(stmt.statement[0]);
+    const bool then_ends = statement(stmt.statement[0]) == Completion::Normal;
     const std::vector<Givenness> after_then = remember_givenness();
     set_givenness(before);
     assume_given(condition, false);
     if (!stmt.statement[1].is_valid()) {
         emit_.bind(otherwise);
         if (then_ends) merge_givenness(after_then);
-        return !always || then_ends || ast()[condition].kind != ExprKind::Bool;
+        return completion(!always || then_ends || ast()[condition].kind != ExprKind::Bool);
     }
     Label done;
     if (then_ends) emit_.jump(Op::Jump, done);
     emit_.bind(otherwise);
-    const bool else_ends = statement(stmt.statement[1]);
+    const bool else_ends = statement(stmt.statement[1]) == Completion::Normal;
     emit_.bind(done);
     if (then_ends && else_ends) merge_givenness(after_then);
     else if (then_ends) set_givenness(after_then);
-    if (never) return else_ends;
-    return then_ends || else_ends;
+    if (never) return completion(else_ends);
+    return completion(then_ends || else_ends);
 }
 
-bool Checker::switch_statement(const Stmt& stmt) {
+Checker::Completion Checker::switch_statement(const Stmt& stmt) {
     const SourceRange range = ast()[stmt.expression[0]].range;
     const Value chosen = require_given(expression(stmt.expression[0]), range, {});
     const Kind k = kind(chosen.type);
@@ -341,7 +341,7 @@ bool Checker::switch_statement(const Stmt& stmt) {
         emit_.bind(labels[i]);
         if (ends && i > 0) merge_givenness(before);
         else set_givenness(before);
-        ends = block(ast()[cases[i]].statements);
+        ends = block(ast()[cases[i]].statements) == Completion::Normal;
         for (std::size_t s = 0; s < merged.size() && s < varying_.size(); ++s) {
             if (merged[s] != symbols_[varying_[s]].givenness) merged[s] = Givenness::Perhaps;
         }
@@ -350,8 +350,8 @@ bool Checker::switch_statement(const Stmt& stmt) {
     const bool breaks_out = done.pending.size() > breaks;
     set_givenness(merged);
     emit_.bind(done);
-    if (cases.empty()) return true;
-    return !(all_leave && !ends && !breaks_out);
+    if (cases.empty()) return Completion::Normal;
+    return completion(!(all_leave && !ends && !breaks_out));
 }
 
 void Checker::leave_function(const SourceRange& range) {

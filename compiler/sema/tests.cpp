@@ -140,17 +140,17 @@ void Checker::report_test_block(const SourceRange& range) {
         .fix("put it into a cycle and execute that");
 }
 
-bool Checker::range_end(ExprId id, const ParameterDecl& parameter, Slot& end) {
+Done Checker::read_range_end(ExprId id, const ParameterDecl& parameter, Slot& end) {
     const SourceRange range = ast()[id].range;
     const Value value =
         convert(expression(id, parameter.type), parameter.type, range, parameter.name);
-    if (is_error(value)) return false;
+    if (is_error(value)) return kFailed;
     if (!value.is_constant()) {
         report(diag::NotConstant, range).arg("the end of a range");
-        return false;
+        return kFailed;
     }
     end = value.constant;
-    return true;
+    return kDone;
 }
 
 void Checker::property_ranges(std::uint32_t index) {
@@ -178,10 +178,10 @@ void Checker::property_ranges(std::uint32_t index) {
         const ExprId first = ast()[given].child[0];
         const ExprId last = ast()[given].child[1];
         const Reg mark = emit_.mark();
-        const bool is_good =
-            range_end(first, parameter, range.from) && range_end(last, parameter, range.to);
+        const bool is_read = read_range_end(first, parameter, range.from) &&
+                             read_range_end(last, parameter, range.to);
         emit_.release_to(mark);
-        if (!is_good) continue;
+        if (!is_read) continue;
         const bool is_second = is_family && is_second_form(range.from.number);
         if (is_family && is_second != is_second_form(range.to.number)) {
             report(diag::PropertyValues, parameter.range).arg(parameter.name);
@@ -222,7 +222,7 @@ std::optional<Value> Checker::test_builtin(std::string_view name, const Expr& ex
                                              : Purpose::ExpectError,
                          name, expr);
     }
-    if (!count_arguments(expr, name, 0, 0)) return error_value();
+    if (!require_argument_count(expr, name, 0, 0)) return error_value();
     const bool is_list = name == "dialects";
     const Type type = is_list ? types_.array(types::kString, -1) : types::kString;
     const Reg reg = emit_.take(1);
@@ -332,15 +332,15 @@ Value Checker::test_call(TestCall::Purpose purpose, std::string_view name, const
 
 // ---------------------------------------------------------------- figures
 
-bool Checker::figure_arguments(const FigureInfo& info, const Expr& call, Reg first) {
+Done Checker::take_figure_arguments(const FigureInfo& info, const Expr& call, Reg first) {
     const std::vector<FigureParameter> parameters = figure_parameters(info);
     std::vector<std::string_view> names;
     names.reserve(parameters.size());
     for (const FigureParameter& parameter : parameters) names.push_back(parameter.name);
     const auto bound = bind_arguments(call, info.name, names, {});
-    if (!bound) return false;
+    if (!bound) return kFailed;
     Reg reg = first;
-    bool is_good = true;
+    Done taken = kDone;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const FigureParameter& parameter = parameters[i];
         const Type type = parameter.is_point   ? types::kPoint
@@ -352,11 +352,11 @@ bool Checker::figure_arguments(const FigureInfo& info, const Expr& call, Reg fir
             emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
         } else {
             report(diag::ArgumentMissing, call.range).arg(info.name).arg(parameter.name);
-            is_good = false;
+            taken = kFailed;
         }
         reg = static_cast<Reg>(reg + parameter.slots());
     }
-    return is_good;
+    return taken;
 }
 
 Value Checker::figure(const Place& execution, const Expr& member, const Expr* call) {
@@ -391,7 +391,7 @@ Value Checker::figure(const Place& execution, const Expr& member, const Expr* ca
     const Reg first = emit_.take(std::max(slots, argument_slots));
     if (call != nullptr) {
         ++asked_figures_;
-        if (!figure_arguments(*info, *call, first)) return error_value();
+        if (!take_figure_arguments(*info, *call, first)) return error_value();
     }
     emit_.set_place(call != nullptr ? call->range : member.range);
     Type type = types::kInt;
@@ -503,7 +503,7 @@ void Checker::jump_if_near(Reg a, Reg b, Label& near) {
 }
 
 /// Jumps to `good` if both sides are as the operator says, within the tolerance of tests.
-bool Checker::emit_agreement(const Expr& expr, const Value& left, const Value& right, Label& good) {
+Done Checker::emit_agreement(const Expr& expr, const Value& left, const Value& right, Label& good) {
     const Operator op = expr.op;
     const bool is_equality = op == Operator::Equal || op == Operator::NotEqual;
     if (is_equality && left.type == types::kPoint && right.type == types::kPoint) {
@@ -529,14 +529,14 @@ bool Checker::emit_agreement(const Expr& expr, const Value& left, const Value& r
         }
         if (op == Operator::Equal) emit_.jump(Op::Jump, good);
         emit_.bind(differs);
-        return true;
+        return kDone;
     }
     const std::optional<Comparison> found = compare(expr, left, right);
-    if (!found) return false;
+    if (!found) return kFailed;
     const bool is_exact = op == Operator::Less || op == Operator::Greater;
     if (!found->is_real || !is_measured(found->left.type) || is_exact) {
         jump_compare(*found, true, good, -1);
-        return true;
+        return kDone;
     }
     const Reg a = in_register(found->left);
     const Reg b = in_register(found->right);
@@ -555,7 +555,7 @@ bool Checker::emit_agreement(const Expr& expr, const Value& left, const Value& r
         emit_.emit_number(Op::LoadF, most, 0, kExpectTolerance);
         emit_.jump(Op::JumpLeF, good, beyond, most);
     }
-    return true;
+    return kDone;
 }
 
 void Checker::expect_comparison(const Expr& expr) {
@@ -616,7 +616,7 @@ void Checker::append_shown(const Value& value, FormatPattern& pattern) {
     }
     FormatPiece piece;
     if (info.kind == Kind::String) literal("\"");
-    if (!format_piece(value, {}, emit_.place(), piece)) return;
+    if (!read_format(value, {}, emit_.place(), piece)) return;
     add_unit(value.type, "", piece);
     pattern.push_back(std::move(piece));
     if (info.kind == Kind::String) literal("\"");

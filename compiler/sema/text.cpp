@@ -42,8 +42,8 @@ std::uint32_t Checker::layout_constant(Type type) {
     return index;
 }
 
-bool Checker::format_piece(const Value& value, std::string_view format, const SourceRange& range,
-                           FormatPiece& piece) {
+Done Checker::read_format(const Value& value, std::string_view format, const SourceRange& range,
+                          FormatPiece& piece) {
     const TypeInfo info = type_info(types_.given(value.type));
     using K = FormatPiece::Kind;
     switch (info.kind) {
@@ -66,14 +66,14 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
             piece.kind = K::Enum;
             piece.enumeration = info.definition;
             break;
-        case Kind::Error: return false;
+        case Kind::Error: return kFailed;
         case Kind::Void:
         case Kind::Struct:
         case Kind::Array:
         case Kind::Range:
         case Kind::Execution:
             report(diag::NotPrintable, range).arg(type_name(value.type));
-            return false;
+            return kFailed;
     }
     // [+][0][width][.decimals][u]
     const char* at = format.data();
@@ -107,9 +107,9 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
     if (!is_good || at != end ||
         (!is_number && (piece.decimals >= 0 || piece.zeros || piece.plus))) {
         report(diag::BadFormat, range).arg(format).arg(type_name(value.type));
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// The library speaks in the units of the program that it serves.
@@ -176,7 +176,7 @@ Value Checker::string(ExprId id, Reg hint) {
         const Reg above = emit_.mark();
         Value value = require_given(expression(inner), ast()[inner].range, {});
         const std::string_view format = is_format ? text(piece_expr.text) : std::string_view();
-        if (is_error(value) || !format_piece(value, format, piece_expr.range, piece)) {
+        if (is_error(value) || !read_format(value, format, piece_expr.range, piece)) {
             is_good = false;
         } else {
             copy_value(value, next);
@@ -198,7 +198,7 @@ Value Checker::string(ExprId id, Reg hint) {
 Value Checker::text_of(const Value& value, const SourceRange& range) {
     if (is_error(value) || kind(value.type) == Kind::String) return value;
     FormatPiece piece;
-    if (!format_piece(value, {}, range, piece)) return error_value();
+    if (!read_format(value, {}, range, piece)) return error_value();
     const Reg from = in_register(value);
     const Reg reg = emit_.take(1);
     emit_.emit_pair(Op::Format, reg, from, 0, static_cast<std::int64_t>(code_->formats.size()));
@@ -229,7 +229,7 @@ std::uint32_t Checker::shown_form(Type type, bool is_part) {
     } else if (info.kind == Kind::Array) {
         form.kind = ShownForm::Kind::List;
         form.parts.push_back({{}, 0, shown_form(info.element, true)});
-    } else if (format_piece(in_registers(type, 0), {}, emit_.place(), form.piece)) {
+    } else if (read_format(in_registers(type, 0), {}, emit_.place(), form.piece)) {
         // Inside of braces as a program has it: `{x: 10mm}`.
         add_unit(type, is_part ? "" : " ", form.piece);
     }

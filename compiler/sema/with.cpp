@@ -88,21 +88,21 @@ std::optional<std::pair<nc::Function, FrameChange>> frame_change(std::string_vie
 }  // namespace
 
 /// A scale says at least one factor; a mirror and a way to the reference point name an axis.
-bool Checker::check_least(const nc::FunctionInfo& info, std::span<const ExprId> bound,
-                          const Expr& expr) {
+Done Checker::require_least(const nc::FunctionInfo& info, std::span<const ExprId> bound,
+                            const Expr& expr) {
     const bool is_scale = info.function == nc::Function::Scale;
     const bool names_axes =
         info.function == nc::Function::Mirror || info.function == nc::Function::ReferencePoint;
-    if (!is_scale && !names_axes) return true;
+    if (!is_scale && !names_axes) return kDone;
     const auto wanted = is_scale ? nc::Dimension::Factor : nc::Dimension::Length;
     std::string_view first;
     for (std::size_t i = 0; i < bound.size(); ++i) {
         if (info.parameters[i].dimension != wanted) continue;
-        if (bound[i].is_valid()) return true;
+        if (bound[i].is_valid()) return kDone;
         if (first.empty()) first = info.parameters[i].name;
     }
     report(diag::ArgumentMissing, expr.range).arg(info.name).arg(first);
-    return false;
+    return kFailed;
 }
 
 void Checker::frame_call(ExprId id) {
@@ -131,7 +131,7 @@ void Checker::frame_call(ExprId id) {
     for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
     const auto bound = bind_arguments(expr, name, names, {});
     if (!bound) return;
-    if (!check_least(info, *bound, expr)) return;
+    if (!require_least(info, *bound, expr)) return;
     const Reg first = emit_.take(static_cast<unsigned>(names.size()));
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto reg = static_cast<Reg>(first + i);
@@ -146,7 +146,7 @@ void Checker::frame_call(ExprId id) {
         const Reg mark = emit_.mark();
         Value value = expression((*bound)[i]);
         if (info.parameters[i].dimension == nc::Dimension::Length &&
-            !takes_diameter(value, range, names[i]))
+            !require_no_diameter(value, range, names[i]))
             value = error_value();
         const std::optional<Value> named = named_axis(info, info.parameters[i], value, range);
         if (!named) emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
@@ -173,7 +173,7 @@ ModalMask Checker::with_mask(const Stmt& stmt) {
     return mask;
 }
 
-bool Checker::with_statement(const Stmt& stmt) {
+Checker::Completion Checker::with_statement(const Stmt& stmt) {
     const auto words = ast().word_run(stmt.words);
     const std::size_t errors = sink_.errors;
     const ModalMask mask = with_mask(stmt);
@@ -191,15 +191,15 @@ bool Checker::with_statement(const Stmt& stmt) {
         frame_call(id);
         emit_.release_to(mark);
     }
-    const bool ends = statement(stmt.statement[0]);
-    if (ends) {
+    const Completion body = statement(stmt.statement[0]);
+    if (body == Completion::Normal) {
         const SourceRange end{stmt.range.file, stmt.range.end > 0 ? stmt.range.end - 1 : 0,
                               stmt.range.end};
         emit_.set_place(end);
         emit_.emit_pair(Op::LeaveWith, 0, 0, 1, 0, statement_id(end));
     }
     --with_depth_;
-    return ends;
+    return body;
 }
 
 }  // namespace kadr::sema
