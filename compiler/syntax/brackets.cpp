@@ -43,7 +43,7 @@ void Brackets::reset_heads() {
     heads_ = stack_.empty() ? 0 : static_cast<std::size_t>(stack_.back().heads);
 }
 
-bool Brackets::close(const Lexeme& lexeme) {
+Done Brackets::close(const Lexeme& lexeme) {
     std::size_t match = stack_.size();
     while (match > 0 && closing_of(stack_[match - 1].open.token) != lexeme.token) {
         // A `)` or `]` never reaches out of the statement.
@@ -52,7 +52,7 @@ bool Brackets::close(const Lexeme& lexeme) {
     }
     if (match == 0 && lexeme.token != Token::CloseBrace && !is_statement_level()) {
         exchange_top(lexeme);
-        return false;
+        return kFailed;
     }
     if (match == 0) {
         if (lexeme.token == Token::CloseBrace) {
@@ -60,12 +60,12 @@ bool Brackets::close(const Lexeme& lexeme) {
             has_broken_blocks_ = true;
         }
         file_.sink.report(diag::BracketUnexpected, file_.range(lexeme)).arg(file_.spelling(lexeme));
-        return false;
+        return kFailed;
     }
     while (stack_.size() > match) mend_top(lexeme);
     if (lexeme.token == Token::CloseBrace && stack_.back().is_block()) remember_suspect(lexeme);
     pop();
-    return true;
+    return kDone;
 }
 
 void Brackets::close_values(const Lexeme& before) {

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "base/done.h"
 #include "syntax/lexeme.h"
 
 namespace kadr::syntax {
@@ -34,9 +35,9 @@ class Brackets {
     Brackets(const SourceFile& file, std::vector<Lexeme>& out) : file_(file), out_(out) {}
 
     void open(const Lexeme& lexeme, Bracket::Role role);
-    /// A closing bracket: ends what it closes, after mending what is open inside of it. False if it
-    /// closes nothing; it is reported then and must be dropped.
-    bool close(const Lexeme& lexeme);
+    /// A closing bracket: ends what it closes, after mending what is open inside of it. What
+    /// closes nothing is reported and must be dropped.
+    Done close(const Lexeme& lexeme);
     /// Closes everything down to the statements around, because `before` cannot stand inside.
     void close_values(const Lexeme& before);
     /// Closes every block, because `before` can only stand at file level.

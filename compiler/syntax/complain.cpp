@@ -90,10 +90,10 @@ bool Complaints::is_semicolon_forgotten(const Place& place) const {
 }
 
 void Complaints::explain(const Place& place) {
-    if (explain_glued_words(place) || explain_number(place) || explain_capitals(place) ||
-        explain_program_number(place) || explain_habit(place) || explain_for(place) ||
-        explain_declaration(place) || explain_name(place) || explain_value(place) ||
-        explain_sign(place) || explain_closing(place)) {
+    if (!check_glued_words(place) || !check_number(place) || !check_capitals(place) ||
+        !check_program_number(place) || !check_habit(place) || !check_for(place) ||
+        !check_declaration(place) || !check_name(place) || !check_value(place) ||
+        !check_sign(place) || !check_closing(place)) {
         return;
     }
     const SourceRange range = file_.range(place.offending);
@@ -122,13 +122,15 @@ void Complaints::explain(const Place& place) {
     }
 }
 
+// Each of these knows a kind of mistake: if it is that one, it is told, and no other looks.
+
 /// `10,5` and `10 mm`.
-bool Complaints::explain_number(const Place& place) {
+Done Complaints::check_number(const Place& place) {
     const Lexeme& previous = place.previous;
     const Lexeme& offending = place.offending;
     const bool is_number = previous.token == Token::Number || previous.token == Token::LiteralWord;
-    if (!is_number || place.is_new_line) return false;
-    if (previous.unit != Unit::None && offending.token == Token::Comma) return false;
+    if (!is_number || place.is_new_line) return kDone;
+    if (previous.unit != Unit::None && offending.token == Token::Comma) return kDone;
     const std::string spelled(file_.spelling(previous));
     const auto& next = stream_.lexeme(std::min(place.index + 1, stream_.size() - 1));
     const bool is_whole = spelled.find('.') == std::string::npos;
@@ -143,64 +145,64 @@ bool Complaints::explain_number(const Place& place) {
         if (has_point) message.fix("thousands are not set apart: `1234.5`");
         else if (is_list) message.fix("a list stands in braces: `{1, 2, 3}`");
         else message.fix(file_.range(offending), ".", "write a point");
-        return true;
+        return kFailed;
     }
-    if (offending.token != Token::Identifier || previous.unit != Unit::None) return false;
+    if (offending.token != Token::Identifier || previous.unit != Unit::None) return kDone;
     const std::string_view name = file_.spelling(offending);
     if (const std::string_view meant = unit_meant(name); !meant.empty()) {  // `5 MM`
         file_.sink.report(diag::UnitApart, file_.range(offending))
             .arg(meant)
             .fix(file_.range(previous.begin, offending.end), spelled + std::string(meant),
                  "write it right behind the number");
-        return true;
+        return kFailed;
     }
     const auto& per = stream_.lexeme(std::min(place.index + 2, stream_.size() - 1));
     const bool is_quotient = next.token == Token::Slash && per.token == Token::Identifier &&
                              find_unit(name, file_.spelling(per)) != Unit::None;
-    if (!is_quotient && find_unit(name, "") == Unit::None) return false;
+    if (!is_quotient && find_unit(name, "") == Unit::None) return kDone;
     std::string unit(name);
     if (is_quotient) unit += '/' + std::string(file_.spelling(per));
     const std::uint32_t end = is_quotient ? per.end : offending.end;
     file_.sink.report(diag::UnitApart, file_.range(offending.begin, end))
         .arg(unit)
         .fix(file_.range(previous.begin, end), spelled + unit, "write it right behind the number");
-    return true;
+    return kFailed;
 }
 
 /// `IF (n > 3) M8;`: a call of `IF` to the parser.
-bool Complaints::explain_capitals(const Place& place) {
+Done Complaints::check_capitals(const Place& place) {
     // `WHILE n<3 DO1;` begins like a declaration of `n`.
     const bool is_name = place.head == Token::Identifier || place.head == Token::TypeName;
-    if (!is_name || place.head_index == place.index) return false;
+    if (!is_name || place.head_index == place.index) return kDone;
     const Lexeme& head = stream_.lexeme(place.head_index);
     const std::string_view spelled = file_.spelling(head);
     const std::string lower = lower_ascii(spelled);
     const Keyword* keyword = find_keyword(lower);
     if (lower == spelled || keyword == nullptr || keyword->place != Keyword::Place::Anywhere)
-        return false;
+        return kDone;
     auto report = file_.sink.report(diag::KeywordCase, file_.range(head));
     report.arg(lower);
     if (const std::string form = form_of_control(lower, place.head_index); !form.empty())
         report.fix(form);
     else report.fix(file_.range(head), lower, "write it in lower case");
-    return true;
+    return kFailed;
 }
 
 /// A statement that begins with a word of another language: `foreach (x in list)`, `goto 5`.
-bool Complaints::explain_habit(const Place& place) {
+Done Complaints::check_habit(const Place& place) {
     const Lexeme& head = stream_.lexeme(place.head_index);
     // `static int k = 3;`: a type to the parser, and `int` the name.
     const bool is_type = head.token == Token::TypeName && place.index <= place.head_index + 2;
-    if (head.token != Token::Identifier && !is_type) return false;
-    if (place.head_index >= place.index) return false;
+    if (head.token != Token::Identifier && !is_type) return kDone;
+    if (place.head_index >= place.index) return kDone;
     const Habit* habit = habit_of(file_.spelling(head));
-    if (habit == nullptr || !habit->is_statement) return false;
+    if (habit == nullptr || !habit->is_statement) return kDone;
     // A name of the program may be spelled so: `end = 3`, `loop.count`.
     switch (stream_.lexeme(place.head_index + 1).token) {
         case Token::Assign:
         case Token::Dot:
         case Token::OpenBracket:
-        case Token::Semicolon: return false;
+        case Token::Semicolon: return kDone;
         default: break;
     }
     if (is_then(place.head_index)) {
@@ -208,25 +210,25 @@ bool Complaints::explain_habit(const Place& place) {
             .arg(quoted(head))
             .arg(quoted(stream_.lexeme(place.head_index - 1)))
             .fix(file_.range(head.begin, place.offending.begin), "", "there is no `then`");
-        return true;
+        return kFailed;
     }
     file_.sink.report(diag::Unexpected, file_.range(place.offending))
         .arg(quoted(place.offending))
         .arg(quoted(place.previous))
         .fix(std::string(habit->hint));
-    return true;
+    return kFailed;
 }
 
 /// A line `O1234` of a control's text above the program: a type to the parser, and `program` a
 /// name.
-bool Complaints::explain_program_number(const Place& place) {
-    if (place.head_index + 2 != place.index) return false;
+Done Complaints::check_program_number(const Place& place) {
+    if (place.head_index + 2 != place.index) return kDone;
     const Lexeme& head = stream_.lexeme(place.head_index);
-    if (!is_program_number(head)) return false;
+    if (!is_program_number(head)) return kDone;
     auto message = file_.sink.report(diag::StatementOutside, file_.range(head));
     message.arg(quoted(head));
     fix_program_number(head, message);
-    return true;
+    return kFailed;
 }
 
 bool Complaints::is_program_number(const Lexeme& lexeme) const {
@@ -241,51 +243,51 @@ void Complaints::fix_program_number(const Lexeme& lexeme, DiagnosticBuilder& rep
 }
 
 /// The head of a `for`: which of its two kinds it is shows only at its third token.
-bool Complaints::explain_for(const Place& place) {
-    if (place.rule != KadrParser::RuleForHead) return false;
+Done Complaints::check_for(const Place& place) {
+    if (place.rule != KadrParser::RuleForHead) return kDone;
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
     const bool is_declared =
         place.previous.token == Token::TypeName || place.previous.token == Token::Auto;
     if (is_declared && is_word(place.offending.token)) {
         explain_address_name(place.offending);
-        return true;
+        return kFailed;
     }
     if (place.offending.token == Token::Colon) {
         file_.sink.report(diag::ForTypeMissing, file_.range(place.previous))
             .arg(quoted(place.previous));
-        return true;
+        return kFailed;
     }
-    if (place.previous.token != Token::Identifier || !place.expects(Token::Number)) return false;
+    if (place.previous.token != Token::Identifier || !place.expects(Token::Number)) return kDone;
     const bool is_list =
         place.offending.token == Token::Identifier || place.offending.token == Token::In;
     auto message = file_.sink.report(diag::SignMissing, gap);
     message.arg(is_list ? ":" : "=").arg(quoted(place.previous));
     if (lower_ascii(file_.spelling(place.offending)) == "in")
         message.fix(file_.range(place.offending), ":", "a loop over a list has a sign");
-    return true;
+    return kFailed;
 }
 
 /// `while (n < 3) do { … }`: a loop of other languages, and to the parser one with its condition at
 /// the end.
-bool Complaints::explain_do(std::size_t index) {
-    if (index == 0 || stream_.lexeme(index).token != Token::Do) return false;
+Done Complaints::check_do(std::size_t index) {
+    if (index == 0 || stream_.lexeme(index).token != Token::Do) return kDone;
     const Lexeme& before = stream_.lexeme(index - 1);
     const Lexeme& word = stream_.lexeme(index);
     if (before.token != Token::CloseParen || file_.crosses_line(before.end, word.begin))
-        return false;
+        return kDone;
     file_.sink.report(diag::Unexpected, file_.range(word))
         .arg(quoted(word))
         .arg(quoted(before))
         .fix(file_.range(word.begin, stream_.lexeme(index + 1).begin), "", "there is no `do` here");
-    return true;
+    return kFailed;
 }
 
 /// Where nothing but one sign can stand.
-bool Complaints::explain_sign(const Place& place) {
+Done Complaints::check_sign(const Place& place) {
     if (place.expects(Token::Text) && place.rule == KadrParser::RuleText) {
         file_.sink.report(diag::TitleMissing, file_.range(place.offending))
             .arg(quoted(place.previous));
-        return true;
+        return kFailed;
     }
     constexpr std::pair<Token, const char*> kSigns[] = {
         {Token::OpenParen, "("}, {Token::Colon, ":"}, {Token::While, "while"},
@@ -294,11 +296,11 @@ bool Complaints::explain_sign(const Place& place) {
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
     for (const auto& [token, sign] : kSigns) {
         if (!place.expects_only(token)) continue;
-        if (token == Token::While && explain_do(place.head_index)) return true;
+        if (token == Token::While && !check_do(place.head_index)) return kFailed;
         auto message = file_.sink.report(diag::SignMissing, gap);
         message.arg(sign).arg(quoted(place.previous));
         if (token == Token::OpenParen) fix_parentheses(place, message);
-        return true;
+        return kFailed;
     }
     const bool is_for = place.rule == KadrParser::RuleForHead;
     const bool is_field = place.rule == KadrParser::RuleField;
@@ -307,27 +309,27 @@ bool Complaints::explain_sign(const Place& place) {
         message.arg(";").arg(quoted(place.previous));
         if (is_for && place.offending.token == Token::Comma) fix_comma_of_loop(place, message);
         else if (is_for) fix_counting(place, message);
-        return true;
+        return kFailed;
     }
     const bool is_name_first = place.previous.token == Token::Identifier;
     if (place.expects_only(Token::Assign) && is_name_first) {
         file_.sink.report(diag::SignMissing, gap).arg("=").arg(quoted(place.previous));
-        return true;
+        return kFailed;
     }
-    return false;
+    return kDone;
 }
 
 /// A function inside of a function: `length f(length x) {`.
-bool Complaints::explain_declaration(const Place& place) {
+Done Complaints::check_declaration(const Place& place) {
     const bool is_variable = place.head == Token::TypeName && place.rule != KadrParser::RuleFile;
     if (!is_variable || place.offending.token != Token::OpenParen ||
         place.previous.token != Token::Identifier || !place.expects(Token::Semicolon)) {
-        return false;
+        return kDone;
     }
     lost_names_.emplace_back(file_.spelling(place.previous));
     file_.sink.report(diag::DeclarationInside, file_.range(place.previous))
         .arg("the function " + quoted(place.previous));
-    return true;
+    return kFailed;
 }
 
 /// The variable or cycle whose declaration has this mistake: its name is no second one.
@@ -366,8 +368,8 @@ void Complaints::explain_address_name(const Lexeme& lexeme) {
 }
 
 /// Where a name must stand.
-bool Complaints::explain_name(const Place& place) {
-    if (!place.expects(Token::Identifier) || place.expected.size() > 3) return false;
+Done Complaints::check_name(const Place& place) {
+    if (!place.expects(Token::Identifier) || place.expected.size() > 3) return kDone;
     const Lexeme& offending = place.offending;
     const SourceRange range = file_.range(offending);
     if (is_word(offending.token)) {
@@ -379,14 +381,14 @@ bool Complaints::explain_name(const Place& place) {
             .arg(quoted(place.previous))
             .arg(quoted(offending));
     }
-    return true;
+    return kFailed;
 }
 
 /// Where a value must stand.
-bool Complaints::explain_value(const Place& place) {
-    if (!place.expects(Token::Number) || place.expects(Token::If)) return false;
+Done Complaints::check_value(const Place& place) {
+    if (!place.expects(Token::Number) || place.expects(Token::If)) return kDone;
     if (place.expects(Token::Semicolon) && place.offending.token != Token::Semicolon) {
-        return false;  // the value is not needed
+        return kDone;  // the value is not needed
     }
     const Lexeme& offending = place.offending;
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
@@ -395,28 +397,28 @@ bool Complaints::explain_value(const Place& place) {
     const bool is_next_word = is_word(place.head) && place.previous.end != offending.begin;
     if (is_word(offending.token) && !is_text_meant && !is_next_word) {
         const std::string_view spelled = file_.spelling(offending);
-        if (bad_names_.count(std::string(spelled)) > 0) return true;
+        if (bad_names_.count(std::string(spelled)) > 0) return kFailed;
         auto message = file_.sink.report(diag::WordAsValue, file_.range(offending));
         message.arg(quoted(offending));
         fix_value_of_word(offending, message);
-        return true;
+        return kFailed;
     }
     auto message = file_.sink.report(diag::ValueMissing, gap);
     message.arg(quoted(place.previous));
     if (offending.token == Token::OpenBracket) fix_brackets(place, message);
     else fix_sign(place, message);
-    return true;
+    return kFailed;
 }
 
 /// `G1 Xd Yd Zd;`: words whose values are names without `=`. One or two of them are a point and
 /// another one to the grammar; of more the parser stops at the last.
-bool Complaints::explain_glued_words(const Place& place) {
+Done Complaints::check_glued_words(const Place& place) {
     const auto is_glued = [&](std::size_t i) {
         const Lexeme& lexeme = stream_.lexeme(i);
         return lexeme.token == Token::Identifier &&
                glued_address(dialect_, file_.spelling(lexeme)) > 0;
     };
-    if (!is_word(place.head) || !is_glued(place.index)) return false;
+    if (!is_word(place.head) || !is_glued(place.index)) return kDone;
     for (std::size_t i = place.head_index; i <= place.index; ++i) {
         const Token before = stream_.lexeme(i > 0 ? i - 1 : 0).token;
         const bool is_behind_value = is_word(before) || before == Token::Identifier ||
@@ -429,23 +431,23 @@ bool Complaints::explain_glued_words(const Place& place) {
             .arg('`' + std::string(name.substr(0, letters)) + '`')
             .fix(file_.range(value, value), "=", kValueBehindSign);
     }
-    return true;
+    return kFailed;
 }
 
 /// Where something must end: a statement, brackets, a list.
-bool Complaints::explain_closing(const Place& place) {
+Done Complaints::check_closing(const Place& place) {
     const Lexeme& offending = place.offending;
     const SourceRange range = file_.range(offending);
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
     if (place.expects(Token::If)) {
         file_.sink.report(diag::StatementMissing, gap).arg(quoted(place.previous));
-        return true;
+        return kFailed;
     }
     if (place.previous.token == Token::Address && place.expects(Token::Assign)) {
         auto report = file_.sink.report(diag::WordWithoutValue, file_.range(place.previous));
         report.arg(quoted(place.previous));
         fix_word_value(place, report);
-        return true;
+        return kFailed;
     }
     const bool is_variable =
         place.head == Token::TypeName || place.head == Token::Const || place.head == Token::Auto;
@@ -456,7 +458,7 @@ bool Complaints::explain_closing(const Place& place) {
                 ? "this declaration"
                 : "this statement";
         file_.sink.report(diag::SemicolonMissing, gap).arg(what).fix(gap, ";", "end it");
-        return true;
+        return kFailed;
     }
     if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::OpenBracket) {
         auto message = file_.sink.report(diag::ArrayBrackets, range);
@@ -473,7 +475,7 @@ bool Complaints::explain_closing(const Place& place) {
                             ' ' + std::string(file_.spelling(place.previous)),
                         "put them behind the type");
         }
-        return true;
+        return kFailed;
     }
     if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::Comma) {
         const std::uint32_t begin = stream_.lexeme(place.head_index).begin;
@@ -486,9 +488,10 @@ bool Complaints::explain_closing(const Place& place) {
             message.fix(range, "; " + std::string(file_.text.substr(begin, end - begin)),
                         "end the declaration and begin another one");
         }
-        return true;
+        return kFailed;
     }
-    return explain_assignment(place) || explain_comma(place);
+    if (!check_assignment(place)) return kFailed;
+    return check_comma(place);
 }
 
 /// `G1 X10 Q=5;`, `Q` being no address of the dialect.
@@ -503,8 +506,8 @@ bool Complaints::is_foreign_word(const Place& place) const {
 }
 
 /// `=` where a value is over.
-bool Complaints::explain_assignment(const Place& place) {
-    if (place.offending.token != Token::Assign) return false;
+Done Complaints::check_assignment(const Place& place) {
+    if (place.offending.token != Token::Assign) return kDone;
     const SourceRange range = file_.range(place.offending);
     if (is_word(place.previous.token)) {
         auto message = file_.sink.report(diag::AddressAsName, file_.range(place.previous));
@@ -513,14 +516,14 @@ bool Complaints::explain_assignment(const Place& place) {
         if (is_declared(name))
             message.fix(file_.range(place.previous), name, "write it in lower case");
         else fix_control_variable(place.previous, message);
-        return true;
+        return kFailed;
     }
     if (is_foreign_word(place)) {
         file_.sink.report(diag::BlockWordUnknown, file_.range(place.previous))
             .arg(file_.spelling(place.previous))
             .arg(dialect_.name())
             .fix(kForeignWord);
-        return true;
+        return kFailed;
     }
     if (place.previous.token == Token::Identifier && is_word(place.head)) {
         // `Y=dZ=5`: the next word right behind a name.
@@ -531,10 +534,10 @@ bool Complaints::explain_assignment(const Place& place) {
             const std::uint32_t at = place.previous.begin + static_cast<std::uint32_t>(end);
             file_.sink.report(diag::AssignmentInValue, range)
                 .fix(file_.range(at, at), " ", "a blank ends the name in front of the next word");
-            return true;
+            return kFailed;
         }
     }
-    if (explain_small_address(place)) return true;
+    if (!check_small_address(place)) return kFailed;
     const auto token_before = [&](std::size_t distance) {
         return place.index < distance ? Token::EndOfFile
                                       : stream_.lexeme(place.index - distance).token;
@@ -549,25 +552,25 @@ bool Complaints::explain_assignment(const Place& place) {
     } else {
         file_.sink.report(diag::AssignmentInValue, range).fix(range, "==", "to compare");
     }
-    return true;
+    return kFailed;
 }
 
 /// `G1 x=10`: an address in small letters is a name, and no word.
-bool Complaints::explain_small_address(const Place& place) {
-    if (place.previous.token != Token::Identifier || !is_word(place.head)) return false;
+Done Complaints::check_small_address(const Place& place) {
+    if (place.previous.token != Token::Identifier || !is_word(place.head)) return kDone;
     const std::string_view name = file_.spelling(place.previous);
     const std::string address = upper_ascii(name);
     if (address == name || is_declared(name) ||
         nc::word_kind(dialect_, address) != nc::WordKind::Address)
-        return false;
+        return kDone;
     const SourceRange word = file_.range(place.previous.begin, place.offending.end);
     file_.sink.report(diag::AssignmentInValue, word)
         .fix(word, address + "=", "words of blocks are written in upper case");
-    return true;
+    return kFailed;
 }
 
 /// Two values, parameters or words in a row.
-bool Complaints::explain_comma(const Place& place) {
+Done Complaints::check_comma(const Place& place) {
     const Token token = place.offending.token;
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
     const bool closes_list =
@@ -579,14 +582,14 @@ bool Complaints::explain_comma(const Place& place) {
         place.expects_only(Token::CloseBrace) || place.expects(Token::Comma);
     if (closes_list && token == Token::Comma) {
         file_.sink.report(diag::ValueMissing, gap).arg(quoted(place.previous));
-        return true;
+        return kFailed;
     }
     if (place.head == Token::Enum && is_word(token)) {
         file_.sink.report(diag::AddressAsName, file_.range(place.offending))
             .arg(quoted(place.offending))
             .fix(file_.range(place.offending), lower_ascii(file_.spelling(place.offending)),
                  "write it in lower case");
-        return true;
+        return kFailed;
     }
     if (place.rule == KadrParser::RuleParameters || place.rule == KadrParser::RuleType) {
         const bool is_first =
@@ -594,7 +597,7 @@ bool Complaints::explain_comma(const Place& place) {
         if (is_first) {
             file_.sink.report(diag::ParameterShape, file_.range(place.offending))
                 .arg(quoted(place.offending));
-            return true;
+            return kFailed;
         }
     }
     const bool begins_item = token == Token::Identifier || token == Token::Number ||
@@ -603,27 +606,27 @@ bool Complaints::explain_comma(const Place& place) {
                              token == Token::OpenValue;
     const bool is_preserved = place.expects(Token::OpenBrace) && is_word(token) &&
                               is_word(place.previous.token) && begins_declaration(place.head);
-    if (!(closes_list && begins_item && place.head != Token::Switch) && !is_preserved) return false;
-    if (explain_name_in_list(place)) return true;
+    if (!(closes_list && begins_item && place.head != Token::Switch) && !is_preserved) return kDone;
+    if (!check_name_in_list(place)) return kFailed;
     file_.sink.report(diag::CommaMissing, gap)
         .arg(quoted(place.previous))
         .arg(quoted(place.offending))
         .fix(gap, ",", "separate them");
-    return true;
+    return kFailed;
 }
 
 /// `drill(to: -5mm, dwell 0.2s)`, `int n 3` among parameters: a name and its value.
-bool Complaints::explain_name_in_list(const Place& place) {
+Done Complaints::check_name_in_list(const Place& place) {
     const Token token = place.offending.token;
     const bool is_value = token == Token::Number || token == Token::Text || token == Token::True ||
                           token == Token::False;
-    if (place.previous.token != Token::Identifier || !is_value || place.index < 2) return false;
+    if (place.previous.token != Token::Identifier || !is_value || place.index < 2) return kDone;
     const Token before = stream_.lexeme(place.index - 2).token;
     const bool is_argument = place.rule == KadrParser::RuleSuffix &&
                              (before == Token::Comma || before == Token::OpenParen) &&
                              !is_declared(file_.spelling(place.previous));
     const bool is_default = place.rule == KadrParser::RuleParameters;
-    if (!is_argument && !is_default) return false;
+    if (!is_argument && !is_default) return kDone;
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
     file_.sink.report(diag::SignMissing, gap)
         .arg(is_argument ? ":" : "=")
@@ -631,7 +634,7 @@ bool Complaints::explain_name_in_list(const Place& place) {
         .fix(gap, is_argument ? ":" : " =",
              is_argument ? "between an argument's name and its value"
                          : "in front of the value of a parameter that is left out");
-    return true;
+    return kFailed;
 }
 
 /// Something stands where a statement or a declaration should begin.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/done.h"
 #include "nc/dialect.h"
 #include "syntax/antlr.h"
 #include "syntax/limits.h"
@@ -106,11 +107,11 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     Place place_of(antlr4::Parser& parser, std::size_t index);
     void complain(antlr4::Parser& parser, std::size_t index);
     void explain(const Place& place);
-    bool explain_number(const Place& place);
-    bool explain_capitals(const Place& place);
+    Done check_number(const Place& place);
+    Done check_capitals(const Place& place);
     std::string form_of_control(std::string_view keyword, std::size_t head) const;
-    bool explain_program_number(const Place& place);
-    bool explain_habit(const Place& place);
+    Done check_program_number(const Place& place);
+    Done check_habit(const Place& place);
     bool is_program_number(const Lexeme& lexeme) const;
     void fix_program_number(const Lexeme& lexeme, DiagnosticBuilder& report) const;
     void fix_call(const Place& place, DiagnosticBuilder& report) const;
@@ -130,24 +131,24 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     std::size_t last_comma(std::size_t index) const;
     void fix_comma_of_loop(const Place& place, DiagnosticBuilder& report) const;
     void fix_brackets(const Place& place, DiagnosticBuilder& report) const;
-    bool explain_glued_words(const Place& place);
+    Done check_glued_words(const Place& place);
     std::size_t matching(std::size_t open) const;
     std::string round_brackets(std::size_t open) const;
     bool ends_line(std::size_t index) const;
-    bool explain_name(const Place& place);
-    bool explain_value(const Place& place);
-    bool explain_for(const Place& place);
-    bool explain_do(std::size_t index);
-    bool explain_sign(const Place& place);
+    Done check_name(const Place& place);
+    Done check_value(const Place& place);
+    Done check_for(const Place& place);
+    Done check_do(std::size_t index);
+    Done check_sign(const Place& place);
     void fix_include(std::size_t index, DiagnosticBuilder& report) const;
-    bool explain_closing(const Place& place);
-    bool explain_assignment(const Place& place);
+    Done check_closing(const Place& place);
+    Done check_assignment(const Place& place);
     bool is_foreign_word(const Place& place) const;
-    bool explain_name_in_list(const Place& place);
+    Done check_name_in_list(const Place& place);
     bool is_closed_behind(std::size_t last) const;
-    bool explain_small_address(const Place& place);
-    bool explain_comma(const Place& place);
-    bool explain_declaration(const Place& place);
+    Done check_small_address(const Place& place);
+    Done check_comma(const Place& place);
+    Done check_declaration(const Place& place);
     void explain_address_name(const Lexeme& lexeme);
     void explain_start(antlr4::Parser& parser);
     void lose_names(std::size_t index);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/diagnostics/syntax.h"
+#include "base/done.h"
 #include "syntax/habits.h"
 #include "syntax/keyword.h"
 #include "syntax/token_kinds.h"
@@ -34,7 +35,7 @@ class Statements {
     bool is_loop_head() const;
     bool ends_do() const;
     bool may_be_element() const;
-    bool leave_out();
+    Done require_own_statement();
     const Keyword* form_of_control() const;
     bool is_unended() const;
     bool is_other_statement(const Habit& habit) const;
@@ -66,7 +67,7 @@ std::vector<Lexeme> Statements::run() {
             out_.push_back(in_[i_]);
             continue;
         }
-        if (leave_out()) continue;
+        if (!require_own_statement()) continue;
         const Keyword* keyword = keyword_in_capitals();
         Lexeme lexeme = in_[i_];
         if (keyword != nullptr && is_keyword_here(*keyword)) {
@@ -203,9 +204,9 @@ bool Statements::may_be_element() const {
 }
 
 /// The statement of a control that begins here: it is told, and left out to the end of its line.
-bool Statements::leave_out() {
+Done Statements::require_own_statement() {
     // `n = 2; ENDIF`: a word alone behind another statement as well.
-    if ((!is_first_of_line() && !ends_line(i_)) || may_be_element()) return false;
+    if ((!is_first_of_line() && !ends_line(i_)) || may_be_element()) return kDone;
     const Lexeme& first = in_[i_];
     const std::size_t last = line_end(i_);
     if (const Keyword* keyword = form_of_control()) {
@@ -216,7 +217,7 @@ bool Statements::leave_out() {
             .fix(form_of_statement(keyword->name, jumps));
     } else {
         const Habit* habit = habit_of(file_.spelling(first));
-        if (habit == nullptr || !is_other_statement(*habit)) return false;
+        if (habit == nullptr || !is_other_statement(*habit)) return kDone;
         file_.sink.report(diag::ForeignStatement, file_.range(first))
             .arg(file_.spelling(first))
             .fix(std::string(habit->hint));
@@ -232,7 +233,7 @@ bool Statements::leave_out() {
     }
     end.is_repair = true;
     out_.push_back(end);
-    return true;
+    return kFailed;
 }
 
 /// `IF [#1 EQ 5] GOTO 10`, `WHILE [n LT 7] DO1;`, and a line without `;` and body, `FOR n=1 TO 5`

@@ -5,6 +5,7 @@
 
 #include "base/allow.h"
 #include "base/diagnostics/syntax.h"
+#include "base/done.h"
 #include "base/text.h"
 #include "base/unicode.h"
 #include "syntax/antlr.h"
@@ -81,7 +82,7 @@ class Lexing {
            std::vector<Comment>& comments)
         : file_(file), keywords_(keywords), limit_(limit), comments_(comments) {}
 
-    bool run(std::uint32_t begin, std::uint32_t end);
+    Done run(std::uint32_t begin, std::uint32_t end);
     std::vector<Lexeme> take() { return std::move(out_); }
     /// Whether something that is not closed swallowed the rest of the file.
     bool is_cut() const { return is_cut_; }
@@ -101,13 +102,13 @@ class Lexing {
     void take_token(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
     void comment(std::uint32_t begin, std::uint32_t end);
     void include(std::uint32_t begin, std::uint32_t end, Reading& reading);
-    bool explain_inch(std::uint32_t at);
+    Done require_no_inch_sign(std::uint32_t at);
     void text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
     void raw_text(std::uint32_t begin, Reading& reading);
     void unknown(std::uint32_t begin, std::uint32_t end, Reading& reading);
-    bool control_variable(std::uint32_t begin, std::uint32_t end, Reading& reading);
-    bool system_variable(std::uint32_t begin, std::uint32_t end, Reading& reading);
-    bool directive(std::uint32_t begin, std::uint32_t end, Reading& reading);
+    Done require_no_control_variable(std::uint32_t begin, std::uint32_t end, Reading& reading);
+    Done require_no_system_variable(std::uint32_t begin, std::uint32_t end, Reading& reading);
+    Done require_no_directive(std::uint32_t begin, std::uint32_t end, Reading& reading);
     bool is_raw(const Lexeme& lexeme) const;
     void push(Token token, std::uint32_t begin, std::uint32_t end, TextId content = {});
 
@@ -121,7 +122,7 @@ class Lexing {
     std::uint32_t unknown_end_ = UINT32_MAX;  // of the last unknown character
 };
 
-bool Lexing::run(std::uint32_t begin, std::uint32_t end) {
+Done Lexing::run(std::uint32_t begin, std::uint32_t end) {
     antlr4::ANTLRInputStream input(std::string(file_.text.substr(begin, end - begin)));
     KadrLexer lexer(&input);
     lexer.removeErrorListeners();
@@ -129,13 +130,13 @@ bool Lexing::run(std::uint32_t begin, std::uint32_t end) {
     Reading reading{lexer, input, cursor, end};
     while (true) {
         const std::unique_ptr<antlr4::Token> token = lexer.nextToken();
-        if (token->getType() == antlr4::Token::EOF) return true;
-        if (limit_.is_full()) return false;
-        if (out_.size() % kSlice == kSlice - 1 && limit_.is_late()) return false;
+        if (token->getType() == antlr4::Token::EOF) return kDone;
+        if (limit_.is_full()) return kFailed;
+        if (out_.size() % kSlice == kSlice - 1 && limit_.is_late()) return kFailed;
         if (out_.size() >= kMaxLexemes) {
             const std::uint32_t place = cursor.byte_of(token->getStartIndex());
             file_.sink.report(diag::FileTooLong, file_.range(place, place + 1));
-            return false;
+            return kFailed;
         }
         const std::uint32_t first = cursor.byte_of(token->getStartIndex());
         const std::uint32_t last = cursor.byte_of(token->getStopIndex() + 1);
@@ -206,15 +207,15 @@ void Lexing::include(std::uint32_t begin, std::uint32_t end, Reading& reading) {
 }
 
 /// `5"`: the sign of inches right behind a number. What begins there is no text.
-bool Lexing::explain_inch(std::uint32_t at) {
-    if (out_.empty()) return false;
+Done Lexing::require_no_inch_sign(std::uint32_t at) {
+    if (out_.empty()) return kDone;
     Lexeme& number = out_.back();
     // `X5` is put together later.
     const bool is_word = number.token == Token::Identifier && file_.text[at - 1] >= '0' &&
                          file_.text[at - 1] <= '9' && file_.text[number.begin] >= 'A' &&
                          file_.text[number.begin] <= 'Z';
     const bool is_number = number.token == Token::Number && number.unit == Unit::None;
-    if ((!is_number && !is_word) || number.end != at || file_.text[at] != '"') return false;
+    if ((!is_number && !is_word) || number.end != at || file_.text[at] != '"') return kDone;
     std::uint32_t begin = number.begin;  // of `X5.5` it is that of `.5`
     if (out_.size() > 1 && out_[out_.size() - 2].end == begin && file_.text[begin] == '.')
         begin = out_[out_.size() - 2].begin;
@@ -223,12 +224,14 @@ bool Lexing::explain_inch(std::uint32_t at) {
         .arg('`' + std::string(file_.text.substr(begin, at - begin)) + '`')
         .fix(file_.range(at, at + 1), "in", "inches are `in`");
     if (is_number) number.unit = Unit::Inch;
-    return true;
+    return kFailed;
 }
 
 void Lexing::text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading) {
-    const auto lex_piece = [this](std::uint32_t from, std::uint32_t to) { run(from, to); };
-    if (explain_inch(begin)) return reading.go_on_at(begin + 1);
+    const auto lex_piece = [this](std::uint32_t from, std::uint32_t to) {
+        (void)run(from, to);  // what was lexed until a limit is there
+    };
+    if (!require_no_inch_sign(begin)) return reading.go_on_at(begin + 1);
     if (token == Token::TextWrongQuotes) {
         // The quotes are one character each, of one to three bytes.
         std::uint32_t first = begin + 1;
@@ -296,7 +299,7 @@ static const char* sign_of_keyboard(std::string_view typeset) {
 }
 
 /// `#define N 3` and its like: the line is left out.
-bool Lexing::directive(std::uint32_t begin, std::uint32_t end, Reading& reading) {
+Done Lexing::require_no_directive(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     const std::size_t line_end = std::min(file_.text.find('\n', end), file_.text.size());
     const std::string_view line = file_.text.substr(end, line_end - end);
     constexpr std::string_view kWords[] = {"define", "undef", "ifdef", "ifndef", "if",     "elif",
@@ -304,34 +307,34 @@ bool Lexing::directive(std::uint32_t begin, std::uint32_t end, Reading& reading)
     const std::size_t size =
         std::min(line.find_first_not_of("abcdefghijklmnopqrstuvwxyz"), line.size());
     const std::string_view word = line.substr(0, size);
-    if (std::ranges::find(kWords, word) == std::end(kWords)) return false;
+    if (std::ranges::find(kWords, word) == std::end(kWords)) return kDone;
     file_.sink.report(diag::HashSign, file_.range(begin, end + static_cast<std::uint32_t>(size)))
         .fix(word == "define"   ? "a constant is `const int n = 3;`, what has parameters a function"
              : word == "pragma" ? "leave it out: a file is imported once"
                                 : "there is no preprocessor: `if` decides when the program runs");
     reading.go_on_at(static_cast<std::uint32_t>(line_end));
-    return true;
+    return kFailed;
 }
 
 /// `#1`, a variable of a control: the number is part of it.
-bool Lexing::control_variable(std::uint32_t begin, std::uint32_t end, Reading& reading) {
+Done Lexing::require_no_control_variable(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     std::uint32_t past = end;
     while (past < reading.end && file_.text[past] >= '0' && file_.text[past] <= '9') ++past;
-    if (past == end) return false;
+    if (past == end) return kDone;
     const std::string number(file_.text.substr(end, past - end));
     file_.sink.report(diag::HashSign, file_.range(begin, past))
         .fix("a variable is declared with its type and a name in small letters: `real v" + number +
              " = 0;`, `length depth = 5mm;`");
     reading.go_on_at(past);
     unknown_end_ = past;
-    return true;
+    return kFailed;
 }
 
 /// `$AA_IM[X]`, a variable of a control: its name and its index are part of it.
-bool Lexing::system_variable(std::uint32_t begin, std::uint32_t end, Reading& reading) {
+Done Lexing::require_no_system_variable(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     constexpr std::string_view kName = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
     std::size_t past = std::min(file_.text.find_first_not_of(kName, end), file_.text.size());
-    if (past == end) return false;
+    if (past == end) return kDone;
     if (past < reading.end && file_.text[past] == '[') {
         const std::size_t close = file_.text.find_first_of("]\n", past);
         if (close < reading.end && file_.text[close] == ']') past = close + 1;
@@ -344,7 +347,7 @@ bool Lexing::system_variable(std::uint32_t begin, std::uint32_t end, Reading& re
             "`state.tool`, and `raw` passes any text");
     reading.go_on_at(last);
     unknown_end_ = last;
-    return true;
+    return kFailed;
 }
 
 void Lexing::unknown(std::uint32_t begin, std::uint32_t end, Reading& reading) {
@@ -355,11 +358,11 @@ void Lexing::unknown(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     if (continues) return;
     const std::string_view spelled = file_.text.substr(begin, end - begin);
     if (spelled == "#") {
-        if (directive(begin, end, reading)) return;
-        if (control_variable(begin, end, reading)) return;
+        if (!require_no_directive(begin, end, reading)) return;
+        if (!require_no_control_variable(begin, end, reading)) return;
         file_.sink.report(diag::HashSign, file_.range(begin, end));
     } else {
-        if (spelled == "$" && system_variable(begin, end, reading)) return;
+        if (spelled == "$" && !require_no_system_variable(begin, end, reading)) return;
         auto report = file_.sink.report(diag::UnknownCharacter, file_.range(begin, end));
         report.arg(spelled);
         const char* meant = sign_of_keyboard(spelled);

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "base/diagnostics/syntax.h"
+#include "base/done.h"
 #include "base/unicode.h"
 #include "syntax/brackets.h"
 #include "syntax/habits.h"
@@ -51,7 +52,7 @@ class Retyping {
     void end_forgotten_statement();
     bool is_lone_type() const;
     const char* head_text() const;
-    bool control_comment();
+    Done require_no_control_comment();
     std::optional<std::size_t> bracket_comment() const;
     std::optional<std::size_t> line_comment();
     bool is_prose(std::size_t first, std::size_t last) const;
@@ -76,7 +77,9 @@ class Retyping {
     void push(Lexeme lexeme, Token token);
 
     const Keyword* keyword_of(const Lexeme& lexeme);
-    bool is_declared_operator(std::size_t i, const Keyword& keyword);
+    bool declares_operator(std::size_t i, const Keyword& keyword);
+    bool is_wrong_name(std::size_t i, const Keyword& keyword) const;
+    void report_operator_name(std::size_t i, const Keyword& keyword);
     const Lexeme& at(std::size_t i) const { return in_[i < in_.size() ? i : in_.size() - 1]; }
     Token next() const { return at(i_ + 1).token; }
     Token previous() const { return out_.empty() ? Token::EndOfFile : out_.back().token; }
@@ -104,7 +107,11 @@ std::optional<Prepared> Retyping::run() {
     for (std::size_t i = 0; i < in_.size(); ++i) {  // words for brackets and operators
         const Keyword* keyword = keyword_of(in_[i]);
         if (keyword == nullptr || keyword->place != Keyword::Place::Operator) continue;
-        if (is_declared_operator(i, *keyword)) continue;
+        if (declares_operator(i, *keyword)) {
+            report_operator_name(i, *keyword);
+            continue;
+        }
+        if (is_wrong_name(i, *keyword)) continue;
         in_[i].token = keyword->token;
     }
     for (i_ = 0; in_[i_].token != Token::EndOfFile; ++i_) {
@@ -123,7 +130,7 @@ void Retyping::step() {
     const Lexeme& lexeme = in_[i_];
     mend_before();
     end_forgotten_statement();
-    if (control_comment()) return;
+    if (!require_no_control_comment()) return;
     if (at_start_) begin_statement();
     switch (lexeme.token) {
         case Token::Identifier: return name();
@@ -360,15 +367,15 @@ std::optional<std::size_t> Retyping::line_comment() {
 }
 
 /// A comment as controls write it: it is told, and left out.
-bool Retyping::control_comment() {
+Done Retyping::require_no_control_comment() {
     const bool is_bracket = at(i_).token == Token::OpenParen;
-    if (!brackets_.is_statement_level() || (out_.empty() && !is_bracket)) return false;
+    if (!brackets_.is_statement_level() || (out_.empty() && !is_bracket)) return kDone;
     const bool is_behind_words =
         !at_start_ && head_ == Head::Words && may_end_value(previous()) && !ends_line(i_ - 1);
     std::optional<std::size_t> last;
     if (is_bracket && (at_start_ || is_behind_words)) last = bracket_comment();
     else if (!is_bracket && at_start_) last = line_comment();
-    if (!last) return false;
+    if (!last) return kDone;
     const std::uint32_t begin = is_bracket ? at(i_).begin : at(i_ - 1).begin;
     const bool is_own_sign = !is_bracket && i_ >= 2 && !ends_line(i_ - 2);  // it ends the block
     const std::string_view comment = file_.text.substr(begin, at(*last).end - begin);
@@ -382,14 +389,14 @@ bool Retyping::control_comment() {
         .arg(comment)
         .fix(file_.range(from, at(*last).end), mended, "a comment begins with `//`");
     i_ = *last;
-    if (!ends_block) return true;
+    if (!ends_block) return kFailed;
     Lexeme semicolon;
     semicolon.token = Token::Semicolon;
     semicolon.is_repair = true;
     semicolon.begin = semicolon.end = from;
     out_.push_back(semicolon);
     end_statement();
-    return true;
+    return kFailed;
 }
 
 void Retyping::open_paren(Lexeme lexeme) {
@@ -433,9 +440,8 @@ void Retyping::open_brace(Lexeme lexeme) {
     at_start_ = true;
 }
 
-/// `całkowita i = 0`, where `i` is the word for `&&`: told once, then a name where no operator can
-/// stand, so that the mistake is one message.
-bool Retyping::is_declared_operator(std::size_t i, const Keyword& keyword) {
+/// `całkowita i = 0`, where `i` is the word for `&&`.
+bool Retyping::declares_operator(std::size_t i, const Keyword& keyword) {
     if (keyword.token == Token::Not) return false;
     const Keyword* before = i > 0 ? keyword_of(in_[i - 1]) : nullptr;
     const bool is_behind_type = before != nullptr && (before->place == Keyword::Place::Type ||
@@ -444,17 +450,21 @@ bool Retyping::is_declared_operator(std::size_t i, const Keyword& keyword) {
     const bool ends_name = after == Token::Assign || after == Token::Semicolon ||
                            after == Token::Comma || after == Token::CloseParen ||
                            after == Token::Colon;
-    const bool is_told = wrong_names_.contains(in_[i].text.index);
-    if ((is_behind_type && ends_name) || after == Token::Assign) {
-        if (!is_told) {
-            wrong_names_.insert(in_[i].text.index);
-            file_.sink.report(diag::KeywordAsName, file_.range(in_[i]))
-                .arg("`" + std::string(file_.texts.text(in_[i].text)) + "`")
-                .note("in this keyword language it means `" + std::string(keyword.name) + '`');
-        }
-        return true;
-    }
-    return is_told && (i == 0 || !may_end_value(in_[i - 1].token));
+    return (is_behind_type && ends_name) || after == Token::Assign;
+}
+
+/// Whether the word was declared before and stands where no operator can: it is a name there, so
+/// that the mistake is one message.
+bool Retyping::is_wrong_name(std::size_t i, const Keyword& keyword) const {
+    return keyword.token != Token::Not && wrong_names_.contains(in_[i].text.index) &&
+           (i == 0 || !may_end_value(in_[i - 1].token));
+}
+
+void Retyping::report_operator_name(std::size_t i, const Keyword& keyword) {
+    if (!wrong_names_.insert(in_[i].text.index).second) return;
+    file_.sink.report(diag::KeywordAsName, file_.range(in_[i]))
+        .arg("`" + std::string(file_.texts.text(in_[i].text)) + "`")
+        .note("in this keyword language it means `" + std::string(keyword.name) + '`');
 }
 
 const Keyword* Retyping::keyword_of(const Lexeme& lexeme) {

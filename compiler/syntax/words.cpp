@@ -78,6 +78,9 @@ std::string with_digits(std::string_view name, const IsAddress& is_address) {
     return word == name ? "" : word;
 }
 
+/// Whether what stands here was of the kind that was tried, and is in the output.
+enum class Match : std::uint8_t { None, Taken };
+
 class Merging {
   public:
     Merging(const SourceFile& file, const std::vector<Lexeme>& in, const WordKindOf& kind_of)
@@ -88,12 +91,12 @@ class Merging {
   private:
     void number();
     void identifier();
-    bool comma_word();
-    bool compact_words(std::string_view identifier);
+    Match take_comma_word();
+    Match take_compact_words(std::string_view identifier);
     void word(Lexeme word, std::string_view number, std::string_view rest);
-    bool lookalike(const Lexeme& identifier);
-    bool letter_for_digit(const Lexeme& identifier);
-    bool lowercase_word(const Lexeme& identifier);
+    Match take_lookalike(const Lexeme& identifier);
+    Match take_letter_for_digit(const Lexeme& identifier);
+    Match take_lowercase_word(const Lexeme& identifier);
     bool is_lowercase_word(std::size_t i);
     bool is_lowercase_address(std::size_t i);
     std::pair<SourceRange, std::string> upper_block(std::size_t first);
@@ -148,7 +151,7 @@ std::vector<Lexeme> Merging::run() {
             number();
         } else if (lexeme.token == Token::Identifier) {
             identifier();
-        } else if (lexeme.token == Token::Comma && comma_word()) {
+        } else if (lexeme.token == Token::Comma && take_comma_word() == Match::Taken) {
             continue;
         } else {
             if (lexeme.token == Token::Semicolon) is_lowercase_block_ = false;
@@ -324,9 +327,10 @@ void Merging::identifier() {
     const Lexeme lexeme = in_[i_++];
     const std::string_view name = file_.spelling(lexeme);
     const bool is_member = !out_.empty() && out_.back().token == Token::Dot;
-    if (is_member || lookalike(lexeme) || letter_for_digit(lexeme) || lowercase_word(lexeme)) {
-        if (is_member) out_.push_back(lexeme);
-        return;
+    if (is_member) return out_.push_back(lexeme);
+    for (const auto take : {&Merging::take_lookalike, &Merging::take_letter_for_digit,
+                            &Merging::take_lowercase_word}) {
+        if ((this->*take)(lexeme) == Match::Taken) return;
     }
     const Token next = at(i_).token;
     const nc::WordKind kind = kind_of(name);
@@ -357,7 +361,7 @@ void Merging::identifier() {
             made.text = file_.texts.intern(s.address);
             return word(made, s.digits, s.rest);
         }
-        if (compact_words(name)) return;
+        if (take_compact_words(name) == Match::Taken) return;
     }
     // `G1 X5. E5.`: the point belongs to the number of a word that the dialect does not have.
     const bool is_foreign = !s.address.empty() && !s.digits.empty() && s.rest.empty();
@@ -369,14 +373,14 @@ void Merging::identifier() {
 }
 
 /// `,C2.` and `,R2.`: addresses that begin with a comma, behind other words.
-bool Merging::comma_word() {
+Match Merging::take_comma_word() {
     const Lexeme& comma = at(i_);
     const Lexeme& next = at(i_ + 1);
     if (depth_ > 0 || !is_in_block() || next.token != Token::Identifier || next.begin != comma.end)
-        return false;
+        return Match::None;
     const Spelling s = take_apart(file_.spelling(next));
     const std::string address = ',' + std::string(s.address);
-    if (s.address.empty() || kind_of_(address) != nc::WordKind::Address) return false;
+    if (s.address.empty() || kind_of_(address) != nc::WordKind::Address) return Match::None;
     Lexeme made = next;
     made.begin = comma.begin;
     made.text = file_.texts.intern(address);
@@ -388,7 +392,7 @@ bool Merging::comma_word() {
     } else {
         word(made, number, s.rest);
     }
-    return true;
+    return Match::Taken;
 }
 
 /// `X` with a number behind it: `X-5.25`, `X+30`, `X.5`, `X -5`.
@@ -435,14 +439,14 @@ void Merging::word(Lexeme word, std::string_view number, std::string_view rest) 
 
 /// `G0X10Y20`: one-letter addresses with their digits, without blanks. The last one may still wait
 /// for its number: `G1X` `-5`.
-bool Merging::compact_words(std::string_view identifier) {
+Match Merging::take_compact_words(std::string_view identifier) {
     std::vector<std::string_view> pieces;
     for (std::string_view left = identifier; !left.empty();) {
         const Spelling s = take_apart(left);
         const bool is_last = s.address.size() + s.digits.size() == left.size();
         if (s.address.size() != 1 || kind_of(s.address) != nc::WordKind::Address ||
             (s.digits.empty() && !is_last)) {
-            return false;
+            return Match::None;
         }
         pieces.push_back(left.substr(0, s.address.size() + s.digits.size()));
         left = s.rest;
@@ -464,49 +468,49 @@ bool Merging::compact_words(std::string_view identifier) {
             finish_word(made, take_apart(piece));
         }
     }
-    return true;
+    return Match::Taken;
 }
 
 /// `М3` with a Cyrillic letter. Only where a word must stand: elsewhere it is a good name.
-bool Merging::lookalike(const Lexeme& identifier) {
+Match Merging::take_lookalike(const Lexeme& identifier) {
     const std::string_view name = file_.spelling(identifier);
     const std::string latin = latin_skeleton(name);
-    if (latin.size() == name.size()) return false;
+    if (latin.size() == name.size()) return Match::None;
     const Spelling s = take_apart(latin);
-    if (kind_of(s.address) != nc::WordKind::Address || !s.rest.empty()) return false;
+    if (kind_of(s.address) != nc::WordKind::Address || !s.rest.empty()) return Match::None;
     const Token next = at(i_).token;
     const bool ends =
         next == Token::Semicolon || next == Token::Identifier || next == Token::Number;
     const bool fits = s.digits.empty()
                           ? is_in_block() && (next == Token::Assign || next == Token::Minus)
                           : ends && (is_start() || is_in_block());
-    if (!fits) return false;
+    if (!fits) return Match::None;
     file_.sink.report(diag::LookalikeLetter, file_.range(identifier))
         .arg(name)
         .arg(latin)
         .fix(file_.range(identifier), latin, "use Latin letters");
     finish_word(identifier, s);
-    return true;
+    return Match::Taken;
 }
 
 /// `GO X5;` with the letter O: no statement begins with a name in front of a word. Behind other
 /// words it may be a point.
-bool Merging::letter_for_digit(const Lexeme& identifier) {
+Match Merging::take_letter_for_digit(const Lexeme& identifier) {
     const Lexeme& next = at(i_);
     const bool is_before_word = is_start() && next.token == Token::Identifier &&
                                 is_word(file_.spelling(next)) &&
                                 !file_.crosses_line(identifier.end, next.begin);
-    if (!is_before_word) return false;
+    if (!is_before_word) return Match::None;
     const std::string_view name = file_.spelling(identifier);
     const std::string word = with_digits(
         name, [&](std::string_view address) { return kind_of(address) == nc::WordKind::Address; });
-    if (word.empty()) return false;
+    if (word.empty()) return Match::None;
     file_.sink.report(diag::LetterForDigit, file_.range(identifier))
         .arg(name)
         .arg(word)
         .fix(file_.range(identifier), word, "write digits");
     finish_word(identifier, take_apart(word));
-    return true;
+    return Match::Taken;
 }
 
 /// The word that an identifier would be if it were spelled as `spelling`.
@@ -555,7 +559,7 @@ std::pair<SourceRange, std::string> Merging::upper_block(std::size_t first) {
 }
 
 /// `g1 x10;` at the start of a statement: nobody means a variable `x10` of type `g1`.
-bool Merging::lowercase_word(const Lexeme& identifier) {
+Match Merging::take_lowercase_word(const Lexeme& identifier) {
     const std::size_t own = i_ - 1;
     const std::string upper = upper_ascii(file_.spelling(identifier));
     if (!is_lowercase_block_) {
@@ -566,17 +570,17 @@ bool Merging::lowercase_word(const Lexeme& identifier) {
             is_start() && is_lowercase_word(own) &&
             (at(i_).token == Token::Semicolon || is_lowercase_word(i_) || is_before_word ||
              (is_lowercase_address(i_) && at(i_ + 1).token != Token::Assign));
-        if (!fits) return false;
+        if (!fits) return Match::None;
         is_lowercase_block_ = true;
         const auto [range, block] = upper_block(own);
         file_.sink.report(diag::LowercaseWord, file_.range(identifier))
             .arg(upper)
             .fix(range, block, "write it in upper case");
     } else if (!is_lowercase_word(own) && !is_lowercase_address(own)) {
-        return false;
+        return Match::None;
     }
     finish_word(identifier, take_apart(upper));
-    return true;
+    return Match::Taken;
 }
 
 }  // namespace
