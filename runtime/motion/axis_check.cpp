@@ -39,18 +39,19 @@ AxisCheck::AxisCheck(const machine::Machine& machine, const AxisTable& axes,
 
 AxisCheck::Answer AxisCheck::check(const path::Command& command, const Segment& piece,
                                    double length) {
-    if (!has_all_axes(command, piece, length)) return Answer::Impossible;
+    if (!require_all_axes(command, piece, length)) return Answer::Impossible;
     reached_ = axes_.travel(piece, length);
-    return keeps_limits(command, reached_) ? Answer::Possible : Answer::Beyond;
+    return require_limits(command, reached_) ? Answer::Possible : Answer::Beyond;
 }
 
-bool AxisCheck::has_all_axes(const path::Command& command, const Segment& piece, double length) {
+Done AxisCheck::require_all_axes(const path::Command& command, const Segment& piece,
+                                 double length) {
     // Linear axes and followers may move, nothing else does.
     auto missing = static_cast<AxisMask>(missing_mask_ & (kLinearXYZ | piece.followers));
     // What has no axis of its own there is the matter of a rotary one.
     if (piece.virtual_axes.turns())
         missing = static_cast<AxisMask>(missing & ~bit(piece.virtual_axes.virtual_axis()));
-    if (missing == 0) return true;
+    if (missing == 0) return kDone;
     const path::Box box = path::bounds(piece.curve);  // an arc may come back to where it began
     bool has_all = true;
     for (const Axis axis : missing_) {
@@ -61,36 +62,34 @@ bool AxisCheck::has_all_axes(const path::Command& command, const Segment& piece,
             i < 3 ? box.upper[k] - box.lower[k] : std::abs(piece.follower_rate[i - 3]) * length;
         if (way <= kStill) continue;
         has_all = false;
-        if (is_reported_[i]) continue;
-        is_reported_[i] = true;
+        if (!told_.is_first_missing(i)) continue;
         report(sink_, diag::AxisNotOnMachine, {command.line, command.source, axis},
                options_.place_of)
             .arg(kAxisNames[i])
             .arg(machine_.name);
     }
-    return has_all;
+    return Done(has_all);
 }
 
-bool AxisCheck::keeps_limits(const path::Command& command, const AxisTable::Travel& reached) {
+Done AxisCheck::require_limits(const path::Command& command, const AxisTable::Travel& reached) {
     bool keeps_all = true;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const machine::MachineAxis& axis = machine_.axes[i];
         const bool above = reached.upper[i] > axis.upper + kLimitTolerance;
         const bool below = reached.lower[i] < axis.lower - kLimitTolerance;
         if (!above && !below) {
-            is_outside_[i] = false;
+            told_.forget_outside(i);
             continue;
         }
         keeps_all = false;
-        if (is_outside_[i]) continue;
-        is_outside_[i] = true;
+        if (!told_.is_first_outside(i)) continue;
         report(sink_, diag::AxisBeyondLimit, {command.line, command.source, axis.axis},
                options_.place_of)
             .arg(axis.name)
             .arg(shown(axis, above ? reached.upper[i] : reached.lower[i]))
             .arg(shown(axis, above ? axis.upper : axis.lower));
     }
-    return keeps_all;
+    return Done(keeps_all);
 }
 
 void AxisCheck::widen_travel() {

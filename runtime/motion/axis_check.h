@@ -6,14 +6,29 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/done.h"
 #include "machine/machine.h"
 #include "motion/axis_table.h"
 #include "motion/pipeline.h"
 
 namespace kadr::motion {
+
+/// What has been told of the axes: that one is missing is told once, that one is outside of its
+/// limits again when it has been back.
+class ToldAxes {
+  public:
+    bool is_first_missing(std::size_t logical) { return !std::exchange(missing_[logical], true); }
+    bool is_first_outside(std::size_t slot) { return !std::exchange(outside_[slot], true); }
+    void forget_outside(std::size_t slot) { outside_[slot] = false; }
+
+  private:
+    std::array<bool, kAxes> missing_{};  // per logical axis
+    std::array<bool, kAxes> outside_{};  // per machine axis
+};
 
 class AxisCheck {
   public:
@@ -35,18 +50,17 @@ class AxisCheck {
     const AxisTable::Travel& travel() const { return travel_; }
 
   private:
-    bool has_all_axes(const path::Command& command, const Segment& piece, double length);
-    bool keeps_limits(const path::Command& command, const AxisTable::Travel& reached);
+    Done require_all_axes(const path::Command& command, const Segment& piece, double length);
+    Done require_limits(const path::Command& command, const AxisTable::Travel& reached);
 
     const machine::Machine& machine_;
     const AxisTable& axes_;
     const PlannerOptions& options_;
     DiagnosticSink& sink_;
-    std::vector<Axis> missing_;              // logical axes without a machine axis
-    AxisMask missing_mask_ = 0;              // … the same
-    std::array<bool, kAxes> is_reported_{};  // per logical axis: missing, and said
-    std::array<bool, kAxes> is_outside_{};   // per machine axis: said, and not back yet
-    AxisTable::Travel reached_;              // of the piece that was checked last
+    std::vector<Axis> missing_;  // logical axes without a machine axis
+    AxisMask missing_mask_ = 0;  // … the same
+    ToldAxes told_;
+    AxisTable::Travel reached_;  // of the piece that was checked last
     AxisTable::Travel travel_;
 };
 

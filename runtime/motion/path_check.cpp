@@ -228,12 +228,12 @@ struct PathCheck::State {
         Nearness near;
     };
 
-    bool follow(const Setpoint& setpoint);
+    Done follow(const Setpoint& setpoint);
     bool is_on_plain();
     bool is_next(std::size_t at, const Vec3& tip, double come) const;
     const ProgrammedMotion& motion_at(std::size_t i);
-    bool go_on();
-    bool search();
+    Done go_on();
+    Done search();
     std::optional<Found> find(bool is_thorough, Nearest& nearest);
     std::optional<PathDeviation> left_out_before(std::size_t at);
     void take();
@@ -328,19 +328,19 @@ void PathCheck::State::fail_near(const Waiting& waiting, const Nearness& near) {
     else deviation = deviation_of(PathFault::Followers, waiting, near.off, near.off_allowed);
 }
 
-bool PathCheck::State::follow(const Setpoint& next) {
+Done PathCheck::State::follow(const Setpoint& next) {
     setpoint = &next;
     time = next.time;
     is_tool_known = false;
-    if (motions.empty()) return true;  // nothing has moved yet
-    if (is_on_plain()) return true;
-    if (!go_on()) return false;
+    if (motions.empty()) return kDone;  // nothing has moved yet
+    if (is_on_plain()) return kDone;
+    if (!go_on()) return kFailed;
     const ProgrammedMotion& here = motion_at(0);
     before = tool_for(here).tip;
     system_before = here.system;
     feed_before = next.feed;
     has_begun = true;
-    return true;
+    return kDone;
 }
 
 /// On the motion on which the tip was, or one of the next, as far as these are plain; false: that
@@ -399,7 +399,7 @@ const ProgrammedMotion& PathCheck::State::motion_at(std::size_t i) {
 }
 
 /// On the motion on which the tip was, or one of the next.
-bool PathCheck::State::go_on() {
+Done PathCheck::State::go_on() {
     const ProgrammedMotion& here = motion_at(0);
     const StandingTool& there = tool_for(here);
     const double ahead = kLonger * reach() + kBehind * here.tolerance + kLonger * aside;
@@ -407,7 +407,7 @@ bool PathCheck::State::go_on() {
     if (keeps(here, near)) {
         stay(near.place, there.tip);
         const bool may_wait = motions.size() < kMostWaiting;
-        return may_wait || motions.size() == 1 || search();
+        return may_wait || motions.size() == 1 ? kDone : search();
     }
     return search();
 }
@@ -415,7 +415,7 @@ bool PathCheck::State::go_on() {
 /// On one of the next motions, as far as the tip may have come; then also where a motion comes near
 /// once more. That is looked for as well where an end would be left out else: the tip may be on an
 /// earlier motion that has turned back.
-bool PathCheck::State::search() {
+Done PathCheck::State::search() {
     Nearest nearest;
     auto found = find(false, nearest);
     auto left_out = found ? left_out_before(found->at) : std::nullopt;
@@ -425,15 +425,15 @@ bool PathCheck::State::search() {
     }
     if (!found) {
         fail_near(*nearest.motion, nearest.near);
-        return false;
+        return kFailed;
     }
     if (left_out) {
         deviation = left_out;
-        return false;
+        return kFailed;
     }
     if (found->at == 0) stay(found->near.place, tool.tip);
     else leave(found->at, found->near.place);
-    return true;
+    return kDone;
 }
 
 /// The first motion that the tip keeps to; `nearest` is where it is nearest else. Thorough: all of
@@ -492,33 +492,32 @@ void PathCheck::read(const Command& command) {
     if (!state.layer.lay(command, next)) state.laid.pop_back();
 }
 
-bool PathCheck::follow(std::span<const Setpoint> setpoints) {
+Done PathCheck::follow(std::span<const Setpoint> setpoints) {
     State& state = *state_;
-    if (state.deviation) return false;
+    if (state.deviation) return kFailed;
     state.take();
     for (const Setpoint& setpoint : setpoints) {
-        if (!state.follow(setpoint)) return false;
+        if (!state.follow(setpoint)) return kFailed;
     }
-    return true;
+    return kDone;
 }
 
-bool PathCheck::finish() {
+void PathCheck::finish() {
     State& state = *state_;
-    if (state.deviation) return false;
+    if (state.deviation) return;
     state.take();
-    if (state.motions.empty()) return true;
+    if (state.motions.empty()) return;
     Waiting& last = state.motions.back();
     if (!state.has_begun) {
         state.layer.complete(last);
         state.deviation = state.deviation_of(PathFault::End, last, last.length, 0);
-        return false;
+        return;
     }
-    if (last.system != state.system_before) return true;
+    if (last.system != state.system_before) return;
     const double off =
         (end_of(*state.chain, state.motion_at(state.motions.size() - 1)) - state.before).norm();
-    if (off <= last.tolerance) return true;
+    if (off <= last.tolerance) return;
     state.deviation = state.deviation_of(PathFault::End, last, off, last.tolerance);
-    return false;
 }
 
 const std::optional<PathDeviation>& PathCheck::deviation() const { return state_->deviation; }

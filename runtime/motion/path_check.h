@@ -20,6 +20,7 @@
 #include <optional>
 #include <span>
 
+#include "base/done.h"
 #include "machine/machine.h"
 #include "motion/pipeline.h"
 #include "motion/report.h"
@@ -54,12 +55,12 @@ class PathCheck {
     /// tell them.
     void read(const path::Command& command);
 
-    /// The next setpoints, whose commands have all been read. False: one of them, or an earlier
-    /// one, is off.
-    bool follow(std::span<const Setpoint> setpoints);
+    /// The next setpoints, whose commands have all been read; not done if one of them, or an
+    /// earlier one, is off.
+    Done follow(std::span<const Setpoint> setpoints);
 
     /// The last setpoint has been seen, and nothing has kept the motion from its end.
-    bool finish();
+    void finish();
 
     /// The first one; the rest is not looked at.
     const std::optional<PathDeviation>& deviation() const;

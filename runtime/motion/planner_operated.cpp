@@ -124,8 +124,8 @@ bool Planner::State::goes_through() {
     return goes_through_hold(pieces.at(next));
 }
 
-/// Stands until the next event. False: there is none.
-bool Planner::State::wait(Segment& segment) {
+/// Stands until the next event; not done if there is none.
+Done Planner::State::wait(Segment& segment) {
     const Segment& next = pieces.front().segment;
     start.acceleration = 0;
     if (std::isinf(panel.next_time())) {
@@ -137,7 +137,7 @@ bool Planner::State::wait(Segment& segment) {
             .fix(panel.is_held() ? "let cycle start follow at a later time"
                                  : "let an override above 0 % follow at a later time");
         is_stuck = true;
-        return false;
+        return kFailed;
     }
     segment = part_of(next, 0, 0);
     segment.curve = path::Point{path::start(next.curve)};
@@ -152,7 +152,7 @@ bool Planner::State::wait(Segment& segment) {
     totals.time += segment.duration;
     totals.hold_time += segment.duration;
     spindle_angle.pass(segment);
-    return true;
+    return kDone;
 }
 
 // ------------------------------------------------------------------------------ stretches

@@ -7,6 +7,7 @@
 #include <deque>
 #include <optional>
 
+#include "base/done.h"
 #include "motion/axis_table.h"
 #include "motion/long_ramp.h"
 #include "motion/lookahead.h"
@@ -71,7 +72,7 @@ struct Planner::State {
     void deliver(Segment& segment);
     bool must_wait();
     bool goes_through();
-    bool wait(Segment& segment);
+    Done wait(Segment& segment);
     void begin_operated();
     void split_current(double length, double exit_speed);
     void interrupt(const PathMoment& moment);

@@ -169,7 +169,7 @@ void Preparer::State::execute(const Command& command) {
 // ------------------------------------------------------------------------------ standstill
 
 void Preparer::State::set_spindle(const Command& command) {
-    feed_reported = false;
+    told.forget_feed();
     if (command.spindle == path::SpindleMode::Orient) {
         spindle.is_turning = false;
         stand(command, SegmentKind::Orient, machine.orient_time_of(command.spindle_number));
@@ -276,7 +276,7 @@ void Preparer::State::move(const Command& command) {
             if (from > 0) emit_rest(command, segment, length, from);
             else emit_transformed(command, segment, target);
         }
-    } else if (length > 0 && is_possible(command, segment, length)) {
+    } else if (length > 0 && check_axes(command, segment, length)) {
         const double from = round_corner(command, segment, arrival);
         if (!hold(command, segment, arrival, from)) {
             emit_part(command, segment, length, {from, length});
@@ -304,12 +304,12 @@ void Preparer::State::end_command() {
     if (ready > 0) pieces.back(0).segment.ends_command = true;
 }
 
-/// False if the piece has to be left out; the reason has been reported.
-bool Preparer::State::is_possible(const Command& command, const Segment& segment, double length) {
+/// Not done if the piece has to be left out.
+Done Preparer::State::check_axes(const Command& command, const Segment& segment, double length) {
     const AxisCheck::Answer answer = check.check(command, segment, length);
-    if (answer == AxisCheck::Answer::Possible) return true;
+    if (answer == AxisCheck::Answer::Possible) return kDone;
     alarm_raised();
-    return answer == AxisCheck::Answer::Beyond && !has_ended;
+    return Done(answer == AxisCheck::Answer::Beyond && !has_ended);
 }
 
 /// A motion, or what curves around its corners leave of it; `length` is that of the whole.
@@ -435,7 +435,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
                            const Emission& how) {
     if (!how.is_by_law && has_law(command)) return emit_by_law(command, segment, length, how);
     follow_dynamics(command);
-    if (stands_for_ever(command)) return;
+    if (!require_override(command)) return;
     double programmed = programmed_feed(command, segment, length);
     if (has_ended) return;
     double feed = wanted_feed(command, segment, programmed);
@@ -533,11 +533,10 @@ double Preparer::State::programmed_feed(const Command& command, const Segment& s
     const auto feed = path_feed(command, segment, length, spindle, &axes);
     if (feed) return *feed * programmed_override(command);
     const bool no_feed = feed.error() == FeedFault::NoFeed;
-    if (!feed_reported) {
+    if (told.is_first_feed()) {
         report(sink, no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle, command,
                options.place_of);
     }
-    feed_reported = true;
     alarm_raised();
     return kFallbackFeed;
 }

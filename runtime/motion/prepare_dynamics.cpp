@@ -67,15 +67,15 @@ double Preparer::State::feed_override(const path::Command& command) const {
     return is_free ? 1 : options.feed_override * programmed_override(command);
 }
 
-/// Whether the program takes all speed from a motion, which is reported then.
-bool Preparer::State::stands_for_ever(const path::Command& command) {
+/// The program may take all speed from a motion.
+Done Preparer::State::require_override(const path::Command& command) {
     const bool is_rapid = command.op == path::Op::Rapid;
-    if ((is_rapid ? dynamics.rapid : programmed_override(command)) > 0) return false;
+    if ((is_rapid ? dynamics.rapid : programmed_override(command)) > 0) return kDone;
     report(sink, diag::StandsForEver, command, options.place_of)
         .arg("an override of 0 % in the program")
         .fix(is_rapid ? "`OVRRAP=100`, or `OVRA` of the axis above 0" : "`OVR=100`");
     has_alarmed = has_ended = true;
-    return true;
+    return kFailed;
 }
 
 }  // namespace kadr::motion

@@ -62,7 +62,7 @@ void Preparer::State::emit_by_law(const path::Command& command, const Segment& s
     path::Command share = command;
     share.dynamics.front().law = {};
     follow_dynamics(share);
-    if (stands_for_ever(share)) return;
+    if (!require_override(share)) return;
     Emission own = how;
     own.is_by_law = true;
     const auto feed = law_on(command, segment, length);

@@ -12,9 +12,11 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "base/done.h"
 #include "motion/axis_check.h"
 #include "motion/compressor.h"
 #include "motion/prepare.h"
@@ -150,6 +152,19 @@ struct WayPart {
     double to = 0;
 };
 
+/// What a run tells once and not again.
+class ToldOnce {
+  public:
+    /// That a motion has no feed; until the spindle changes.
+    bool is_first_feed() { return !std::exchange(feed_, true); }
+    void forget_feed() { feed_ = false; }
+    bool is_first_thread_corner() { return !std::exchange(thread_corner_, true); }
+
+  private:
+    bool feed_ = false;
+    bool thread_corner_ = false;
+};
+
 struct Preparer::State {
     State(Stream<path::Command>& commands_in, const machine::Machine& machine_in,
           const AxisTable& axes_in, const PlannerOptions& options_in, DiagnosticSink& sink_in,
@@ -171,7 +186,7 @@ struct Preparer::State {
     Piece& emit_stand(const path::Command& command, SegmentKind kind);
 
     void move(const path::Command& command);
-    bool is_possible(const path::Command& command, const Segment& segment, double length);
+    Done check_axes(const path::Command& command, const Segment& segment, double length);
     void emit_part(const path::Command& command, const Segment& whole, double length,
                    const WayPart& part);
     void emit_transformed(const path::Command& command, const Segment& whole,
@@ -182,7 +197,7 @@ struct Preparer::State {
                                         double length);
     /// prepare_virtual.cpp
     void emit_virtual(const path::Command& command, const Segment& whole, Standing::Target& target);
-    bool emit_leg(const path::Command& command, const Segment& leg, double length,
+    Done emit_leg(const path::Command& command, const Segment& leg, double length,
                   path::Vec3& joints);
     void emit_curves(const path::Command& command, const Segment& whole, double length,
                      std::span<const path::Curve> curves);
@@ -239,7 +254,7 @@ struct Preparer::State {
     double jerk_of_bend(std::size_t axis) const;
     double programmed_override(const path::Command& command) const;
     double feed_override(const path::Command& command) const;
-    bool stands_for_ever(const path::Command& command);
+    Done require_override(const path::Command& command);
     /// prepare_feed_course.cpp
     void begin_law(double from, double length);
     bool has_law(const path::Command& command) const;
@@ -300,8 +315,7 @@ struct Preparer::State {
     bool is_drained = false;  // no command is left to read
     bool has_ended = false;
     bool has_alarmed = false;
-    bool feed_reported = false;
-    bool thread_corner_reported = false;
+    ToldOnce told;
     bool is_threading = false;    // the latest motion is a thread …
     bool thread_goes_on = false;  // … that goes on with the one before it
     bool leaves_thread = false;   // the latest motion is none, and the one before it was

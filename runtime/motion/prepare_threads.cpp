@@ -64,8 +64,8 @@ void Preparer::State::meet_spindle(const path::Command& command) {
 void Preparer::State::check_thread_corner(const path::Command& command, const Piece& piece) {
     const double through = std::min(piece.entry_limit, last.speed);
     const double wanted = std::min(piece.speed, last.speed);
-    if (thread_corner_reported || command.cycle != 0 || through >= wanted * kThreadKept) return;
-    thread_corner_reported = true;
+    if (command.cycle != 0 || through >= wanted * kThreadKept) return;
+    if (!told.is_first_thread_corner()) return;
     report(sink, diag::ThreadCorner, command, options.place_of)
         .arg(round_to(100 * through / wanted, 1))
         .fix("a slower spindle loses less; or let the thread run out before it turns");

@@ -306,18 +306,18 @@ void Preparer::State::turn_alone(const Command& command, const Segment& at, Axis
     last.must_stop = true;
 }
 
-/// False if the axes cannot go there, which was reported.
+/// Not done if the axes cannot go there.
 ///
 /// length  of the whole motion, by which its time under inverse time feed is shared out
 /// joints  where they stand at the end
-bool Preparer::State::emit_leg(const Command& command, const Segment& leg, double length,
+Done Preparer::State::emit_leg(const Command& command, const Segment& leg, double length,
                                Vec3& joints) {
     const std::optional<LogicalAxes> end = emit_way(command, leg, length);
-    if (!end) return false;
+    if (!end) return kFailed;
     std::array<double, kFollowers> followers{};
     std::copy(end->begin() + 3, end->end(), followers.begin());
     joints = joints_of(axes.chain(), followers);
-    return true;
+    return kDone;
 }
 
 /// A leg in even parts; where the axes stand at its end, nothing if they cannot go there.
@@ -331,7 +331,7 @@ std::optional<LogicalAxes> Preparer::State::emit_way(const Command& command, con
     const std::vector<Segment> parts =
         even_parts(chain, leg, axes.bounds(), {wanted, tick, as_cells});
     for (const Segment& part : parts) {
-        if (!is_possible(command, part, part.turn.length)) return std::nullopt;
+        if (!check_axes(command, part, part.turn.length)) return std::nullopt;
         if (!has_ended) check.widen_travel();
     }
     Command share = command;
