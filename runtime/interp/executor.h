@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "base/done.h"
 #include "control/frames.h"
 #include "interp/axis_data.h"
 #include "interp/block_actions.h"
@@ -47,6 +48,7 @@
 #include "interp/work_area.h"
 #include "machine/orientation.h"
 #include "machine/path_choice.h"
+#include "nc/effects.h"
 #include "nc/rules.h"
 #include "path/arc.h"
 #include "path/curve.h"
@@ -154,13 +156,22 @@ class Executor {
     void end_of_blocks();
     void end_where_stopped();
     Actions apply_functions(const nc::Block& block);
-    void apply_function(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    Done require_allowed(const nc::Block& block, nc::Function function);
+    void apply(const nc::Block& block, const nc::Effect& effect, Actions& actions);
+    void apply_own(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void set_member(const nc::Block& block, const nc::Effect& effect, Actions& actions);
+    void set_comp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void set_diameter(const nc::Block& block, nc::Function member);
+    void switch_tcp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void select_tool(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void select_edge(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void change_length(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void act_before_motion(const nc::Block& block, const Actions& actions);
     void act_after_motion(const nc::Block& block, const Actions& actions);
 
     // executor.cpp: single functions
     void dwell(const nc::Block& block, const nc::Invocation& invocation);
-    void select_feed_mode(path::FeedMode mode);
+    void select_feed_mode(nc::Function member);
     void set_feed(const nc::Block& block);
     void program_speed(const nc::Block& block);
     void leave_cutting_speed();
@@ -208,7 +219,6 @@ class Executor {
     control::FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
-    bool selects_at_once() const;
     /// M functions that take the machine time, at one side of the block's motion.
     enum class Side : std::uint8_t { Before, Behind };
     bool is_awaited(const nc::Block& block, const nc::Invocation& invocation) const;

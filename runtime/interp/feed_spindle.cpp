@@ -21,12 +21,12 @@ using path::FeedMode;
 using path::Op;
 using path::SpindleMode;
 
-void Executor::select_feed_mode(FeedMode mode) {
-    if (mode != modal_.feed_mode && rules_.feed_deleted_on_mode_change) {
-        modal_.has_feed = false;
-        tooth_feed_ = 0;
-    }
-    modal_.feed_mode = mode;
+void Executor::select_feed_mode(Function member) {
+    const FeedMode before = modal_.feed_mode;
+    modal_.set(member);
+    if (modal_.feed_mode == before || !rules_.feed_deleted_on_mode_change) return;
+    modal_.has_feed = false;
+    tooth_feed_ = 0;
 }
 
 void Executor::set_feed(const Block& block) {

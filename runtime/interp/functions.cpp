@@ -25,21 +25,15 @@ using path::SpindleMode;
 
 Actions Executor::apply_functions(const Block& block) {
     Actions actions;
-    const auto apply = [&](bool is_plane) {
-        for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
-            const Invocation& invocation = block.functions[i];
-            const bool sets_plane = nc::info(invocation.function).group == Group::Plane;
-            if (sets_plane == is_plane) apply_function(block, invocation, actions);
-        }
-    };
-    if (block.find(Function::Rotate) != nullptr) {
-        // A rotation turns in the plane of its block, wherever that is said.
-        apply(true);
-        apply(false);
-        return actions;
-    }
-    for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
-        apply_function(block, block.functions[i], actions);
+    std::uint8_t asked = nc::Effect::kMotionCode;  // the function that was looked at last …
+    bool is_allowed = false;                       // … and whether it may stand here
+    for (const nc::Effect& effect : nc::effects_of(rules_, block, is_lathe_)) {
+        if (ended_) break;
+        if (effect.invocation != asked)
+            is_allowed = static_cast<bool>(require_allowed(block, effect.function));
+        asked = effect.invocation;
+        // The motion code acts in motion.cpp.
+        if (is_allowed && asked != nc::Effect::kMotionCode) apply(block, effect, actions);
     }
     return actions;
 }
@@ -71,106 +65,185 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
     return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != CompSystem::InPlane;
 }
 
-void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
-    if (needs_comp_off(block, invocation.function)) {
-        report(diag::CompFrame, block, invocation.function)
-            .arg(word_of(block, invocation.function));
-        return;
+/// Refuses a function that cannot stand where it does.
+Done Executor::require_allowed(const Block& block, Function function) {
+    if (needs_comp_off(block, function)) {
+        report(diag::CompFrame, block, function).arg(word_of(block, function));
+        return kFailed;
     }
-    if (taps_rigidly_ && !cycle_.blocks && is_other_plane(invocation.function)) {
-        report(diag::TapPlane, block, invocation.function);
-        return;
+    if (taps_rigidly_ && !cycle_.blocks && is_other_plane(function)) {
+        report(diag::TapPlane, block, function);
+        return kFailed;
     }
-    if (cycles_said_.modal.is_active && !cycle_.blocks && !is_lathe_ &&
-        is_other_plane(invocation.function)) {
-        // Another tool axis: along it the holes begin where the tool stands.
-        const Axis tool_axis = invocation.function == Function::PlaneXy   ? Axis::Z
-                               : invocation.function == Function::PlaneZx ? Axis::Y
-                                                                          : Axis::X;
-        cycles_said_.data.initial = position_.here[index(tool_axis)];
-    }
-    if (is_too_late(invocation.function)) {
-        report(diag::FrameInsideRotation, block, invocation.function)
-            .arg(word_of(block, invocation.function))
+    if (is_too_late(function)) {
+        report(diag::FrameInsideRotation, block, function)
+            .arg(word_of(block, function))
             .arg(frames_.is_rotated() || tilting_.is_on ? "rotation" : "scaling");
-        return;
+        return kFailed;
     }
-    if (orienting_.has_length && refuses_under_tcp(block, invocation.function)) return;
-    switch (invocation.function) {
-        case Function::None: break;
-        case Function::Inch:  // lengths have become mm in the reader
-        case Function::Metric: check_units(block, invocation.function); break;
+    return Done(!orienting_.has_length || !refuses_under_tcp(block, function));
+}
 
-        case Function::Rapid:
-        case Function::Line:
-        case Function::ArcCw:
-        case Function::ArcCcw:
-        case Function::TapIn:
-        case Function::TapOut:
-        case Function::Spline:
-        case Function::AkimaSpline:
-        case Function::CubicSpline:
-        case Function::Polynomial:
-        case Function::InvoluteCw:
-        case Function::InvoluteCcw:
-        case Function::ThreadIncreasing:
-        case Function::ThreadDecreasing:
-        case Function::Thread:
-        case Function::ThreadArcCw:
-        case Function::ThreadArcCcw:
-        case Function::PlaneXy:
-        case Function::PlaneZx:
-        case Function::PlaneYz:
-        case Function::Absolute:
-        case Function::Incremental:
-        case Function::ExactStop:
-        case Function::ContinuousPath:
-        case Function::TappingMode:
-        case Function::BlendDistance:
-        case Function::BlendTolerance:
-        case Function::BlendSmooth:
-        case Function::ArcThrough:
-        case Function::ArcTangent:
-            if (nc::info(invocation.function).group == Group::Plane) {
-                change_plane(invocation.function);
-                // Where a tool's lengths act may depend on the plane.
-                tool_.has_changed |= wanted_lengths() != tool_.lengths;
-            }
-            modal_.set(invocation.function);
+/// What an effect does, or that the block asks for it later.
+void Executor::apply(const Block& block, const nc::Effect& effect, Actions& actions) {
+    using Kind = nc::EffectKind;
+    const Invocation& invocation = effect.said_in(block);
+    switch (effect.kind) {
+        case Kind::Sets: set_member(block, effect, actions); break;
+        case Kind::Shift:
+        case Kind::ShiftAdd:
+        case Kind::Rotate:
+        case Kind::Scale:
+        case Kind::Mirror:
+        case Kind::RotateOff:
+        case Kind::ScaleOff:
+        case Kind::MirrorOff:
+        case Kind::SetPosition: apply_frame(block, invocation); break;
+        case Kind::WorkOffset:
+            select_work_offset(
+                block, count_of(block, invocation, parameter_of<Function::WorkOffset>("number")));
+            orienting_.owes_offset = false;
             break;
+        case Kind::WritesOffset: actions.data = &invocation; break;
+        case Kind::CorrectsOffset: use_probed(block, invocation); break;
+        case Kind::EndsTilt: end_tilt(block); break;
+        case Kind::SwitchesTcp: switch_tcp(block, invocation, actions); break;
+        case Kind::SelectsTool: select_tool(block, invocation, actions); break;
+        case Kind::ChangesTool: actions.tool_change = true; break;
+        case Kind::SelectsEdge: select_edge(block, invocation, actions); break;
+        case Kind::ChangesLength: change_length(block, invocation, actions); break;
+        case Kind::SelectsLength:
+            tool_.offset =
+                count_of(block, invocation, parameter_of<Function::LengthOffset>("offset"));
+            if (tool_.source == Tool::Source::Offset)
+                set_length_source(Tool::Source::Offset, actions);
+            break;
+        case Kind::SelectsRadius: set_comp(block, invocation, actions); break;
+        case Kind::EndsProgram: actions.ends = true; break;
+        case Kind::Own: apply_own(block, invocation, actions); break;
+        case Kind::Tilts:
+        case Kind::TurnsAxes:
+        case Kind::TurnsSystem:
+        case Kind::WritesLength:
+        case Kind::LeavesWords:
+        case Kind::GoesToPoint:
+        case Kind::RunsCycle: break;  // how, its own part says: the place of the tool stays known
+    }
+}
 
-        case Function::FeedPerMinute: select_feed_mode(FeedMode::PerMinute); break;
-        case Function::FeedPerRevolution: select_feed_mode(FeedMode::PerRevolution); break;
-        case Function::FeedInverseTime: select_feed_mode(FeedMode::InverseTime); break;
-        case Function::CuttingSpeedOn: spindle_.has_cutting_speed = true; break;
-        case Function::CuttingSpeedOff: leave_cutting_speed(); break;
+/// Roughing works along the programmed shape; where it is followed, it is compensated.
+void Executor::set_comp(const Block& block, const Invocation& invocation, Actions& actions) {
+    if (!keeps_shape()) choose_comp(block, invocation, actions);
+}
+
+/// Another member of a modal group acts.
+void Executor::set_member(const Block& block, const nc::Effect& effect, Actions& actions) {
+    const Function member = effect.function;
+    switch (effect.group()) {
+        case Group::Motion:
+        case Group::Distance:
+        case Group::PathMode: modal_.set(member); break;
+        case Group::Plane: change_plane(member); break;
+        case Group::Units: check_units(block, member); break;  // the reader has made mm of lengths
+        case Group::FeedMode: select_feed_mode(member); break;
+        case Group::SpeedMode:
+            if (member == Function::CuttingSpeedOn) spindle_.has_cutting_speed = true;
+            else leave_cutting_speed();
+            break;
+        case Group::RadiusComp:
+        case Group::CompStart:
+        case Group::CompCorner:
+        case Group::CompCheck:
+        case Group::CompSystem:
+        case Group::CompTurning: set_comp(block, effect.said_in(block), actions); break;
+        case Group::Spindle:
+            if (member == Function::SpindleOrient) break;
+            actions.spindle = member == Function::SpindleCw    ? SpindleMode::Cw
+                              : member == Function::SpindleCcw ? SpindleMode::Ccw
+                                                               : SpindleMode::Stop;
+            break;
+        case Group::Coolant:
+            actions.flood |= member == Function::CoolantFlood;
+            actions.mist |= member == Function::CoolantMist;
+            actions.coolant_off |= member == Function::CoolantOff;
+            break;
+        case Group::CycleReturn:
+            cycles_said_.returns_to_retract = member == Function::CycleReturnRetract;
+            break;
+        case Group::Diameter: set_diameter(block, member); break;
+        case Group::Compressor: choose_smoothing(block, effect.said_in(block)); break;
+        case Group::Turning: orienting_.turning = turn_way_of(member); break;
+        case Group::OrientAngles:
+            orienting_.angles = tool_angles_of(member);
+            if (member == Function::AnglesEuler || member == Function::AnglesZyz)
+                orienting_.euler = orienting_.angles;
+            break;
+        case Group::OrientSystem: orienting_.is_in_base = member == Function::OrientInBase; break;
+        case Group::Spinning: orienting_.spin = spin_from_of(member); break;
+        case Group::Once:
+        case Group::LengthComp:
+        case Group::WorkOffsets:
+        case Group::CycleMode:
+        case Group::Transformation:
+        case Group::DataInput: break;  // the other effects of these functions say it
+    }
+}
+
+void Executor::set_diameter(const Block& block, Function member) {
+    axes_.word_scale[index(Axis::X)] = member == Function::DiameterOff ? 1 : 0.5;
+    diameter_is_absolute_ = member == Function::DiameterAbsolute;
+    if (member != Function::DiameterOff) watch_diameter(block, member);
+}
+
+void Executor::switch_tcp(const Block& block, const Invocation& invocation, Actions& actions) {
+    const Function function = invocation.function;
+    if (nc::info(function).group == Group::LengthComp)
+        return begin_length_transformation(block, invocation, actions);
+    if (function == Function::TcpBased && !has_transformation(block, invocation)) return;
+    if (refuses_beside_carrier(block, function)) return;
+    const bool is_virtual = function == Function::FaceOn || function == Function::CylinderOn ||
+                            function == Function::InclinedOn;
+    if (is_virtual) return begin_virtual(block, invocation);
+    end_virtual(block);
+    if (!ended_) switch_transformation(block, invocation);
+}
+
+void Executor::select_tool(const Block& block, const Invocation& invocation, Actions& actions) {
+    constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
+    tool_.selected = tool_number(block, invocation);
+    if (invocation.function == Function::Tool)
+        return set_length_source(Tool::Source::Edge, actions);
+    if (!invocation.has(kOffset)) return;
+    // The offset of a turret's station has length, radius and tip.
+    tool_.offset = tool_.radius_offset = count_of(block, invocation, kOffset);
+    set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset, actions);
+}
+
+void Executor::select_edge(const Block& block, const Invocation& invocation, Actions& actions) {
+    tool_.edge_called = count_of(block, invocation, parameter_of<Function::ToolEdge>("edge"));
+    if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
+    set_length_source(tool_.edge_called == 0 ? Tool::Source::None : Tool::Source::Edge, actions);
+    if (!keeps_shape()) actions.comp_changed |= comp_.is_on();
+}
+
+void Executor::change_length(const Block& block, const Invocation& invocation, Actions& actions) {
+    constexpr std::size_t kOffset =
+        parameter_of_all<"offset", Function::LengthCompOn, Function::LengthCompMinus>();
+    if (orienting_.has_length) end_length_transformation(actions);
+    if (invocation.function == Function::LengthCompOff)
+        return set_length_source(Tool::Source::None, actions);
+    tool_.is_taken_off = invocation.function == Function::LengthCompMinus;
+    if (invocation.has(kOffset)) tool_.offset = count_of(block, invocation, kOffset);
+    set_length_source(Tool::Source::Offset, actions);
+}
+
+/// What of a function only the interpreter knows.
+void Executor::apply_own(const Block& block, const Invocation& invocation, Actions& actions) {
+    switch (invocation.function) {
         case Function::SpeedLimit: actions.limit = &invocation; break;
-
-        case Function::RadiusCompOff:
-        case Function::RadiusCompLeft:
-        case Function::RadiusCompRight:
-        case Function::RadiusOffset:
-        case Function::CompStartNormal:
-        case Function::CompStartAround:
-        case Function::CompStartTangent:
-        case Function::CompStartSmooth:
-        case Function::CompCornerArc:
-        case Function::CompCornerIntersection:
         case Function::CompCornerPointed:
-        case Function::CompCheckOn:
-        case Function::CompCheckOff:
         case Function::CompOpenEnd:
         case Function::CompAllowance:
-        case Function::CompInPlane:
-        case Function::CompInFrame:
-        case Function::CompBySide:
-        case Function::CompByFace:
-        case Function::CompByFaceInFrame:
-        case Function::CompByFaceInPlane:
-        case Function::SideCompLeft:
-        case Function::SideCompRight:
-        case Function::CompTurnOnArc:
-        case Function::CompTurnBefore:
         case Function::CompDepth:
             // Roughing works along the programmed shape; where it is followed, it is compensated.
             if (!keeps_shape()) choose_comp(block, invocation, actions);
@@ -240,94 +313,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             soft_.in_steps =
                 count_of(block, invocation, parameter_of<Function::SoftSteps>("steps")) != 0;
             break;
-        case Function::TcpLength:
-        case Function::TcpVector: begin_length_transformation(block, invocation, actions); break;
-        case Function::LengthCompOn:
-        case Function::LengthCompMinus: {
-            constexpr std::size_t kOffset =
-                parameter_of_all<"offset", Function::LengthCompOn, Function::LengthCompMinus>();
-            if (orienting_.has_length) end_length_transformation(actions);
-            tool_.is_taken_off = invocation.function == Function::LengthCompMinus;
-            if (invocation.has(kOffset)) tool_.offset = count_of(block, invocation, kOffset);
-            set_length_source(Tool::Source::Offset, actions);
-            break;
-        }
-        case Function::LengthCompOff:
-            if (orienting_.has_length) end_length_transformation(actions);
-            set_length_source(Tool::Source::None, actions);
-            break;
-        case Function::LengthOffset:
-            tool_.offset =
-                count_of(block, invocation, parameter_of<Function::LengthOffset>("offset"));
-            if (tool_.source == Tool::Source::Offset) {
-                set_length_source(Tool::Source::Offset, actions);
-            }
-            break;
         case Function::SumOffset: choose_sum_offset(block, invocation, actions); break;
-        case Function::ToolEdge:
-            tool_.edge_called =
-                count_of(block, invocation, parameter_of<Function::ToolEdge>("edge"));
-            if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
-            set_length_source(tool_.edge_called == 0 ? Tool::Source::None : Tool::Source::Edge,
-                              actions);
-            if (!keeps_shape()) actions.comp_changed |= comp_.is_on();
-            break;
-        case Function::ToolSelect: {
-            constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
-            tool_.selected = tool_number(block, invocation);
-            actions.tool_change |= selects_at_once();
-            if (invocation.has(kOffset)) {
-                // The offset of a turret's station has length, radius and tip.
-                tool_.offset = tool_.radius_offset = count_of(block, invocation, kOffset);
-                set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset,
-                                  actions);
-            }
-            break;
-        }
-        case Function::ToolChange: actions.tool_change = true; break;
-        case Function::Tool:
-            tool_.selected = tool_number(block, invocation);
-            actions.tool_change = true;
-            set_length_source(Tool::Source::Edge, actions);
-            break;
-
-        case Function::TcpBased:
-            if (!has_transformation(block, invocation)) break;
-            [[fallthrough]];
-        case Function::TcpOn:
-        case Function::TcpOff:
-            if (refuses_beside_carrier(block, invocation.function)) break;
-            end_virtual(block);
-            if (!ended_) switch_transformation(block, invocation);
-            break;
-        case Function::FaceOn:
-        case Function::CylinderOn:
-        case Function::InclinedOn:
-            if (!refuses_beside_carrier(block, invocation.function))
-                begin_virtual(block, invocation);
-            break;
-        case Function::TurnPlane:
-        case Function::TurnAxes:
-        case Function::TurnSurface:
-        case Function::TurnConeCw:
-        case Function::TurnConeCcw:
-        case Function::TurnConeOver:
-        case Function::TurnConeOn:
-        case Function::TurnPoint: orienting_.turning = turn_way_of(invocation.function); break;
-        case Function::AnglesEuler:
-        case Function::AnglesZyz:
-            orienting_.euler = tool_angles_of(invocation.function);
-            [[fallthrough]];
-        case Function::AnglesRpy:
-        case Function::AnglesXyz: orienting_.angles = tool_angles_of(invocation.function); break;
-        case Function::SpinFixed:
-        case Function::SpinPlane:
-        case Function::SpinTurn:
-        case Function::SpinPath: orienting_.spin = spin_from_of(invocation.function); break;
-        case Function::OrientInWork:
-        case Function::OrientInBase:
-            orienting_.is_in_base = invocation.function == Function::OrientInBase;
-            break;
         case Function::PathMoves:
         case Function::PointMoves:
         case Function::PointRapids:
@@ -347,7 +333,6 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ToolBetween:
         case Function::ToolPoint:
         case Function::ToolSpin: take_orientation(block, invocation, actions); break;
-
         case Function::Tilt:
         case Function::TiltEuler:
         case Function::TiltPlane:
@@ -359,7 +344,6 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TiltAlongTool: tilt_along_tool(block, invocation); break;
         case Function::TiltAlign:
         case Function::TiltAlignTip: actions.align = &invocation; break;
-        case Function::TiltOff: end_tilt(block); break;
         case Function::TurnInSpace: turn_in_space(block, invocation); break;
         case Function::Swivel: swivel(block, invocation); break;
         case Function::ToolFrame: frame_along_tool(block, invocation); break;
@@ -372,11 +356,9 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TableFrameOff:
             follow_tables(block, invocation.function == Function::TableFrame);
             break;
-
         case Function::ToolCarrier:
         case Function::CarrierByData:
         case Function::CarrierByFrame: choose_carrier(block, invocation, actions); break;
-
         case Function::SplineDegree: set_spline_degree(block, invocation); break;
         case Function::SplineWeight:  // beside the pole, in splines.cpp
         case Function::SplineInterval:
@@ -387,7 +369,6 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ThreadChange: break;  // beside the pitch, in motion.cpp
         case Function::SplineStart:
         case Function::SplineEnd: choose_spline_end(block, invocation); break;
-
         case Function::ExactStopOnce:
             actions.exact_stop = true;
             watch_dwell(block);
@@ -398,9 +379,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::OrientTolerance:
         case Function::OrientSmooth:
         case Function::OrientSmoothOff:
-        case Function::HighSpeed:
-        case Function::CompressOn:
-        case Function::CompressOff: choose_smoothing(block, invocation); break;
+        case Function::HighSpeed: choose_smoothing(block, invocation); break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;
         case Function::LengthSuspend: actions.suspends_length = true; break;
         case Function::Preset: actions.preset = &invocation; break;
@@ -409,9 +388,6 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
                 block.argument(invocation, parameter_of<Function::ToothFeed>("feed"));
             break;
         case Function::MeasureLength: actions.measure = &invocation; break;
-        case Function::ParameterInput:
-        case Function::LifeInput:
-        case Function::DataInputOff: break;  // the reader reads their blocks so
         case Function::ParameterData: write_parameter(block, invocation); break;
         case Function::LifeData: tell_life_data(block); break;
         case Function::ReferencePoint:
@@ -439,23 +415,12 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::Probe: actions.probes = true; break;
         case Function::ProbeCheck:
         case Function::ProbeClear:
-        case Function::ProbeKeep:
-        case Function::OffsetToEdge:
-        case Function::OffsetToMiddle: use_probed(block, invocation); break;
+        case Function::ProbeKeep: use_probed(block, invocation); break;
         case Function::ThreadStart:
             actions.thread_start_deg =
                 block.argument(invocation, parameter_of<Function::ThreadStart>("angle"));
             break;
         case Function::TapRigid: taps_rigidly_ = true; break;
-        case Function::DiameterOn:
-        case Function::DiameterOff:
-        case Function::DiameterAbsolute:
-            axes_.word_scale[index(Axis::X)] =
-                invocation.function == Function::DiameterOff ? 1 : 0.5;
-            diameter_is_absolute_ = invocation.function == Function::DiameterAbsolute;
-            if (invocation.function != Function::DiameterOff)
-                watch_diameter(block, invocation.function);
-            break;
         case Function::Pole: set_pole(block, invocation); break;
         case Function::PolarPoint: break;  // the motion's matter
         case Function::PolarOn: switch_polar(true); break;
@@ -471,35 +436,16 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
                 block,
                 count_of(block, invocation, parameter_of<Function::MachineFunction>("number")));
             break;
-        case Function::WorkOffset:
-            select_work_offset(
-                block, count_of(block, invocation, parameter_of<Function::WorkOffset>("number")));
-            orienting_.owes_offset = false;
-            break;
-        case Function::WorkOffsetData:
         case Function::LatheOffsetData:
         case Function::ToolOffsetData: actions.data = &invocation; break;
-        case Function::Shift:
-        case Function::ShiftAdd:
         case Function::ShiftAxes:
         case Function::ShiftAxesAdd:
         case Function::SetPositionAxes:
         case Function::ShiftCoarse:
         case Function::ShiftFine:
-        case Function::Rotate:
         case Function::RotateSpace:
         case Function::RotateSolid:
-        case Function::RotateOff:
-        case Function::Scale:
-        case Function::ScaleOff:
-        case Function::Mirror:
-        case Function::MirrorOff:
-        case Function::PositionReset:
-        case Function::SetPosition: apply_frame(block, invocation); break;
-
-        case Function::SpindleCw: actions.spindle = SpindleMode::Cw; break;
-        case Function::SpindleCcw: actions.spindle = SpindleMode::Ccw; break;
-        case Function::SpindleStop: actions.spindle = SpindleMode::Stop; break;
+        case Function::PositionReset: apply_frame(block, invocation); break;
         case Function::SpindleOrient: actions.orient = &invocation; break;
         case Function::MasterSpindle: select_master(block, invocation); break;
         case Function::SpindleTurn:
@@ -515,18 +461,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::SpindleLimit:
         case Function::SpindleBound: act_on_spindle(block, invocation); break;
         case Function::SpindleStand: break;  // which takes its time: before the motion
-        case Function::CoolantFlood: actions.flood = true; break;
-        case Function::CoolantMist: actions.mist = true; break;
-        case Function::CoolantOff: actions.coolant_off = true; break;
-
         case Function::Dwell:
         case Function::SpindleDwell: actions.dwell = &invocation; break;
         case Function::Stop: actions.stop = Actions::Stop::Always; break;
         case Function::OptionalStop: actions.stop = Actions::Stop::Optional; break;
-        case Function::End:
-        case Function::EndRewind: actions.ends = true; break;
         case Function::Message: actions.message = &invocation; break;
-
         case Function::CycleOff:
             actions.cycle_is_cancelled = actions.cycle != nullptr;
             if (actions.cycle == nullptr) cycles_said_.modal.is_active = taps_rigidly_ = false;
@@ -545,10 +484,134 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             if (invocation.has(kStart)) words.start_deg = block.argument(invocation, kStart);
             break;
         }
-        case Function::CycleReturnInitial: cycles_said_.returns_to_retract = false; break;
-        case Function::CycleReturnRetract: cycles_said_.returns_to_retract = true; break;
         case Function::CyclePreset: preset_cycle(block, invocation); break;
         case Function::Cycle: actions.cycle = &invocation; break;
+        case Function::None:
+        case Function::Rapid:
+        case Function::Line:
+        case Function::ArcCw:
+        case Function::ArcCcw:
+        case Function::Spline:
+        case Function::TapIn:
+        case Function::TapOut:
+        case Function::Thread:
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle:
+        case Function::PlaneXy:
+        case Function::PlaneZx:
+        case Function::PlaneYz:
+        case Function::Inch:
+        case Function::Metric:
+        case Function::Absolute:
+        case Function::Incremental:
+        case Function::FeedPerMinute:
+        case Function::FeedPerRevolution:
+        case Function::FeedInverseTime:
+        case Function::CuttingSpeedOn:
+        case Function::CuttingSpeedOff:
+        case Function::RadiusCompOff:
+        case Function::RadiusCompLeft:
+        case Function::RadiusCompRight:
+        case Function::SideCompLeft:
+        case Function::SideCompRight:
+        case Function::RadiusOffset:
+        case Function::CompStartNormal:
+        case Function::CompStartAround:
+        case Function::CompStartTangent:
+        case Function::CompStartSmooth:
+        case Function::CompCornerArc:
+        case Function::CompCornerIntersection:
+        case Function::CompCheckOn:
+        case Function::CompCheckOff:
+        case Function::CompInPlane:
+        case Function::CompInFrame:
+        case Function::CompBySide:
+        case Function::CompByFace:
+        case Function::CompByFaceInFrame:
+        case Function::CompByFaceInPlane:
+        case Function::CompTurnOnArc:
+        case Function::CompTurnBefore:
+        case Function::LengthCompOn:
+        case Function::TcpLength:
+        case Function::TcpVector:
+        case Function::LengthCompOff:
+        case Function::LengthOffset:
+        case Function::ExactStop:
+        case Function::ContinuousPath:
+        case Function::TappingMode:
+        case Function::BlendDistance:
+        case Function::BlendTolerance:
+        case Function::BlendSmooth:
+        case Function::CompressOn:
+        case Function::CompressOff:
+        case Function::WorkOffset:
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Rotate:
+        case Function::RotateOff:
+        case Function::Scale:
+        case Function::ScaleOff:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::SetPosition:
+        case Function::WorkOffsetData:
+        case Function::DiameterOn:
+        case Function::DiameterOff:
+        case Function::ToolSelect:
+        case Function::ToolChange:
+        case Function::ToolEdge:
+        case Function::Tool:
+        case Function::TcpOn:
+        case Function::TcpBased:
+        case Function::TcpOff:
+        case Function::FaceOn:
+        case Function::CylinderOn:
+        case Function::InclinedOn:
+        case Function::TurnPlane:
+        case Function::TurnAxes:
+        case Function::TurnSurface:
+        case Function::TurnConeCw:
+        case Function::TurnConeCcw:
+        case Function::TurnConeOver:
+        case Function::TurnConeOn:
+        case Function::TurnPoint:
+        case Function::AnglesEuler:
+        case Function::AnglesZyz:
+        case Function::AnglesRpy:
+        case Function::AnglesXyz:
+        case Function::OrientInWork:
+        case Function::OrientInBase:
+        case Function::SpinFixed:
+        case Function::SpinPlane:
+        case Function::SpinTurn:
+        case Function::SpinPath:
+        case Function::TiltOff:
+        case Function::SpindleCw:
+        case Function::SpindleCcw:
+        case Function::SpindleStop:
+        case Function::CoolantFlood:
+        case Function::CoolantMist:
+        case Function::CoolantOff:
+        case Function::End:
+        case Function::EndRewind:
+        case Function::CycleReturnInitial:
+        case Function::CycleReturnRetract:
+        case Function::ArcThrough:
+        case Function::ArcTangent:
+        case Function::DiameterAbsolute:
+        case Function::LengthCompMinus:
+        case Function::AkimaSpline:
+        case Function::CubicSpline:
+        case Function::Polynomial:
+        case Function::InvoluteCw:
+        case Function::InvoluteCcw:
+        case Function::ThreadIncreasing:
+        case Function::ThreadDecreasing:
+        case Function::ThreadArcCw:
+        case Function::ThreadArcCcw:
+        case Function::ParameterInput:
+        case Function::LifeInput:
+        case Function::DataInputOff: break;  // their effects say it all
     }
 }
 
@@ -556,9 +619,14 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
 void Executor::change_plane(Function plane) {
     const Plane before = modal_.plane;
     modal_.set(plane);
+    // Where a tool's lengths act may depend on the plane.
+    tool_.has_changed |= wanted_lengths() != tool_.lengths;
     if (modal_.plane == before) return;
     polar_.pole = path::Vec2::Zero();
     polar_.angle_deg = 0;
+    // Along another tool axis the holes begin where the tool stands.
+    if (cycles_said_.modal.is_active && !cycle_.blocks && !is_lathe_)
+        cycles_said_.data.initial = position_.here[index(path::axes_of(modal_.plane).normal)];
 }
 
 void Executor::act_before_motion(const Block& block, const Actions& actions) {

@@ -50,8 +50,7 @@ void Executor::begin_with(Function function) {
     Block block{};
     if (!block.add(function)) return;
     if (nc::info(function).group == Group::Motion) modal_.motion = function;
-    Actions actions;
-    apply_function(block, block.functions[0], actions);
+    const Actions actions = apply_functions(block);
     if (!ended_) act_before_motion(block, actions);
     // What this machine, without a tool, cannot do does not act.
     if (ended_) comp_.side = CompSide::Off;

@@ -182,7 +182,7 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
             return count_of(block, invocation, parameter_of<Function::WorkOffset>("number")) ==
                    work_offset_;
         case Function::ToolSelect:
-            return !selects_at_once() &&
+            return !nc::selects_at_once(rules_, is_lathe_) &&
                    !invocation.has(parameter_of<Function::ToolSelect>("offset"));
         case Function::SpindleCw:
         case Function::SpindleCcw:

@@ -102,11 +102,6 @@ std::int64_t Executor::named_tool(const Block& block) {
     return known[0];
 }
 
-bool Executor::selects_at_once() const {
-    return rules_.tool_select_changes == nc::ToolSelectChanges::Yes ||
-           (rules_.tool_select_changes == nc::ToolSelectChanges::Lathe && is_lathe_);
-}
-
 void Executor::change_tool(const Block& block) {
     const bool is_other = tool_.selected != tool_.current;
     if (is_other && rules_.comp_keeps_tool && comp_.is_on()) {

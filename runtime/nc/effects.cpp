@@ -41,11 +41,6 @@ When time_of_group(const Rules& rules, Function function) {
     return stops && rules.stops_after_motion ? When::Behind : When::BeforeMotion;
 }
 
-bool selects_at_once(const Rules& rules, bool on_lathe) {
-    return rules.tool_select_changes == ToolSelectChanges::Yes ||
-           (rules.tool_select_changes == ToolSelectChanges::Lathe && on_lathe);
-}
-
 /// All but that on its group.
 void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFunction& does) {
     switch (function) {
@@ -151,10 +146,6 @@ void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFun
         case Function::LengthCompOn:
         case Function::LengthCompOff:
         case Function::LengthCompMinus: does.at_once(Kind::ChangesLength); break;
-        case Function::TcpLength:
-        case Function::TcpVector:
-            does.at_once(Kind::ChangesLength).at_once(Kind::SwitchesTcp);
-            break;
         case Function::LengthOffset: does.at_once(Kind::SelectsLength); break;
         case Function::WorkOffset: does.at_once(Kind::WorkOffset); break;
         case Function::ReferencePoint:
@@ -187,6 +178,8 @@ void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFun
         case Function::Tool:
             does.at_once(Kind::SelectsTool).before_motion(Kind::ChangesTool);
             break;
+        case Function::TcpLength:
+        case Function::TcpVector:
         case Function::TcpOn:
         case Function::TcpBased:
         case Function::TcpOff:
@@ -353,6 +346,11 @@ constexpr std::array kNames = {
 };
 
 }  // namespace
+
+bool selects_at_once(const Rules& rules, bool on_lathe) {
+    return rules.tool_select_changes == ToolSelectChanges::Yes ||
+           (rules.tool_select_changes == ToolSelectChanges::Lathe && on_lathe);
+}
 
 std::string_view effect_name(EffectKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 

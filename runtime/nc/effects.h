@@ -68,6 +68,9 @@ class Effects {
 /// on_lathe  the tools stand in a turret, which has nothing to prepare
 Effects effects_of(const Rules& rules, const Block& block, bool on_lathe);
 
+/// Whether a tool that is selected is in the spindle at once.
+bool selects_at_once(const Rules& rules, bool on_lathe);
+
 /// What a change of the programmable frame says.
 struct FrameChange {
     std::array<double, 3> values{};   // X Y Z: of a shift, or the centre; mm

@@ -94,8 +94,11 @@ void BlockWriter::follow_effect(const Block& block, const Effect& effect) {
         case EffectKind::EndsTilt: end_tilt(block, effect); break;
         case EffectKind::WritesOffset:
         case EffectKind::CorrectsOffset:
-        case EffectKind::SwitchesTcp:
         case EffectKind::TurnsSystem: modal_.position.forget(); break;
+        case EffectKind::SwitchesTcp:
+            if (effect.group() == Group::LengthComp) drop_pending(true);
+            modal_.position.forget();
+            break;
         case EffectKind::TurnsAxes:
             modal_.position.known &= bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z);
             break;

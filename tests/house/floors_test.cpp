@@ -1,5 +1,6 @@
 // A folder includes only folders on lower floors; third-party headers stay behind their doors.
 // Link lines alone do not catch a header that leaks, so every #include is read here.
+#include <array>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -151,6 +152,41 @@ TEST(House, NoArgumentIsAskedByItsPlace) {
             for (std::sregex_iterator at(text.begin(), text.end(), asked), end; at != end; ++at)
                 ADD_FAILURE() << entry.path() << '\n' << at->str();
         }
+    }
+}
+
+/// The text from an opening brace behind `from` to the one that closes it.
+std::string braced(const std::string& text, std::size_t from) {
+    const std::size_t begin = text.find('{', from);
+    std::size_t at = begin;
+    for (int depth = 0; at < text.size(); ++at) {
+        if (text[at] == '{') ++depth;
+        if (text[at] == '}' && --depth == 0) break;
+    }
+    return text.substr(begin, at - begin);
+}
+
+/// Whoever follows the effects of functions answers each kind of them: no fold has a `default`, and
+/// neither have the two switches over all functions.
+TEST(House, FoldsAnswerEveryEffect) {
+    struct Switch {
+        const char* file;
+        const char* head;
+    };
+    constexpr std::array kSwitches = {
+        Switch{"runtime/interp/functions.cpp", "switch (effect.kind)"},
+        Switch{"compiler/expand/modal.cpp", "switch (effect.kind)"},
+        Switch{"runtime/nc/writer_following.cpp", "switch (effect.kind)"},
+        Switch{"runtime/nc/modal_functions.cpp", "switch (effect.kind)"},
+        Switch{"runtime/interp/functions.cpp", "switch (invocation.function)"},
+        Switch{"runtime/interp/functions.cpp", "switch (effect.group())"},
+        Switch{"runtime/nc/effects.cpp", "switch (function)"},
+    };
+    for (const auto& [file, head] : kSwitches) {
+        const std::string text = kadr::read_file(kRoot / file).value_or("");
+        const std::size_t at = text.find(head);
+        ASSERT_NE(at, std::string::npos) << file << " has no " << head;
+        EXPECT_EQ(braced(text, at).find("default:"), std::string::npos) << file << ": " << head;
     }
 }
 

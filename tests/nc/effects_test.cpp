@@ -35,7 +35,7 @@ std::string effects_in_words(const Rules& rules, const Block& block, bool on_lat
 TEST(Effects, AreThoseOfTheList) {
     std::vector<std::pair<std::string, Rules>> dialects;
     for (const char* name : {"sinumerik", "fanuc", "fanuc-lathe", "axioma"})
-        dialects.emplace_back(name, shipped(name).rules());
+        dialects.emplace_back(name, testing::shipped(name).rules());
     std::string today;
     for (const FunctionInfo& each : all_functions()) {
         if (each.function == Function::None) continue;
