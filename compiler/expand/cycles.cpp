@@ -95,7 +95,7 @@ bool Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint
         return cycle_active("a word of an arc", at);
     if (!begins) {
         said_cycle.is_due = true;
-        if (!take_levels(block, at)) return false;
+        take_levels(block);
     }
     if ((block.given & nc::kTargetSlots) == 0) return true;
     block.motion = Function::Rapid;
@@ -141,32 +141,23 @@ bool Expander::State::keeps_no_stroke(std::uint32_t at) {
 }
 
 /// `X10. Z-12. R3.` among the places: from here on the cycle has these levels.
-bool Expander::State::take_levels(Block& block, std::uint32_t at) {
-    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
-    const bool is_modal = modal[Group::Distance] == Function::Incremental;
-    const std::optional<std::size_t> retract = find_parameter(function.parameters, "retract");
+void Expander::State::take_levels(Block& block) {
+    const nc::Rules& rules = said_cycle.said->rules;
+    const bool is_incremental = modal[Group::Distance] == Function::Incremental;
+    control::CycleLevels& levels = said_cycle.levels;
     if (block.has(nc::Slot::Radius)) {
-        double level = block.at(nc::Slot::Radius);
-        if (said_cycle.said->has_distances && is_modal) {
-            const std::optional<double> initial = initial_level(at);
-            if (!initial) return false;
-            level += *initial;
-        }
-        set_argument(said_cycle, retract, level);
+        levels.retract = control::cycle_retract(rules, block.at(nc::Slot::Radius), is_incremental);
     }
     if (block.has(nc::Slot::Z)) {
         const nc::SlotMask depth = bit(nc::Slot::Z);
-        const bool is_distance =
-            (block.incremental & depth) != 0 || (is_modal && (block.absolute & depth) == 0);
-        double level = block.at(nc::Slot::Z);
-        if (is_distance && is_given(said_cycle, retract)) level += said_cycle.arguments[*retract];
-        set_argument(said_cycle, find_parameter(function.parameters, "to"), level);
+        levels.depth = control::cycle_depth(rules, block.at(nc::Slot::Z),
+                                            is_incremental && (block.absolute & depth) == 0);
+        levels.depth.is_distance |= (block.incremental & depth) != 0;
     }
-    const nc::SlotMask levels = bit(nc::Slot::Radius) | bit(nc::Slot::Z);
-    block.given &= ~levels;
-    block.incremental &= ~levels;
-    block.absolute &= ~levels;
-    return true;
+    const nc::SlotMask words = bit(nc::Slot::Radius) | bit(nc::Slot::Z);
+    block.given &= ~words;
+    block.incremental &= ~words;
+    block.absolute &= ~words;
 }
 
 bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot* registers,
@@ -180,7 +171,7 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
     if (said_cycle.is_active && !goes_on && said.kind != SourceCycle::Kind::Called)
         return cycle_active("another cycle", at);
     if (goes_on) keep_words();
-    else said_cycle.held = {};
+    else said_cycle.held = {}, said_cycle.levels = {};
     said_cycle.said = &said;
     said_cycle.given = 0;
     for (const auto& [parameter, value] : said.fixed) set_argument(said_cycle, parameter, value);
@@ -209,8 +200,9 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
     said_cycle.is_active = said.kind != SourceCycle::Kind::Once;
     said_cycle.is_due = said.kind != SourceCycle::Kind::Called;
     const std::uint32_t own = said_cycle.given;
+    if (said.kind == SourceCycle::Kind::Modal) take_said_levels(own);
     if (goes_on) take_kept_words();
-    return keeps_no_stroke(at) && has_words(at) && take_distances(own, at);
+    return keeps_no_stroke(at) && has_words(at);
 }
 
 /// What the cycle so far had said holds for the next one of the mode, too. What its code says by
@@ -255,23 +247,20 @@ bool Expander::State::has_words(std::uint32_t at) {
     return false;
 }
 
-/// Under incremental dimensions the retract level counts from the initial one, the depth from it.
-/// `said`: the arguments that the block itself has; those from before are levels already.
-bool Expander::State::take_distances(std::uint32_t said, std::uint32_t at) {
-    if (!said_cycle.said->has_distances || modal[Group::Distance] != Function::Incremental)
-        return true;
+/// `said`: the arguments that the block itself has.
+void Expander::State::take_said_levels(std::uint32_t said) {
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
-    const std::optional<std::size_t> retract = find_parameter(function.parameters, "retract");
-    const std::optional<std::size_t> to = find_parameter(function.parameters, "to");
-    std::optional<double> from = initial_level(at);
-    if (!from) return false;
-    const auto is_said = [&](std::optional<std::size_t> parameter) {
-        return parameter && (said >> *parameter & 1u) != 0;
+    const nc::Rules& rules = said_cycle.said->rules;
+    const bool is_incremental = modal[Group::Distance] == Function::Incremental;
+    const auto value = [&](std::string_view name) -> std::optional<double> {
+        const std::optional<std::size_t> parameter = find_parameter(function.parameters, name);
+        if (!parameter || (said >> *parameter & 1u) == 0) return std::nullopt;
+        return said_cycle.arguments[*parameter];
     };
-    if (is_said(retract)) said_cycle.arguments[*retract] += *from;
-    if (is_given(said_cycle, retract)) from = said_cycle.arguments[*retract];
-    if (is_said(to)) said_cycle.arguments[*to] += *from;
-    return true;
+    if (const auto retract = value("retract"))
+        said_cycle.levels.retract = control::cycle_retract(rules, *retract, is_incremental);
+    if (const auto depth = value("to"))
+        said_cycle.levels.depth = control::cycle_depth(rules, *depth, is_incremental);
 }
 
 /// The level where the mode began, in the present frame.
@@ -307,7 +296,7 @@ bool Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
 bool Expander::State::complete_cycle(const sema::FunctionCode& function, std::uint32_t at) {
     if (said_cycle.taps_rigidly) {
         set_argument(said_cycle, find_parameter(function.parameters, "floating"), 0);
-        if (said_cycle.said->stops_rigid_spindle)
+        if (said_cycle.said->rules.rigid_tap_stops_spindle)
             set_argument(said_cycle, find_parameter(function.parameters, "after"), kSpindleStop);
     }
     const std::optional<std::size_t> pitch = find_parameter(function.parameters, "pitch");
@@ -317,12 +306,29 @@ bool Expander::State::complete_cycle(const sema::FunctionCode& function, std::ui
         });
     if (pitch && !is_said && !complete_pitch(*pitch, at)) return false;
     if (said_cycle.said->kind != SourceCycle::Kind::Modal) return true;
-    const std::optional<std::size_t> retract = find_parameter(function.parameters, "retract");
-    const bool stays_low = said_cycle.returns_low && is_given(said_cycle, retract);
-    const std::optional<double> initial =
-        stays_low ? said_cycle.arguments[*retract] : initial_level(at);
-    if (initial) set_argument(said_cycle, find_parameter(function.parameters, "initial"), *initial);
-    return initial.has_value();
+    return complete_levels(function, at);
+}
+
+/// The level where the mode began is asked for only if a level of the call depends on it.
+bool Expander::State::complete_levels(const sema::FunctionCode& function, std::uint32_t at) {
+    const bool is_incremental = modal[Group::Distance] == Function::Incremental;
+    const auto complete = [&](std::optional<double> initial) {
+        return control::complete_levels(said_cycle.said->rules, said_cycle.levels, is_incremental,
+                                        initial, said_cycle.returns_low);
+    };
+    std::optional<control::CallLevels> levels = complete(std::nullopt);
+    if (!levels) {
+        const std::optional<double> initial = initial_level(at);
+        if (!initial) return false;
+        levels = complete(initial);
+    }
+    const auto set = [&](std::string_view name, double level) {
+        set_argument(said_cycle, find_parameter(function.parameters, name), level);
+    };
+    set("retract", levels->retract);
+    set("to", levels->depth);
+    set("initial", levels->back);
+    return true;
 }
 
 bool Expander::State::call_cycle(const Instruction& instruction, const sema::Slot* registers,

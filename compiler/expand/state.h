@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "control/cycle_levels.h"
 #include "expand/expander.h"
 #include "expand/heap.h"
 #include "expand/modal.h"
@@ -99,6 +100,7 @@ struct SaidCycle {
     std::uint32_t given = 0;  // bit i: argument i
     /// Words of the mode that further cycles need not say again, by the parameters of the library.
     std::array<std::optional<double>, kHeldWords.size()> held;
+    control::CycleLevels levels;
     bool returns_low = false;   // G99: to the retract level, not to where the mode began
     bool taps_rigidly = false;  // M29
     // Where the mode began, along the tool axis.
@@ -252,13 +254,14 @@ struct Expander::State {
                            std::uint32_t at);
     /// A block of a source that has cycles, with all its words: a place, or the end of the mode.
     bool take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
-    bool take_levels(nc::Block& block, std::uint32_t at);
+    void take_levels(nc::Block& block);
     /// `Q2.` or `P100` beside a place: the stroke or the dwell from here on.
     bool keeps_no_stroke(std::uint32_t at);
     bool take_cycle_words(const nc::Block& block, const nc::Invocation& invocation,
                           std::uint32_t at);
     bool say_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    bool take_distances(std::uint32_t said, std::uint32_t at);
+    void take_said_levels(std::uint32_t said);
+    bool complete_levels(const sema::FunctionCode& function, std::uint32_t at);
     std::optional<double> initial_level(std::uint32_t at);
     /// Completes the arguments and calls the library's cycle.
     bool call_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);

@@ -19,6 +19,7 @@
 
 #include "base/source.h"
 #include "nc/block.h"
+#include "nc/rules.h"
 #include "sema/quantity.h"
 
 namespace kadr::sema {
@@ -281,8 +282,7 @@ struct SourceCycle {
     };
     Kind kind = Kind::Once;
     std::uint32_t function = 0;         // of the library, index into Code::functions
-    bool has_distances = false;         // under incremental dimensions its levels are distances
-    bool stops_rigid_spindle = false;   // a rigid tap leaves the spindle standing
+    nc::Rules rules;                    // of the control of its file
     bool has_other_in_strokes = false;  // beside a stroke its code is another cycle
     std::string word;                   // `G83`, `CYCLE81`
     std::vector<Argument> arguments;    // of the registers, in their order; not given: NaN

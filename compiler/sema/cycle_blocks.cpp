@@ -78,8 +78,7 @@ Done Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange&
         wanted_.push_back(found->index);
     }
     cycle.function = found->index + 1;
-    cycle.has_distances = dialect.rules().cycle_levels_incremental;
-    cycle.stops_rigid_spindle = dialect.rules().rigid_tap_stops_spindle;
+    cycle.rules = dialect.rules();
     cycle.has_other_in_strokes = nc::cycle_with_strokes(dialect, id).has_value();
     return kDone;
 }

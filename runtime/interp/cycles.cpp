@@ -243,14 +243,12 @@ bool Executor::count_times(const CycleWords& words) {
     return times > 0;
 }
 
-CycleLevel Executor::level_now(double value) const {
-    return {value, true, rules_.cycle_levels_incremental && modal_.is_incremental};
+control::CycleLevel Executor::depth_now(double value) const {
+    return control::cycle_depth(rules_, value, modal_.is_incremental);
 }
 
-CycleLevel Executor::retract_now(double value) const {
-    CycleLevel level = level_now(value);
-    level.is_distance |= rules_.cycle_retract_distance;
-    return level;
+control::CycleLevel Executor::retract_now(double value) const {
+    return control::cycle_retract(rules_, value, modal_.is_incremental);
 }
 
 /// Keeps what a call says by its words; what its code says by itself is not for other cycles.
@@ -264,8 +262,8 @@ void Executor::keep_call(const ModalCycle& call) {
     const auto value = [&](int parameter) {
         return call.arguments[static_cast<std::size_t>(parameter)];
     };
-    if (says(roles.depth)) cycles_said_.data.depth = level_now(value(roles.depth));
-    if (says(roles.retract)) cycles_said_.data.retract = retract_now(value(roles.retract));
+    if (says(roles.depth)) cycles_said_.data.levels.depth = depth_now(value(roles.depth));
+    if (says(roles.retract)) cycles_said_.data.levels.retract = retract_now(value(roles.retract));
     // A stroke and a shift have no direction: their sign does not count.
     if (says(roles.stroke)) cycles_said_.data.stroke = std::abs(value(roles.stroke));
     if (says(roles.shift) && !has_shift_vector(info, call))
@@ -283,18 +281,19 @@ void Executor::keep_levels(const Block& block) {
     if (block.has(depth)) {
         const bool is_distance = (block.incremental & bit(depth)) != 0;
         const double scale = cycle_.is_across ? x_scale(block, is_distance) : 1;
-        cycles_said_.data.depth = level_now(block.at(depth) * scale);
-        cycles_said_.data.depth.is_distance |= is_distance;
+        cycles_said_.data.levels.depth = depth_now(block.at(depth) * scale);
+        cycles_said_.data.levels.depth.is_distance |= is_distance;
     }
-    if (block.has(Slot::Radius)) cycles_said_.data.retract = retract_now(block.at(Slot::Radius));
+    if (block.has(Slot::Radius))
+        cycles_said_.data.levels.retract = retract_now(block.at(Slot::Radius));
 }
 
 void Executor::warn_levels(const Block& block) {
     if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
     // A distance that nobody says is none: the cycle begins where the tool stands.
-    if (!cycles_said_.data.retract.is_given && !retract_now(0).is_distance)
+    if (!cycles_said_.data.levels.retract.is_given && !retract_now(0).is_distance)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
-    if (!cycles_said_.data.depth.is_given)
+    if (!cycles_said_.data.levels.depth.is_given)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
 }
 
@@ -307,27 +306,16 @@ void Executor::complete_words(ModalCycle& call) {
         if (parameter >= 0 && (call.by_form >> parameter & 1u) == 0)
             set_argument(call, static_cast<std::size_t>(parameter), value);
     };
-    const auto level = [](const CycleLevel& of, double from) {
-        return of.is_distance ? from + of.value : of.value;
-    };
-    // A level that nobody said is 0, or no distance.
-    if (!cycles_said_.data.retract.is_given)
-        cycles_said_.data.retract.is_distance = retract_now(0).is_distance;
-    if (!cycles_said_.data.depth.is_given)
-        cycles_said_.data.depth.is_distance = level_now(0).is_distance;
-    const double retract = level(cycles_said_.data.retract, cycles_said_.data.initial);
-    const double depth = level(cycles_said_.data.depth, retract);
-    set(roles.retract, retract);
-    set(roles.depth, depth);
-    const double stroke = cycles_said_.data.stroke.value_or(0);
-    set(roles.stroke, stroke > 0 ? stroke : std::abs(retract - depth));
+    const CycleData& said = cycles_said_.data;
+    const control::CallLevels levels = *complete_levels(
+        rules_, said.levels, modal_.is_incremental, said.initial, cycles_said_.returns_to_retract);
+    set(roles.retract, levels.retract);
+    set(roles.depth, levels.depth);
+    const double stroke = said.stroke.value_or(0);
+    set(roles.stroke, stroke > 0 ? stroke : std::abs(levels.retract - levels.depth));
     if (!has_shift_vector(info, call)) set(roles.shift, stroke);
-    if (cycles_said_.data.dwell) set(roles.dwell, *cycles_said_.data.dwell);
-
-    // A level under the bottom (boring from below) is no place to come back to.
-    const bool stays_low = cycles_said_.returns_to_retract && retract > depth;
-    set_argument(call, find_parameter(info.parameters, "initial"),
-                 stays_low ? retract : cycles_said_.data.initial);
+    if (said.dwell) set(roles.dwell, *said.dwell);
+    set_argument(call, find_parameter(info.parameters, "initial"), levels.back);
 }
 
 /// Where a scaling spares what a cycle says of ways, the cycle runs without it, between the levels

@@ -692,8 +692,8 @@ class Executor {
     void keep_call(const ModalCycle& call);
     void keep_levels(const nc::Block& block);
     void warn_levels(const nc::Block& block);
-    CycleLevel level_now(double value) const;
-    CycleLevel retract_now(double value) const;
+    control::CycleLevel depth_now(double value) const;
+    control::CycleLevel retract_now(double value) const;
     void complete_words(ModalCycle& call);
     void go_straight(ModalCycle& call);
     bool time_turns(const nc::Block& block, ModalCycle& call);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/axes.h"
+#include "control/cycle_levels.h"
 #include "interp/modes.h"
 #include "interp/tool_offsets.h"
 #include "nc/block.h"
@@ -289,18 +290,10 @@ struct Polar {
     double angle_deg = 0;
 };
 
-/// A level of a modal cycle, as its word says it.
-struct CycleLevel {
-    double value = 0;
-    bool is_given = false;
-    bool is_distance = false;  // said under incremental dimensions
-};
-
 /// What the words of modal cycles have said: it holds for every further cycle until the mode ends.
 struct CycleData {
     double initial = 0;  // level of the tool axis when the mode was entered
-    CycleLevel depth;    // a distance counts from the retract level
-    CycleLevel retract;  // a distance counts from the initial level
+    control::CycleLevels levels;
     std::optional<double> stroke;
     std::optional<double> dwell;
 };
