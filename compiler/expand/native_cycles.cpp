@@ -8,7 +8,7 @@
 #include "expand/numbers.h"
 #include "expand/plane.h"
 #include "expand/state.h"
-#include "nc/parameters.h"
+#include "nc/cycle_back.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {
@@ -46,22 +46,18 @@ static Function standing_behind(const sema::Code& code, const sema::FunctionCode
     return stands ? last : Function::None;
 }
 
-/// A cycle that names the level to which it goes back first stands there, and not where it began;
-/// and one that has a place of its own is somewhere at it. Behind other parameters `back` is no
-/// level.
+/// Where the cycle leaves the tool.
 void Expander::State::go_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
                               std::span<const double> values) {
-    const std::optional<std::size_t> back = nc::find_parameter(parameters, "back");
-    if (back != std::size_t{0}) return;
-    const bool has_place = nc::find_parameter(parameters, "x").has_value();
-    if (has_place || modal[Group::Plane] == Function::None)
-        modal.known &= static_cast<AxisMask>(~kLinearXYZ);
-    if (modal[Group::Plane] == Function::None) return;
+    const nc::CycleBack back = nc::cycle_back(parameters, given);
+    if (!back.is_elsewhere) return;
+    const bool has_plane = modal[Group::Plane] != Function::None;
+    if (back.moves_in_plane || !has_plane) modal.known &= static_cast<AxisMask>(~kLinearXYZ);
+    if (!has_plane) return;
     const std::size_t across = indices_of(plane_of(modal[Group::Plane])).across;
     const auto axis = static_cast<AxisMask>(1u << across);
-    const bool is_given = (given >> *back & 1u) != 0;
-    if (is_given) modal.position[across] = values[*back];
-    modal.known = static_cast<AxisMask>(is_given ? modal.known | axis : modal.known & ~axis);
+    if (back.level) modal.position[across] = values[*back.level];
+    modal.known = static_cast<AxisMask>(back.level ? modal.known | axis : modal.known & ~axis);
 }
 
 /// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own

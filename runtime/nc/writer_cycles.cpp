@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "nc/block_writer.h"
-#include "nc/parameters.h"
+#include "nc/cycle_back.h"
 
 namespace kadr::nc {
 
@@ -42,23 +42,20 @@ Function BlockWriter::spindle_behind(const Form& form, const Block& block,
     return wanted == form.leaves ? Function::None : wanted;
 }
 
-/// A cycle that names the level to which it goes back first stands there, and not where it began;
-/// and one that has a place of its own is somewhere at it. Behind other parameters `back` is no
-/// level.
+/// Where the cycle has left the tool.
 void BlockWriter::follow_back(const Block& block, const Invocation& cycle) {
-    const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
-    const std::optional<std::size_t> back = find_parameter(parameters, "back");
-    if (back != std::size_t{0}) return;
+    const CycleBack back = cycle_back(tables_.cycles[block.cycle].parameters, cycle.given);
+    if (!back.is_elsewhere) return;
     WrittenPosition& position = modal_.position;
-    if (find_parameter(parameters, "x"))
+    if (back.moves_in_plane)
         position.known &= static_cast<SlotMask>(~(bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z)));
     const std::size_t across = plane_axes()[2];
     const SlotMask mask = bit(static_cast<Slot>(across));
     position.known &= static_cast<SlotMask>(~mask);
-    if (!cycle.has(*back)) return;
+    if (!back.level) return;
     const auto slot = static_cast<Slot>(across);
     const double scale = to_text(slot, 1);
-    position.meant[across] = block.argument(cycle, *back);
+    position.meant[across] = block.argument(cycle, *back.level);
     position.text[across] = round_to(position.meant[across] * scale, decimals(slot)) / scale;
     position.known |= mask;
     position.told |= mask;
