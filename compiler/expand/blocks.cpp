@@ -143,6 +143,9 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
                                 const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
+    std::optional<ModalState> without;  // if the operator leaves the block out
+    if (plan.skip >= 0) [[unlikely]]
+        without = modal;
     if ((plan.customs & kOfCycles) != 0) [[unlikely]]
         said_cycle.motion = modal[Group::Motion];
     block.motion = plan.motion;
@@ -271,7 +274,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         return false;
     // Nobody knows here whether the operator lets the block run.
     if (plan.skip >= 0) [[unlikely]]
-        modal.take_skipped(block);
+        modal.join(*without, source);
     if (options.trace) keep_trace(at, instruction.c, source);
     return true;
 }

@@ -129,10 +129,9 @@ bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
 
 /// Whether a T by itself brings the tool in: on some controls it does, on others on lathes alone.
 static bool selection_changes(const nc::Dialect& target, const ModalState& modal) {
-    if (target.rules().tool_select_changes == nc::ToolSelectChanges::Yes) return true;
     const bool turns =
         target.is_of_lathe() || modal.is_diameter || modal[Group::Plane] == Function::PlaneZx;
-    return turns && target.rules().tool_select_changes == nc::ToolSelectChanges::Lathe;
+    return nc::selects_at_once(target.rules(), turns);
 }
 
 /// A tool was selected, and nothing has changed it.

@@ -122,8 +122,10 @@ struct ModalState {
     void forget(SourceId source);
     /// Behind a `with` that set the first F: what held before it was none.
     void forget_feed(SourceId source);
-    /// The block may be left out: what it changes, besides what the writer says again by itself.
-    void take_skipped(const nc::Block& block);
+    /// Keeps what is so whether the operator lets a block run, as it did here, or leaves it out.
+    ///
+    /// without  the state before it. What the writer says again by itself is as the block says it
+    void join(const ModalState& without, SourceId block);
     void set_frame(const control::ProgramFrame& frame, SourceId source);
     /// The frame, as blocks have said it anew.
     void say_frame(const control::ProgramFrame& frame, SourceId source);
@@ -151,6 +153,8 @@ struct ModalState {
     void change_tool(const nc::Block& block, const nc::Rules& target);
     void set_diameter(bool is_on);
     void note_rotary(const nc::Block& block);
+    void join_group(nc::Group group, SourceId block);
+    void lose_to_choice(sema::ModalMask what, SourceId block);
     void choose_compensation(nc::Function side, int skip, SourceId source);
     void lose_corrected(double axis);
     void note_drift(std::size_t axis, bool is_known, double by);

@@ -102,37 +102,44 @@ void ModalState::forget_feed(SourceId source) {
     lost_in = Loss::EndOfWith;
 }
 
-void ModalState::take_skipped(const Block& block) {
-    known &= static_cast<AxisMask>(~(block.given & nc::kTargetSlots));
-    const auto forget_value = [&](sema::ModalMask bit) {
-        lost |= bit;
-        lost_by = block.source;
-        lost_in = Loss::SkippedBlock;
-    };
-    if (block.has(nc::Slot::Feed)) restate |= sema::kFeedBit;
-    if (block.has(nc::Slot::Speed)) restate |= sema::kSpeedBit;
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        const Group group = nc::info(block.functions[i].function).group;
-        switch (group) {
-            case Group::FeedMode:
-                restate |= group_bit(group);
-                if (!has_feed) forget_value(sema::kFeedBit);
-                break;
-            case Group::SpeedMode:
-                restate |= group_bit(group);
-                if (!has_speed) forget_value(sema::kSpeedBit);
-                break;
-            case Group::Spindle:
-            case Group::Coolant:
-                // The operator's choice: to say it again would take it away.
-                active[static_cast<std::size_t>(group)] = Function::None;
-                forget_value(group_bit(group));
-                spindle_in_doubt = spindle_in_doubt || group == Group::Spindle;
-                break;
-            case Group::Diameter: diameter_due = (*this)[group]; break;
-            default: break;  // said again by the writer
-        }
+void ModalState::join(const ModalState& without, SourceId block) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const bool is_same = (without.known >> i & 1u) != 0 && position[i] == without.position[i];
+        if (!is_same) known &= static_cast<AxisMask>(~(1u << i));
     }
+    if (has_feed != without.has_feed || feed != without.feed) restate |= sema::kFeedBit;
+    if (has_speed != without.has_speed || speed != without.speed) restate |= sema::kSpeedBit;
+    for (std::size_t i = 0; i < nc::kGroups; ++i)
+        if (active[i] != without.active[i]) join_group(static_cast<Group>(i), block);
+}
+
+/// A group whose member is the operator's choice.
+void ModalState::join_group(Group group, SourceId block) {
+    switch (group) {
+        case Group::FeedMode:
+            restate |= group_bit(group);
+            if (!has_feed) lose_to_choice(sema::kFeedBit, block);
+            break;
+        case Group::SpeedMode:
+            restate |= group_bit(group);
+            if (!has_speed) lose_to_choice(sema::kSpeedBit, block);
+            break;
+        case Group::Spindle:
+        case Group::Coolant:
+            // To say it again would take the choice away.
+            active[static_cast<std::size_t>(group)] = Function::None;
+            lose_to_choice(group_bit(group), block);
+            spindle_in_doubt = spindle_in_doubt || group == Group::Spindle;
+            break;
+        case Group::Diameter: diameter_due = (*this)[group]; break;
+        default: break;  // said again by the writer
+    }
+}
+
+void ModalState::lose_to_choice(sema::ModalMask what, SourceId block) {
+    lost |= what;
+    lost_by = block;
+    lost_in = Loss::SkippedBlock;
 }
 
 // ---------------------------------------------------------------- what needs it

@@ -167,7 +167,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
             cannot_express(block,
                            "a block that may be left out where the tool length begins to act");
         }
-        modal_.keep_common(before);
+        modal_.join(before);
     }
     if (given_number_ >= 0) {  // all that the block says holds already
         open_line(block.skip, true, out);

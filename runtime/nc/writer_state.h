@@ -106,8 +106,8 @@ struct WriterModal {
     Function text_of(Group group) const { return text[static_cast<std::size_t>(group)]; }
     Function& meant_of(Group group) { return meant[static_cast<std::size_t>(group)]; }
 
-    /// Keeps of the control's state only what was the same in another one.
-    void keep_common(const WriterModal& other) {
+    /// Keeps what is so in both: behind a block that the operator may leave out.
+    void join(const WriterModal& other) {
         for (std::size_t i = 0; i < text.size(); ++i) {
             if (text[i] == other.text[i]) continue;
             text[i] = Function::None;

@@ -56,6 +56,13 @@ TEST(SourceCycles, LevelsThatAPlaceChangesStay) {
               "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\ncycle#0(0=-6, 1=2, 2=50, 3=0)");
 }
 
+/// As the control does: R counts from where the mode began, Z from R, whichever was said last.
+TEST(SourceCycles, LevelsThatAreDistancesStaySo) {
+    EXPECT_EQ(blocks(fanuc("G91 G81 X10. Z-15. R-40.; G82 X10. R-38. P500; G80;"), "fanuc"),
+              "incremental\nrapid X10\nabsolute\ncycle#0(0=-5, 1=10, 2=50, 3=0)\nincremental\n"
+              "rapid X10\nabsolute\ncycle#0(0=-3, 1=12, 2=50, 3=0.5)\nincremental");
+}
+
 TEST(SourceCycles, StrokeAndDwellThatAPlaceChangesStay) {
     EXPECT_EQ(blocks(fanuc("G83 X10. Z-12. R2. Q4.; X20. Q2.; X30.; G80;"), "fanuc"),
               "rapid X10\ncycle#1(0=-12, 1=4, 2=2, 3=50, 4=0)\nrapid X20\n"

@@ -443,6 +443,11 @@ TEST(Writer, Frames) {
     EXPECT_EQ(write("fanuc", "raw G65 P1\nG18").codes, "");
 }
 
+TEST(Writer, AxesThatTheControlTurnsAreSaidAgain) {
+    expect_text("sinumerik",
+                {{"G0 X1 A10\norient_reset()\nX2 A10", "G0 X1 A10\nORIRESET()\nX2 A10\n"}});
+}
+
 TEST(Writer, FramesLeaveTheOtherAxesWhereTheyAre) {
     expect_text("fanuc",
                 {
