@@ -61,7 +61,7 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     const bool has_opening = block.has(Slot::Opening);
     const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
     if (!has_form && !has_opening && rules_.arc_without_center == nc::ArcWithoutCenter::Line) {
-        if (target.moved != 0 && !std::exchange(told_.arc_is_line, true))
+        if (target.moved != 0 && told_.first_time(Once::ArcIsLine))
             report(diag::ArcIsLine, block, modal_.motion);
         return line(block, target, Op::Line, exact_stop);
     }

@@ -89,10 +89,8 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
         return false;
     }
     // The beam of a scanner comes with its marks.
-    if (!told_.spindle_stopped && !is_scanning_) {
-        told_.spindle_stopped = true;
+    if (!is_scanning_ && told_.first_time(Once::SpindleStopped))
         report(diag::FeedWithSpindleStopped, block);
-    }
     return true;
 }
 
@@ -112,17 +110,15 @@ void Executor::check_rapid(const Block& block, const Target& target) {
     const bool dives = (target.moved >> kZ & 1u) != 0 && target.here[kZ] < 0 &&
                        target.here[kZ] < position_.here[kZ];
     const bool is_mill = axes_.word_scale[0] == 1 && modal_.plane == path::Plane::Xy;
-    if (told_.rapid || !stands || !dives || !is_mill || contour_) return;
-    told_.rapid = true;
+    const bool is_danger = stands && dives && is_mill && !contour_;
+    if (!is_danger || !told_.first_time(Once::Rapid)) return;
     report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
 }
 
 /// A cut on a machine that changes tools, with whatever turns in the spindle.
 void Executor::check_tool(const Block& block) {
-    if (told_.no_tool || !options_.asks_for_tool || machine_.tool_change_time == 0 ||
-        tool_.current != 0)
-        return;
-    told_.no_tool = true;  // said once
+    const bool asks = options_.asks_for_tool && machine_.tool_change_time != 0;
+    if (!asks || tool_.current != 0 || !told_.first_time(Once::NoTool)) return;
     DiagnosticBuilder message = report(diag::ToolNeverCalled, block);
     // `T0101` is a lathe's tool with its offset.
     const std::int64_t tool = tool_.selected / 100;
@@ -149,8 +145,7 @@ void Executor::check_units(const Block& block, nc::Function function) {
             .arg(acts);
         return;
     }
-    if (changes && has_moved_ && !told_.units) {
-        told_.units = true;
+    if (changes && has_moved_ && told_.first_time(Once::Units)) {
         const bool to_inch = units == Units::Inch;
         report(diag::UnitsMixed, block, function)
             .arg(to_inch ? "millimetres" : "inches")

@@ -48,7 +48,7 @@ bool Executor::is_allowed(const DiagnosticRow& row, const Block& block) const {
 
 /// Whether a feed is warned of here, once of each.
 bool Executor::tells_feed(const DiagnosticRow& row, const Block& block) {
-    if (!is_allowed(row, block)) return dangers_.is_new(modal_.feed);
+    if (!is_allowed(row, block)) return told_.first_time_of_feed(modal_.feed);
     dangers_.feed = std::numeric_limits<double>::quiet_NaN();  // the next cut is looked at again
     return false;
 }
@@ -89,7 +89,7 @@ void Executor::watch_feed(const Block& block) {
 
 /// A motion to this X, a radius in the programmed system, under constant cutting speed.
 void Executor::watch_cutting_speed(const Block& block, double from, double to) {
-    if (dangers_.told_speed || highest_speed() > 0 || contour_) return;
+    if (told_.has_told(Once::SpeedLimit) || highest_speed() > 0 || contour_) return;
     if (spindle_.mode != path::SpindleMode::Cw && spindle_.mode != path::SpindleMode::Ccw) return;
     const double radius = from * to < 0 ? 0 : std::abs(to);
     const double most = rpm_from_speed(machine_.max_speed_of(spindle_.number));
@@ -98,7 +98,7 @@ void Executor::watch_cutting_speed(const Block& block, double from, double to) {
     const bool is_in_centre = !std::isfinite(wanted);
     if (!(mm_min > 0) || (!is_in_centre && !(most > 0 && wanted > most))) return;
     if (is_allowed(diag::NoSpeedLimit, block)) return;
-    dangers_.told_speed = true;
+    told_.count_as_told(Once::SpeedLimit);
     const std::string shown =
         is_in_centre ? "infinitely many" : std::to_string(std::llround(wanted));
     (block.has(Slot::X) ? report(diag::NoSpeedLimit, block, Slot::X)
@@ -190,9 +190,9 @@ void Executor::watch_tap(const Block& block, Function function) {
 
 /// X becomes a diameter, as on a lathe.
 void Executor::watch_diameter(const Block& block, Function function) {
-    if (options_.has_named_machine || is_lathe_ || dangers_.told_mill) return;
+    if (options_.has_named_machine || is_lathe_ || told_.has_told(Once::DiameterOnMill)) return;
     if (is_allowed(diag::DiameterOnMill, block)) return;
-    dangers_.told_mill = true;
+    told_.count_as_told(Once::DiameterOnMill);
     report(diag::DiameterOnMill, block, function)
         .arg(word_of(block, function))
         .fix("`-m lathe` runs it on one");
@@ -206,11 +206,10 @@ void Executor::watch_radius(const Block& block, std::int64_t number) {
     const bool is_of_length = tool_.source == Tool::Source::Offset && number == tool_.offset;
     const bool is_other_tool = std::ranges::any_of(
         machine_.tools, [&](const auto& tool) { return tool.number == number; });
-    const bool is_told =
-        std::ranges::find(dangers_.told_radii, number) != dangers_.told_radii.end();
-    if (is_of_length || !is_other_tool || is_told || is_allowed(diag::OtherToolsRadius, block))
-        return;
-    dangers_.told_radii.push_back(number);
+    if (is_of_length || !is_other_tool) return;
+    if (told_.has_told(OnceEach::OtherToolsRadius, number)) return;
+    if (is_allowed(diag::OtherToolsRadius, block)) return;
+    told_.count_as_told(OnceEach::OtherToolsRadius, number);
     const bool is_said_here = block.find(Function::RadiusOffset) != nullptr;
     (is_said_here ? report(diag::OtherToolsRadius, block, Function::RadiusOffset)
                   : report(diag::OtherToolsRadius, block, function_of(comp_.side)))

@@ -4,7 +4,6 @@
 // motion of a length, at a change of the tool. A plain block pays one comparison.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -17,7 +16,6 @@ struct Dangers {
     /// The feed of the latest cut that was looked at, in the unit of its mode.
     double feed = std::numeric_limits<double>::quiet_NaN();
     path::FeedMode feed_mode = path::FeedMode::PerMinute;
-    std::vector<double> told_feeds;
 
     /// The length that the latest motion of its axis had, and the tool that was in.
     std::int64_t length = 0;
@@ -31,10 +29,6 @@ struct Dangers {
     bool has_rapid_end = false;                 // … and before a cut there was one
     path::Vec3 rapid_end = path::Vec3::Zero();  // of the tip in the base system
 
-    bool told_mill = false;                // that a program which turns runs on a mill
-    bool told_speed = false;               // that no limit holds the spindle
-    std::vector<std::int64_t> told_radii;  // offsets of other tools
-
     /// A motion is about to be put out.
     ///
     /// here  where the tip stands, that is the end of the motion before
@@ -45,15 +39,6 @@ struct Dangers {
         }
         is_at_rapid = op == path::Op::Rapid;
         has_moved = true;
-    }
-
-    /// Whether this feed is told for the first time.
-    bool is_new(double feed_said) {
-        constexpr std::size_t kMost = 100;  // what a program repeats, not all that it may have
-        const bool is_told = std::ranges::find(told_feeds, feed_said) != told_feeds.end();
-        if (is_told || told_feeds.size() >= kMost) return false;
-        told_feeds.push_back(feed_said);
-        return true;
     }
 };
 

@@ -54,14 +54,13 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
         rules_.arc_tolerance = value == 0 ? 1e6 : value * 0.001;
         return;
     }
-    if (std::ranges::find(told_.parameters, number) != told_.parameters.end()) return;
-    told_.parameters.push_back(number);
+    if (!told_.first_time(OnceEach::Parameter, number)) return;
     report(diag::ParameterIdle, block, Function::ParameterData).arg(number);
 }
 
 /// Lives of tools are the control's matter: no tool wears here.
 void Executor::tell_life_data(const Block& block) {
-    if (!std::exchange(told_.life, true)) report(diag::LifeDataIdle, block, Function::LifeData);
+    if (told_.first_time(Once::LifeData)) report(diag::LifeDataIdle, block, Function::LifeData);
 }
 
 }  // namespace kadr::interp

@@ -103,10 +103,8 @@ double Executor::bounded_speed(const Block& block) {
     if (!(wanted > 0)) return wanted;
     double speed = std::max(wanted, spindle_.least);
     if (spindle_.most > 0) speed = std::min(speed, spindle_.most);
-    if (speed != wanted && wanted != told_.bound) {
-        told_.bound = wanted;
+    if (speed != wanted && told_.first_time_of_bound(wanted))
         report(diag::SpeedBounded, block).arg(wanted).arg(speed);
-    }
     return speed;
 }
 
@@ -171,12 +169,11 @@ void Executor::stand_spindle(const Block& block, Function function, double angle
 
 /// A boring cycle is about to take the edge off the wall.
 void Executor::check_edge_turns(const Block& block) {
-    if (told_.turned_edge) return;
     const path::Vec3 across = path::unit(path::axes_of(modal_.plane).first);
     const path::Vec3 turned = frames_.total().direction(across).normalized();
     constexpr double kTurned = 1e-6;
     if ((turned - across).norm() < kTurned && !frames_.is_mirrored(modal_.plane)) return;
-    told_.turned_edge = true;
+    if (!told_.first_time(Once::TurnedEdge)) return;
     report(diag::EdgeNotTurned, block)
         .arg(frames_.is_mirrored(modal_.plane) ? "mirrored" : "turned");
 }

@@ -160,8 +160,7 @@ void Executor::pass_machine_function(const Block& block, std::int64_t number) {
         }
     }
     if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
-    if (std::ranges::find(told_.machine_functions, number) != told_.machine_functions.end()) return;
-    told_.machine_functions.push_back(number);
+    if (!told_.first_time(OnceEach::MachineFunction, number)) return;
     report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
 }
 

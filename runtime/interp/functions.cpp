@@ -649,8 +649,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
         report(diag::CuttingSpeedMissing, block, Function::CuttingSpeedOn);
         return;
     }
-    // What was said of a standing spindle is said anew when it stands again.
-    if (actions.spindle) told_.spindle_stopped = told_.rapid = false;
+    if (actions.spindle) told_.renew_spindle();
     if (actions.spindle && is_running(*actions.spindle)) spindle_.mode = *actions.spindle;
     if (!rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
     update_spindle(block);

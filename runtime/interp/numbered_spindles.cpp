@@ -110,8 +110,8 @@ void Executor::select_master(const Block& block, const Invocation& invocation) {
     }
     const SpeedLimits limits = speed_limits();
     std::swap(spindle_, *other);
-    told_.spindle_stopped = told_.rapid = false;
-    told_.bound = spindle_.speed;  // of which was told when it was said
+    told_.renew_spindle();
+    told_.exchange_bound(spindle_.speed);  // of which was told when it was said
     Command& command = put_spindle(block);
     // One that stands at an angle does not go there again.
     const bool runs = is_running(spindle_.mode);
@@ -156,13 +156,13 @@ void Executor::act_on_spindle(const Block& block, const Invocation& invocation) 
 void Executor::update_other_spindles(const Block& block) {
     for (Spindle& other : other_spindles_) {
         if (!names_spindle(block, other.number)) continue;
-        const double warned = std::exchange(told_.bound, 0);
+        const double warned = told_.exchange_bound(0);
         std::swap(spindle_, other);
         is_master_away_ = true;
         update_spindle(block);
         is_master_away_ = false;
         std::swap(spindle_, other);
-        told_.bound = warned;
+        told_.exchange_bound(warned);
     }
     for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
         const Invocation& invocation = block.functions[i];

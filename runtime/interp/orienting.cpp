@@ -277,8 +277,8 @@ void Executor::end_length_transformation(Actions& actions) {
 /// Whether a machine's transformation takes the work offset off is a matter of its set-up: what is
 /// said behind it acts on each. S 7.1. Said once, of the first motion.
 void Executor::check_offset_said(const Block& block) {
-    if (!std::exchange(orienting_.owes_offset, false) || orienting_.warned_offset) return;
-    orienting_.warned_offset = true;
+    if (!std::exchange(orienting_.owes_offset, false)) return;
+    if (!told_.first_time(Once::WorkOffset)) return;
     DiagnosticBuilder warning = report(diag::TransformationOffset, block);
     const std::string offset = nc::spelling_of_offset(dialect_, work_offset_);
     if (!offset.empty()) warning.fix("say it there: `" + offset + "`");

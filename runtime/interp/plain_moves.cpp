@@ -41,7 +41,7 @@ bool Executor::move_plainly(const Block& block) {
     if (!is_plain_block(block) || !is_plain_state()) return false;
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_rapid = motion == Function::Rapid;
-    if (is_rapid ? !told_.rapid && spindle_.mode == path::SpindleMode::Stop
+    if (is_rapid ? !told_.has_told(Once::Rapid) && spindle_.mode == path::SpindleMode::Stop
                  : motion != Function::Line)
         return false;
     if (!is_rapid && may_count_degrees(block)) return false;

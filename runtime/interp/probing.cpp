@@ -44,7 +44,7 @@ Probing Executor::probe_along(const Block& block, const Target& target, const Pr
     const Invocation& call = *block.find(Function::Probe);
     probing.goes_on = block.argument(call, parameter_of<Function::Probe>("through")) != 0;
     if (!knows_touches()) {
-        if (!std::exchange(told_.touch, true)) report(diag::TouchMissing, block, Function::Probe);
+        if (told_.first_time(Once::Touch)) report(diag::TouchMissing, block, Function::Probe);
         probing.touched = target;
         return probing;
     }

@@ -80,7 +80,7 @@ void Executor::preset_axes(const Block& block, const Invocation& invocation) {
         preset_[index(*axis)] += now - wanted;
     }
     frame_changed();
-    if (!std::exchange(told_.preset, true)) report(diag::PresetLimits, block, Function::Preset);
+    if (told_.first_time(Once::Preset)) report(diag::PresetLimits, block, Function::Preset);
 }
 
 /// The feed of a tooth times the number of teeth is the feed of a turn.
@@ -131,7 +131,7 @@ void Executor::measure_length(const Block& block, const Invocation& invocation) 
         return;
     }
     if (!check_axes(block, targets)) return;
-    if (!std::exchange(told_.measure, true)) report(diag::MeasureFinds, block);
+    if (told_.first_time(Once::Measure)) report(diag::MeasureFinds, block);
     line(block, target_of(block, targets), Op::Rapid, true);
 }
 

@@ -193,8 +193,7 @@ struct Orienting : OrientModes {
     std::optional<path::Vec3> normal;      // of the surface; nothing: none was said yet
     path::Vec3 rate = path::Vec3::Zero();  // how the tool's direction changed at its end
     std::optional<path::Vec3> point;       // the second point of the tool's axis
-    bool owes_offset = false;              // a work offset was to be said behind the switch …
-    bool warned_offset = false;            // … and it was told that none was
+    bool owes_offset = false;              // a work offset is to be said behind the switch
 };
 
 /// What the words of one block say of the tool. Components and angles that are not said are 0.
@@ -256,7 +255,6 @@ struct Tilting {
     bool carries = false;    // frames lie on the turned tables, lengths along the turned tool …
     bool on_tables = false;  // … or the frames do so alone
     path::Vec3 joints = path::Vec3::Zero();  // R1, R2, Ψ there, rad
-    bool warned_turned = false;
     int turns = 0;  // rotations in space that made it; the tool lies along its Z
     std::optional<SaidPlane> open;
 };

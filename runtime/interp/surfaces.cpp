@@ -26,10 +26,8 @@ std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
                      : "its side leans by 90 degrees and more, or inwards");
         return std::nullopt;
     }
-    if (!found->is_known && number != 0 && !told_.shape) {
-        told_.shape = true;
+    if (!found->is_known && number != 0 && told_.first_time(Once::ToolShape))
         report(diag::CompFaceShape, block, function_of(comp_.side)).arg(tool_offsets_.type(number));
-    }
     SpaceCutter cutter;
     cutter.contact.kind = path::ContactKind::Face;
     cutter.contact.radius = found->radius;

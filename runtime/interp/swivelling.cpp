@@ -100,7 +100,7 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
                      Frame{*rotation, Vec3::Zero()} *
                      path::translation(three(block, invocation, kShift)));
     tilting_.is_on = true;
-    tilting_.warned_turned = false;
+    told_.renew(Once::TiltTurned);
     frame_changed();
 
     constexpr double kMostModes = 1e6;

@@ -85,10 +85,8 @@ bool Executor::check_thread_spindle(const Block& block) {
         report(diag::RevolutionFeedStands, block);
         return false;
     }
-    if (spindle_.has_cutting_speed && !told_.thread_speed) {
-        told_.thread_speed = true;
+    if (spindle_.has_cutting_speed && told_.first_time(Once::ThreadSpeed))
         report(diag::ThreadUnderCuttingSpeed, block);
-    }
     return true;
 }
 

@@ -16,8 +16,7 @@ struct SplineEnds {
 };
 
 struct ThroughRun {
-    nc::Function function =
-        nc::Function::None;  // the motion that makes it: blocks may say it again
+    nc::Function function = nc::Function::None;  // its motion: blocks may say it again
     path::ThroughSpline spline;
     std::deque<PoleBlock> blocks;  // of the spans to come: that of the point where each ends
     AxisMask moved = 0;            // axes that its blocks have named

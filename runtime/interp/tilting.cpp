@@ -260,7 +260,8 @@ void Executor::tilt_along_tool(const Block& block, const Invocation& invocation)
 
 void Executor::end_tilt(const Block& block) {
     if (!tilting_.is_on || !end_space_turns(block)) return;
-    tilting_.is_on = tilting_.warned_turned = false;
+    tilting_.is_on = false;
+    told_.renew(Once::TiltTurned);
     frames_.set_tilt({});
     drop_carry(block);
     frame_changed();
@@ -464,7 +465,7 @@ void Executor::stand_at(const Block& block, const AxisValues& axes, bool tool_tu
 
 /// A rotary axis that the plane does not follow leads the tool out of it. F 4.8.
 void Executor::check_carried(const Block& block) {
-    if (tilting_.warned_turned || !machine_.kinematics) return;
+    if (told_.has_told(Once::TiltTurned) || !machine_.kinematics) return;
     const nc::SlotMask turned = block.given & joint_axes();
     if (turned == 0) return;
     const Vec3 now = tilting_.joints;
@@ -476,7 +477,7 @@ void Executor::check_carried(const Block& block) {
         const double place = deg_from_rad(now[static_cast<Eigen::Index>(k)]);
         constexpr double kWidth = 0.0005;  // deg: half an increment
         if (std::abs(std::remainder(block.at(slot) - place, 360)) < kWidth) continue;
-        tilting_.warned_turned = true;
+        told_.count_as_told(Once::TiltTurned);
         report(diag::TiltTurned, block, slot)
             .arg(kAxisNames[index(chain.joints[k].axis)])
             .arg(round_to(place, 4));

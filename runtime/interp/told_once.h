@@ -1,34 +1,84 @@
 // told_once.h — what a run tells once and not again. Internal to interp.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace kadr::interp {
 
-/// What has been told, or need not be told any more.
-struct ToldOnce {
-    bool spin = false;   // that a turn about the tool means nothing
-    bool shape = false;  // … the shape of a tool for faces
-    bool spindle_stopped = false;
-    bool rapid = false;  // a rapid into the work
-    bool arc_is_line = false;
-    bool thread_speed = false;
-    bool turned_edge = false;  // the spindle stops in a cycle whose plane is turned
-    double bound = 0;          // speed of the spindle that is beyond one
-    bool no_tool = false;      // … or one was called
-    bool units = false;
-    bool preset = false;
-    bool measure = false;
-    bool touch = false;
-    bool life = false;                            // data of tool life
-    std::vector<std::int64_t> tools;              // that nobody knows
-    std::vector<std::int64_t> edges;              // … of their edges
-    std::vector<std::string> shared_names;        // of several tools
-    std::vector<std::int64_t> radii;              // offsets without one
-    std::vector<std::int64_t> machine_functions;  // M functions that mean nothing here
-    std::vector<std::int64_t> parameters;         // … of the control
+/// What is told once, or once more when it is renewed.
+enum class Once : std::uint8_t {
+    ArcIsLine,
+    DiameterOnMill,  // a program that turns runs on a mill
+    LifeData,
+    Measure,
+    NoTool,
+    Preset,
+    Rapid,       // into the work, while the spindle stands
+    SpeedLimit,  // none holds the spindle
+    Spin,        // a turn about the tool means nothing
+    SpindleStopped,
+    ThreadSpeed,
+    TiltTurned,
+    ToolShape,  // that faces do not know
+    Touch,
+    TurnedEdge,  // the spindle stops in a cycle whose plane is turned
+    Units,
+    WorkOffset,  // none is said behind a transformation
+};
+
+/// What is told once of each number.
+enum class OnceEach : std::uint8_t {
+    Tool,    // that nobody knows
+    Edge,    // … of their edges
+    Radius,  // offset without one
+    OtherToolsRadius,
+    MachineFunction,  // that means nothing here
+    Parameter,        // … of the control
+};
+
+class ToldOnce {
+  public:
+    bool has_told(Once what) const { return (told_ >> bit_of(what) & 1u) != 0; }
+    bool has_told(OnceEach what, std::int64_t number) const;
+    void count_as_told(Once what) { told_ |= 1u << bit_of(what); }
+    void count_as_told(OnceEach what, std::int64_t number);
+
+    /// Whether it is to be told: from here on it counts as told.
+    [[nodiscard]] bool first_time(Once what);
+    [[nodiscard]] bool first_time(OnceEach what, std::int64_t number);
+    /// … of a name that several tools have.
+    [[nodiscard]] bool first_time_of_name(const std::string& name);
+    /// … of a feed. What a program repeats is told, not all that it may have.
+    [[nodiscard]] bool first_time_of_feed(double feed);
+    /// … of a speed that is beyond a bound of the spindle, if the latest one was another.
+    [[nodiscard]] bool first_time_of_bound(double speed) { return exchange_bound(speed) != speed; }
+
+    /// It is told anew when it comes again.
+    void renew(Once what) { told_ &= ~(1u << bit_of(what)); }
+    /// What was said of a standing spindle is said anew when it stands again.
+    void renew_spindle() {
+        renew(Once::SpindleStopped);
+        renew(Once::Rapid);
+    }
+    /// The speed counts as the latest one that was told; returns the one before.
+    double exchange_bound(double speed) {
+        const double before = bound_;
+        bound_ = speed;
+        return before;
+    }
+
+  private:
+    static unsigned bit_of(Once what) { return static_cast<unsigned>(what); }
+
+    std::uint32_t told_ = 0;
+    std::array<std::vector<std::int64_t>, 6> numbers_;  // a list for each OnceEach
+    std::vector<std::string> shared_names_;
+    std::vector<double> feeds_;
+    double bound_ = 0;
 };
 
 }  // namespace kadr::interp

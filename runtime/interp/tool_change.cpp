@@ -42,8 +42,7 @@ void Executor::check_edge(const Block& block) {
         report(diag::EdgeMissing, block, Function::ToolEdge).arg(tool_.current).arg(tool_.edge);
         return;
     }
-    if (std::ranges::find(told_.edges, number) != told_.edges.end()) return;
-    told_.edges.push_back(number);
+    if (!told_.first_time(OnceEach::Edge, number)) return;
     report(diag::EdgeUnknown, block, Function::ToolEdge).arg(tool_.edge).arg(tool_.current);
 }
 
@@ -89,16 +88,12 @@ std::int64_t Executor::named_tool(const Block& block) {
     const std::vector<std::int64_t> known = tool_names_.numbers(block.text);
     if (known.empty()) {
         const std::int64_t number = tool_names_.invent(block.text, tool_offsets_.last_tool());
-        told_.tools.push_back(number);
+        told_.count_as_told(OnceEach::Tool, number);
         report(diag::ToolUnknown, block).arg(block.text);
         return number;
     }
-    const bool is_told = std::find(told_.shared_names.begin(), told_.shared_names.end(),
-                                   block.text) != told_.shared_names.end();
-    if (known.size() > 1 && !is_told) {
-        told_.shared_names.push_back(block.text);
+    if (known.size() > 1 && told_.first_time_of_name(block.text))
         report(diag::ToolNameShared, block).arg(block.text).arg(known[0]).arg(known[1]);
-    }
     return known[0];
 }
 
@@ -118,7 +113,7 @@ void Executor::change_tool(const Block& block) {
     }
     if (rules_.tool_change_stops_spindle && !is_lathe_) {
         spindle_.mode = SpindleMode::Stop;
-        told_.spindle_stopped = told_.rapid = false;
+        told_.renew_spindle();
         update_spindle(block);
     }
     // What the block says of the edge itself is said.

@@ -74,8 +74,7 @@ void Executor::check_length_known(const Block& block) {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
     const std::int64_t tool = ToolOffsets::tool_of(number);
-    if (std::find(told_.tools.begin(), told_.tools.end(), tool) != told_.tools.end()) return;
-    told_.tools.push_back(tool);
+    if (!told_.first_time(OnceEach::Tool, tool)) return;
     report(diag::ToolUnknown, block).arg(tool);
 }
 

@@ -571,8 +571,7 @@ bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
     if (!tool.spin && !tool.spin_by) return true;
     const Chain& chain = machine_.kinematics->chain;
     if (!chain.has(machine::kPsi)) {
-        if (!told_.spin) report(diag::SpinWithoutAxis, block, Function::ToolSpin);
-        told_.spin = true;
+        if (told_.first_time(Once::Spin)) report(diag::SpinWithoutAxis, block, Function::ToolSpin);
         return true;
     }
     Vec3 joints = joints_of(target.base);

@@ -1,0 +1,48 @@
+#include "interp/told_once.h"
+
+#include <algorithm>
+
+namespace kadr::interp {
+
+namespace {
+
+template <typename Value>
+bool is_among(const std::vector<Value>& told, const Value& value) {
+    return std::ranges::find(told, value) != told.end();
+}
+
+template <typename Value>
+bool is_added(std::vector<Value>& told, const Value& value) {
+    if (is_among(told, value)) return false;
+    told.push_back(value);
+    return true;
+}
+
+}  // namespace
+
+bool ToldOnce::has_told(OnceEach what, std::int64_t number) const {
+    return is_among(numbers_.at(static_cast<std::size_t>(what)), number);
+}
+
+void ToldOnce::count_as_told(OnceEach what, std::int64_t number) {
+    numbers_.at(static_cast<std::size_t>(what)).push_back(number);
+}
+
+bool ToldOnce::first_time(Once what) {
+    const bool is_first = !has_told(what);
+    count_as_told(what);
+    return is_first;
+}
+
+bool ToldOnce::first_time(OnceEach what, std::int64_t number) {
+    return is_added(numbers_.at(static_cast<std::size_t>(what)), number);
+}
+
+bool ToldOnce::first_time_of_name(const std::string& name) { return is_added(shared_names_, name); }
+
+bool ToldOnce::first_time_of_feed(double feed) {
+    constexpr std::size_t kMost = 100;
+    return feeds_.size() < kMost && is_added(feeds_, feed);
+}
+
+}  // namespace kadr::interp
