@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "base/diagnostics/machine.h"
+#include "base/done.h"
 
 namespace kadr::machine {
 
@@ -13,15 +14,15 @@ class Described {
   public:
     explicit Described(DiagnosticSink& sink) : sink_(sink) {}
 
-    /// True if `what` is new; else it has been reported, with the place of the first description.
-    bool is_first(const std::string& what, const SourceRange& place) {
+    /// What is described twice is reported with the place of the first description.
+    Done require_first(const std::string& what, const SourceRange& place) {
         const auto [first, is_new] = seen_.emplace(what, place);
         if (!is_new) {
             sink_.report(diag::MachineTwice, place)
                 .arg(what)
                 .note(first->second, "the first description");
         }
-        return is_new;
+        return Done(is_new);
     }
 
   private:

@@ -216,15 +216,15 @@ class MachineBuilder {
         if (child.name == "laser") read_laser(child);
         if (child.name == "function") read_function(child);
         if (child.name == "data") read_datum(child);
-        if (child.name == "probe" && described_.is_first("the probe", child.range))
+        if (child.name == "probe" && described_.require_first("the probe", child.range))
             told_.probe = read_probe(child, sink_);
-        if (child.name == "scanner" && described_.is_first("the scanner", child.range))
+        if (child.name == "scanner" && described_.require_first("the scanner", child.range))
             machine_.scanner = read_scanner(child, sources_, sink_);
         if (child.name == "kinematics" &&
-            described_.is_first("the chain of rotary axes", child.range))
+            described_.require_first("the chain of rotary axes", child.range))
             kinematics_ = &child;
         // Read behind the others, which it refers to.
-        if (child.name == "pipeline" && described_.is_first("the pipeline", child.range))
+        if (child.name == "pipeline" && described_.require_first("the pipeline", child.range))
             pipeline_ = &child;
     }
 
@@ -256,10 +256,10 @@ class MachineBuilder {
                               reader.quantity("home4", dimension.position)};
         read_limits(reader, axis, dimension.position);
         const std::string machine_name = upper_ascii(reader.text("machine_name"));
-        if (!machine_name.empty() &&
-            described_.is_first("an axis `" + machine_name + '`', reader.place("machine_name")))
+        if (!machine_name.empty() && described_.require_first("an axis `" + machine_name + '`',
+                                                              reader.place("machine_name")))
             told_.axis_names.emplace(machine_name, axis.axis);
-        if (described_.is_first("axis " + axis.name, reader.place("name")))
+        if (described_.require_first("axis " + axis.name, reader.place("name")))
             machine_.axes.push_back(axis);
     }
 
@@ -278,7 +278,7 @@ class MachineBuilder {
         const ElementReader reader(element, sink_);
         if (!reader.has("name") || !reader.has("value")) return;
         MachineDatum datum{reader.text("name"), reader.text("value"), element.range};
-        if (described_.is_first("`" + datum.name + '`', reader.place("name")))
+        if (described_.require_first("`" + datum.name + '`', reader.place("name")))
             told_.data.push_back(std::move(datum));
     }
 
@@ -324,7 +324,7 @@ class MachineBuilder {
         const std::string what =
             "tool " + std::to_string(*number) +
             (tool.edge == 1 ? std::string() : ", edge " + std::to_string(tool.edge));
-        if (!described_.is_first(what, reader.place(has_edge ? "edge" : "number"))) return;
+        if (!described_.require_first(what, reader.place(has_edge ? "edge" : "number"))) return;
         if (tool.edge == 1) first_edges_.insert(*number);
         else further_edges_.push_back({*number, tool.edge, reader.place("edge")});
         if (tool.edge != 1 && !tool.name.empty()) {
@@ -332,7 +332,7 @@ class MachineBuilder {
             return;
         }
         if (!tool.name.empty() &&
-            !described_.is_first("a tool `" + tool.name + '`', reader.place("name")))
+            !described_.require_first("a tool `" + tool.name + '`', reader.place("name")))
             return;
         tool.number = *number;
         machine_.tools.push_back(tool);
@@ -367,7 +367,8 @@ class MachineBuilder {
         function.acts = static_cast<FunctionTime>(
             reader.choice("acts", kFunctionTimes).value_or(is_off ? 2 : 0));
         function.waits = reader.choice("waits", kYesNo).value_or(0) == 0;
-        if (described_.is_first("function M" + std::to_string(function.code), reader.place("code")))
+        if (described_.require_first("function M" + std::to_string(function.code),
+                                     reader.place("code")))
             machine_.functions.push_back(function);
     }
 
@@ -404,8 +405,8 @@ class MachineBuilder {
                     .arg(kAxisNames[i]);
             }
         }
-        if (!number ||
-            !described_.is_first("offset " + std::to_string(*number), reader.place("number"))) {
+        if (!number || !described_.require_first("offset " + std::to_string(*number),
+                                                 reader.place("number"))) {
             return;
         }
         const auto place = static_cast<std::size_t>(*number);
@@ -432,7 +433,7 @@ class MachineBuilder {
                             (2 * std::numbers::pi);
         spindle.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
         if (!number ||
-            !described_.is_first("spindle " + std::to_string(*number), reader.place("number")))
+            !described_.require_first("spindle " + std::to_string(*number), reader.place("number")))
             return;
         spindle.number = *number;
         machine_.spindles.push_back(spindle);
@@ -441,7 +442,7 @@ class MachineBuilder {
 
     // Values that are wrong have been reported; 1 stands for them until the file is refused.
     void read_spindle_drive(const XmlElement& element) {
-        if (!described_.is_first("the spindle drive", element.range)) return;
+        if (!described_.require_first("the spindle drive", element.range)) return;
         const ElementReader reader(element, sink_);
         SpindleDrive& drive = drives_.spindle;
         drive.inertia = reader.positive("inertia", Dimension::Inertia).value_or(1);
@@ -455,7 +456,7 @@ class MachineBuilder {
     }
 
     void read_feed_drive(const XmlElement& element) {
-        if (!described_.is_first("the feed drive", element.range)) return;
+        if (!described_.require_first("the feed drive", element.range)) return;
         const ElementReader reader(element, sink_);
         FeedDrive& drive = drives_.feed;
         drive.gain = reader.positive("gain", Dimension::Rate).value_or(1);
@@ -465,13 +466,13 @@ class MachineBuilder {
     }
 
     void read_cutting(const XmlElement& element) {
-        if (!described_.is_first("the cutting load", element.range)) return;
+        if (!described_.require_first("the cutting load", element.range)) return;
         const ElementReader reader(element, sink_);
         drives_.cutting_force = reader.magnitude("force", Dimension::Force).value_or(0);
     }
 
     void read_laser(const XmlElement& element) {
-        if (!described_.is_first("the laser", element.range)) return;
+        if (!described_.require_first("the laser", element.range)) return;
         const ElementReader reader(element, sink_);
         Laser laser;
         laser.pulse = reader.positive("pulse", Dimension::Frequency).value_or(0);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/diagnostics/machine.h"
+#include "base/done.h"
 #include "base/numbers.h"
 #include "machine/described.h"
 #include "machine/element_reader.h"
@@ -96,27 +97,27 @@ class PipelineReader {
             if (better) message.fix(reader.place("command"), *better, "the command is called so");
             return;
         }
-        if (!described_.is_first("who serves `" + name + '`', reader.place("command"))) return;
+        if (!described_.require_first("who serves `" + name + '`', reader.place("command"))) return;
         const std::string module = reader.text("by");
         if (module == kNoModule && serving != Serving::Time) {
             sink_.report(diag::PipelineMotion, reader.place("by")).arg(name);
             return;
         }
-        if (module == kScannerModule && !can_scan(reader, name, serving)) return;
+        if (module == kScannerModule && !require_scanner(reader, name, serving)) return;
         pipeline_.modules.push_back({*op, module, reader.place("by")});
     }
 
-    bool can_scan(const ElementReader& reader, const std::string& name, Serving serving) {
-        if (serving == Serving::ScanWay && machine_.scanner) return true;
+    Done require_scanner(const ElementReader& reader, const std::string& name, Serving serving) {
+        if (serving == Serving::ScanWay && machine_.scanner) return kDone;
         sink_.report(diag::PipelineScanner, reader.place("by"))
             .arg(name)
             .arg(serving == Serving::ScanWay ? "the machine file describes none"
                                              : "it is no way for a beam");
-        return false;
+        return kFailed;
     }
 
     void read_translate(const XmlElement& element) {
-        if (!described_.is_first("the stage `translate`", element.range)) return;
+        if (!described_.require_first("the stage `translate`", element.range)) return;
         const ElementReader reader(element, sink_);
         PipelineStage& stage = pipeline_.translate;
         stage.period = reader.positive("period", Dimension::Time).value_or(0);
@@ -126,7 +127,7 @@ class PipelineReader {
 
     /// A stage that works in whole ticks.
     void read_ticked(const XmlElement& element, PipelineStage& stage, const std::string& name) {
-        if (!described_.is_first("the stage `" + name + '`', element.range)) return;
+        if (!described_.require_first("the stage `" + name + '`', element.range)) return;
         const ElementReader reader(element, sink_);
         set(stage.queue, reader.whole("queue", 1, kMostQueue));
         const auto period = reader.positive("period", Dimension::Time);
@@ -173,7 +174,7 @@ class PipelineReader {
                 sink_.report(diag::PipelineColumn, word.range).arg(word.text).arg(known_columns());
                 continue;
             }
-            if (described_.is_first("the column `" + word.text + '`', word.range))
+            if (described_.require_first("the column `" + word.text + '`', word.range))
                 pipeline_.setpoints.columns.push_back(word.text);
         }
     }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "base/done.h"
 #include "path/complete_spline.h"
 #include "path/cubic.h"
 
@@ -170,10 +172,9 @@ class Fitter {
         for (const std::int64_t intervals : kFirstIntervals) {
             Stretch stretch;
             std::optional<std::pair<Node, Node>> corner;
-            if (!divide(from, to, intervals, stretch, corner)) {
-                if (corner) cut(from, *corner, to);
-                return;
-            }
+            const Divided divided = divide(from, to, intervals, stretch, corner);
+            if (divided == Divided::AtCorner) return cut(from, *corner, to);
+            if (divided == Divided::NotAtAll) return;
             if (!solve(stretch)) return;
             const bool is_less = !best || pole_count(stretch) < pole_count(*best);
             if (is_less) best = std::move(stretch);
@@ -185,16 +186,21 @@ class Fitter {
         return stretch.is_curvature_continuous ? nodes + 2 : 2 * nodes;
     }
 
-    /// Nodes of a stretch; false after a fault, or with the interval in which a corner is.
-    bool divide(const Node& from, const Node& to, std::int64_t intervals, Stretch& stretch,
-                std::optional<std::pair<Node, Node>>& corner) {
+    enum class Divided : std::uint8_t {
+        Smoothly,
+        AtCorner,  // there is one, in the interval that is given
+        NotAtAll,  // a fault
+    };
+    /// Nodes of a stretch.
+    Divided divide(const Node& from, const Node& to, std::int64_t intervals, Stretch& stretch,
+                   std::optional<std::pair<Node, Node>>& corner) {
         stretch.nodes = {{0, from.parameter, from.at}};
         std::vector<Node> ahead;  // right ends, the nearest last
         const auto count = static_cast<double>(intervals);
         ahead.push_back({intervals * kUnits, to.parameter, to.at});
         for (std::int64_t i = intervals - 1; i > 0; --i) {
             const auto node = between(from, to, static_cast<double>(i) / count, i * kUnits);
-            if (!node) return false;
+            if (!node) return Divided::NotAtAll;
             ahead.push_back(*node);
         }
         while (!ahead.empty()) {
@@ -205,16 +211,16 @@ class Fitter {
                 ahead.pop_back();
                 continue;
             }
-            if (result_.fault) return false;
+            if (result_.fault) return Divided::NotAtAll;
             if (b.units - a.units == 1) {
                 corner = {a, b};
-                return false;
+                return Divided::AtCorner;
             }
             const auto middle = between(a, b, 0.5, (a.units + b.units) / 2);
-            if (!middle) return false;
+            if (!middle) return Divided::NotAtAll;
             ahead.push_back(*middle);
         }
-        return true;
+        return Divided::Smoothly;
     }
 
     /// How much happens between two nodes: the way and, doubled, how far the change of slope leads.
@@ -252,8 +258,8 @@ class Fitter {
                                          stretch.nodes.back().at.derivative);
     }
 
-    /// Adds nodes until the spline keeps the tolerance; false after a fault.
-    bool solve(Stretch& stretch) {
+    /// Adds nodes until the spline keeps the tolerance; not done after a fault.
+    Done solve(Stretch& stretch) {
         for (int round = 0; round < kRounds; ++round) {
             smooth_slopes(stretch);
             std::vector<Node> nodes = {stretch.nodes[0]};
@@ -263,16 +269,16 @@ class Fitter {
                 const Node& b = stretch.nodes[i + 1];
                 const bool keeps = follows(cubic_of(a, stretch.slopes[i], b, stretch.slopes[i + 1]),
                                            a, b, options_.tolerance);
-                if (result_.fault) return false;
+                if (result_.fault) return kFailed;
                 if (!keeps && b.units - a.units > 1) {
                     const auto middle = between(a, b, 0.5, (a.units + b.units) / 2);
-                    if (!middle) return false;
+                    if (!middle) return kFailed;
                     nodes.push_back(*middle);
                 }
                 is_fine = is_fine && keeps;
                 nodes.push_back(b);
             }
-            if (is_fine) return true;
+            if (is_fine) return kDone;
             const bool is_halved = nodes.size() > stretch.nodes.size();
             stretch.nodes = std::move(nodes);
             if (!is_halved) break;
@@ -281,8 +287,8 @@ class Fitter {
     }
 
     /// The curve's own slopes, with which intervals that are narrow enough keep the tolerance;
-    /// every knot stands twice. False after a fault.
-    bool take_own_slopes(Stretch& stretch) {
+    /// every knot stands twice. Not done after a fault.
+    Done take_own_slopes(Stretch& stretch) {
         std::vector<Node> ahead(stretch.nodes.rbegin(), stretch.nodes.rend());
         std::vector<Node> nodes = {ahead.back()};
         ahead.pop_back();
@@ -291,7 +297,7 @@ class Fitter {
             const Node b = ahead.back();
             const bool keeps =
                 follows(cubic_of(a, a.at.derivative, b, b.at.derivative), a, b, options_.tolerance);
-            if (result_.fault) return false;
+            if (result_.fault) return kFailed;
             if (keeps) {
                 nodes.push_back(b);
                 ahead.pop_back();
@@ -299,17 +305,17 @@ class Fitter {
             }
             if (b.units - a.units == 1) {
                 fail(FitFault::Jump, a.parameter);
-                return false;
+                return kFailed;
             }
             const auto middle = between(a, b, 0.5, (a.units + b.units) / 2);
-            if (!middle) return false;
+            if (!middle) return kFailed;
             ahead.push_back(*middle);
         }
         stretch.nodes = std::move(nodes);
         stretch.is_curvature_continuous = false;
         stretch.slopes.clear();
         for (const Node& node : stretch.nodes) stretch.slopes.push_back(node.at.derivative);
-        return true;
+        return kDone;
     }
 
     // ------------------------------------------------------------ poles and knots

@@ -227,7 +227,7 @@ void ScannerCommands::scan_way(const Command& command) {
     ScanMotion motion;
     motion.segment = still(command);
     const double length = beam_at_.lay_path(command, target, motion.segment);
-    if (!keeps_axes(command, motion.segment, target)) return;
+    if (!require_own_axes(command, motion.segment, target)) return;
     beam_at_.arrive(command, target);
     if (!(length > 0)) return;
     const path::Curve& curve = motion.segment.curve;
@@ -300,16 +300,16 @@ Segment ScannerCommands::still(const Command& command) const {
     return segment;
 }
 
-/// False: an axis moves that is not the scanner's; it is refused.
-bool ScannerCommands::keeps_axes(const Command& command, const Segment& segment,
-                                 const motion::Standing::Target& target) {
+/// No axis may move that is not the scanner's.
+Done ScannerCommands::require_own_axes(const Command& command, const Segment& segment,
+                                       const motion::Standing::Target& target) {
     const std::string axis =
         moved_axis(target, segment, beam_at_.tip(), path::bounds(segment.curve));
-    if (axis.empty()) return true;
+    if (axis.empty()) return kDone;
     refuse([this, command, axis] {
         motion::report(sink_, diag::ScannerAxis, command, options_.place_of).arg(axis);
     });
-    return false;
+    return kFailed;
 }
 
 void ScannerCommands::refuse_busy(const Command& command, const char* what) {

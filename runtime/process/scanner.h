@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "base/done.h"
 #include "base/stream.h"
 #include "machine/machine.h"
 #include "motion/axis_table.h"
@@ -68,8 +69,8 @@ class ScannerCommands final : public Stream<path::Command> {
     void put_list(const path::Command& command, ScanList list);
     void refuse(Report report) { refusal_ = std::move(report); }
     void refuse_busy(const path::Command& command, const char* what);
-    bool keeps_axes(const path::Command& command, const motion::Segment& segment,
-                    const motion::Standing::Target& target);
+    Done require_own_axes(const path::Command& command, const motion::Segment& segment,
+                          const motion::Standing::Target& target);
     motion::Segment still(const path::Command& command) const;
 
     Stream<path::Command>& commands_;
