@@ -59,7 +59,10 @@ Entry Bench::entry(const CallUnderTest& call) const {
     entry.name = function.name;
     entry.is_inch = function.units == sema::Units::Inch;
     entry.range = function.range;
-    entry.start = [&call](expand::Expander& expander) { return expander.start_call(call); };
+    entry.start = [&call](expand::Expander& expander) {
+        expander.start_call(call);
+        return kDone;
+    };
     return entry;
 }
 
@@ -108,13 +111,13 @@ std::unique_ptr<Recording> Bench::perform(const CallUnderTest& call, const std::
     return recording;
 }
 
-/// What the call says becomes what the test says. False: there was no error.
-bool Bench::pass_on(const DiagnosticList& said) {
-    if (!said.has_errors()) return false;
+/// A call with an error: what it says becomes what the test says.
+Done Bench::require_no_error(const DiagnosticList& said) {
+    if (!said.has_errors()) return kDone;
     for (const Diagnostic& diagnostic : said.all()) {
         if (diagnostic.severity != Severity::Warning) sink_->take(diagnostic);
     }
-    return true;
+    return kFailed;
 }
 
 std::optional<std::int64_t> Bench::execute(const CallUnderTest& call) {
@@ -122,7 +125,7 @@ std::optional<std::int64_t> Bench::execute(const CallUnderTest& call) {
     std::unique_ptr<Recording> recording = perform(call, call.text.value_or(dialect_), said);
     if (!recording) return std::nullopt;
     const bool may_fail = call.call->purpose == sema::TestCall::Purpose::Attempt;
-    if (!may_fail && pass_on(said)) return std::nullopt;
+    if (!may_fail && !require_no_error(said)) return std::nullopt;
     recordings_.push_back(std::move(recording));
     return static_cast<std::int64_t>(recordings_.size());
 }
@@ -130,19 +133,19 @@ std::optional<std::int64_t> Bench::execute(const CallUnderTest& call) {
 std::optional<std::string> Bench::write(const CallUnderTest& call) {
     DiagnosticList said;
     const std::unique_ptr<Recording> recording = perform(call, call.text.value_or(dialect_), said);
-    if (!recording || pass_on(said)) return std::nullopt;
+    if (!recording || !require_no_error(said)) return std::nullopt;
     return recording->text;
 }
 
-bool Bench::ends_with_error(const CallUnderTest& call) {
+Done Bench::require_error(const CallUnderTest& call) {
     DiagnosticList said;
     const std::unique_ptr<Recording> recording = perform(call, dialect_, said);
-    if (!recording) return false;
+    if (!recording) return kFailed;
     const std::string wanted = call.text.value_or("");
     const Diagnostic* first = nullptr;
     for (const Diagnostic& diagnostic : said.all()) {
         if (diagnostic.severity == Severity::Warning) continue;
-        if (diagnostic.row->code == wanted || diagnostic.alarm_number == wanted) return true;
+        if (diagnostic.row->code == wanted || diagnostic.alarm_number == wanted) return kDone;
         if (first == nullptr) first = &diagnostic;
     }
     auto builder = sink_->report(diag::ErrorExpected, call.range);
@@ -155,7 +158,7 @@ bool Bench::ends_with_error(const CallUnderTest& call) {
                     "`: " + first->message());
         if (first->range.file.is_valid()) builder.note(first->range, "it stands here");
     }
-    return false;
+    return kFailed;
 }
 
 expand::FigureAnswer Bench::ask(std::int64_t execution, sema::Figure figure,

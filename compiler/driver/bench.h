@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/done.h"
 #include "driver/cycles.h"
 #include "driver/generated_text.h"
 #include "driver/program.h"
@@ -33,7 +34,7 @@ class Bench final : public expand::TestBench {
 
     std::optional<std::int64_t> execute(const expand::CallUnderTest& call) override;
     std::optional<std::string> write(const expand::CallUnderTest& call) override;
-    bool ends_with_error(const expand::CallUnderTest& call) override;
+    Done require_error(const expand::CallUnderTest& call) override;
     expand::FigureAnswer ask(std::int64_t execution, sema::Figure figure,
                              std::span<const sema::Slot> arguments) override;
     std::string dialect() const override;
@@ -45,7 +46,7 @@ class Bench final : public expand::TestBench {
     std::unique_ptr<Recording> perform(const expand::CallUnderTest& call, const std::string& name,
                                        DiagnosticList& said);
     Entry entry(const expand::CallUnderTest& call) const;
-    bool pass_on(const DiagnosticList& said);
+    Done require_no_error(const DiagnosticList& said);
 
     Session& session_;
     const Program& program_;

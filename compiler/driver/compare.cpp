@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/done.h"
 #include "base/numbers.h"
 #include "base/render.h"
 #include "base/units.h"
@@ -33,17 +34,16 @@ class Side {
                    session.messages()),
           source_(source) {}
 
-    /// False: reported.
-    bool open() {
+    Done open() {
         auto text = open_source(session_, source_);
-        if (!text) return false;
+        if (!text) return kFailed;
         execution_ = Execution::open(session_, source_, std::move(text));
-        if (!execution_) return false;
+        if (!execution_) return kFailed;
         motion::PlannerOptions options;
         execution_->place_messages(options);
         motion_ = std::make_unique<process::PlannedMotion>(*execution_, execution_->machine(),
                                                            options, execution_->sink());
-        return true;
+        return kDone;
     }
 
     Status status() const { return session_.status(); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics/driver.h"
+#include "base/done.h"
 #include "base/text.h"
 #include "expand/expander.h"
 #include "nc/tables.h"
@@ -29,7 +30,7 @@ class CycleBlocks final : public Stream<nc::Block> {
           messages_(sink),
           caller_{std::string(call.name), call.place} {}
 
-    bool start(const interp::CycleCall& call) {
+    Done start(const interp::CycleCall& call) {
         expand::Expander::Surroundings at{.position = call.position,
                                           .feed = call.feed,
                                           .speed = call.speed,
@@ -41,9 +42,9 @@ class CycleBlocks final : public Stream<nc::Block> {
             at.is_diameter = call.shape->is_diameter;
         }
         messages_.follow(caller_);
-        const bool has_started = expander_.start_cycle(call.name, call.arguments, call.given, at);
+        const Done started = expander_.start_cycle(call.name, call.arguments, call.given, at);
         messages_.follow_nobody();
-        return has_started;
+        return started;
     }
 
     std::size_t pull(std::span<nc::Block> out) override {

@@ -71,17 +71,17 @@ std::string position_text(std::string_view label, AxisMask axes, const AxisValue
 Debugger::Debugger(Session& session, const RunJob& job, Output* trace)
     : session_(session), job_(job), out_(trace) {}
 
-bool Debugger::take_places(const std::vector<std::string>& texts, std::vector<Place>& places,
+Done Debugger::take_places(const std::vector<std::string>& texts, std::vector<Place>& places,
                            DiagnosticSink& sink) {
     for (const std::string& text : texts) {
         auto point = BreakPoint::parse(text);
         if (!point) {
             sink.report(diag::PlaceUnclear).arg(text);
-            return false;
+            return kFailed;
         }
         places.push_back({std::move(*point), false});
     }
-    return true;
+    return kDone;
 }
 
 std::unique_ptr<Debugger> Debugger::open(Session& session, const RunJob& job, Output* trace) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/done.h"
 #include "driver/break_points.h"
 #include "driver/execution.h"
 #include "driver/output.h"
@@ -39,7 +40,7 @@ class Debugger final : public interp::LineWatch {
     };
     Debugger(Session& session, const RunJob& job, Output* trace);
 
-    static bool take_places(const std::vector<std::string>& texts, std::vector<Place>& places,
+    static Done take_places(const std::vector<std::string>& texts, std::vector<Place>& places,
                             DiagnosticSink& sink);
     TraceState state();
     void end_step();

@@ -70,7 +70,7 @@ Trial run_source(Session& session, const nc::Example& example, const nc::Dialect
         options.refusals = &trial.refusals;
         expand::Expander expander(*program->code, dialect, options, messages);
         std::array<nc::Block, 8> batch;
-        bool is_running = expander.start("", {});
+        auto is_running = static_cast<bool>(expander.start("", {}));
         while (is_running) {
             const std::size_t count = expander.pull(batch);
             trial.blocks.insert(trial.blocks.end(), batch.begin(), batch.begin() + count);

@@ -231,11 +231,11 @@ std::unique_ptr<Execution> Execution::open(Session& session, const std::string& 
     execution->aside_ = aside;
     execution->machine_ = session.machine();
     if (execution->machine_ == nullptr) return nullptr;
-    const bool is_open =
+    const Done opened =
         is_kadr_source(source, *text)
             ? execution->open_program(keep_source(session, source, *text), aside.tap)
             : execution->open_text(source, std::move(text));
-    if (!is_open || !execution->open_inputs()) return nullptr;
+    if (!opened || !execution->open_inputs()) return nullptr;
     execution->connect_with_library();
     return execution;
 }
@@ -279,22 +279,22 @@ std::unique_ptr<Execution> Execution::open(Session& session, const Program& prog
 }
 
 /// What the machine tells the program before it begins.
-bool Execution::open_inputs() {
+Done Execution::open_inputs() {
     if (session_.options().call && program_ != nullptr) {
         session_.messages().report(diag::CallOfKadr);
         session_.mark_usage();
-        return false;
+        return kFailed;
     }
     auto inputs = machine_inputs(session_);
-    if (!inputs) return false;
+    if (!inputs) return kFailed;
     inputs_ = std::move(*inputs);
-    return true;
+    return kDone;
 }
 
-bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> text) {
+Done Execution::open_text(const std::string& source, std::unique_ptr<FileText> text) {
     const bool is_named = !session_.options().dialect.empty();
     const std::string guess = is_named ? "" : dialect_of_text(session_, source, text->peek());
-    if (!is_named && guess.empty()) return false;
+    if (!is_named && guess.empty()) return kFailed;
     dialect_ = session_.chosen_dialect(guess);
     text_name_ = shown_name(source);
     file_ = std::move(text);
@@ -312,11 +312,11 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
             .arg(folder)
             .note("it is no folder, or there is none");
         session_.mark_usage();
-        return false;
+        return kFailed;
     }
     folders.insert(folders.end(), search.begin(), search.end());
     called_ = std::make_unique<ProgramFolders>(std::move(folders), &session_);
-    return dialect_ != nullptr;
+    return Done(dialect_ != nullptr);
 }
 
 std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
@@ -330,11 +330,11 @@ std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
     return execution;
 }
 
-bool Execution::open_program(FileId file, GeneratedText::Tap tap) {
+Done Execution::open_program(FileId file, GeneratedText::Tap tap) {
     dialect_ = session_.chosen_dialect(kDefaultDialect);
-    if (dialect_ == nullptr) return false;
+    if (dialect_ == nullptr) return kFailed;
     own_program_ = load_program(session_, file);
-    if (!own_program_) return false;
+    if (!own_program_) return kFailed;
     program_ = &*own_program_;
     text_name_ = generated_name(session_.sources().name(file), *dialect_);
     generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, aside_.map,
@@ -399,24 +399,24 @@ void Execution::connect(DiagnosticSink& sink) {
     reader_->show_to(aside_.watch, aside_.changes);
 }
 
-/// Says that the time is over. True: it is.
-bool Execution::came_too_late() {
-    if (!deadline_.is_over()) return false;
+void Execution::check_time() {
+    if (!deadline_.is_over()) return;
     is_late_ = true;
     // A loop without blocks was cut in the middle.
     const std::uint64_t line = reader_->stopped() ? reader_->line() : last_line_;
     sink_->report(diag::TimeIsUp, shown_place(static_cast<std::uint32_t>(line), {}))
         .arg(deadline_.seconds())
         .arg(static_cast<std::size_t>(blocks()));
-    return true;
 }
 
 std::size_t Execution::pull(std::span<path::Command> out) {
-    if (is_late_ || session_.output_limit().is_over() || came_too_late()) return 0;
+    if (is_late_ || session_.output_limit().is_over()) return 0;
+    check_time();
+    if (is_late_) return 0;
     const std::size_t alarms = sink_->alarms();
     const std::size_t count = interpreter_->pull(out);
     if (count > 0) last_line_ = out[count - 1].line;
-    if (count == 0 && reader_->stopped()) came_too_late();
+    if (count == 0 && reader_->stopped()) check_time();
     has_stopped_ = has_stopped_ || sink_->alarms() > alarms;
     // Stopped without a word of its own: the reader knows why.
     if (count == 0 && interpreter_->alarmed() && !has_stopped_) held_->release();

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "base/done.h"
 #include "driver/cycles.h"
 #include "driver/deadline.h"
 #include "driver/file_text.h"
@@ -94,7 +95,7 @@ class Execution final : public Stream<path::Command> {
     bool is_time_over() const { return deadline_.is_over(); }
     /// Says so where nobody has: what was left of the motion when the time was over is lost.
     void end_in_time() {
-        if (!is_late_) came_too_late();
+        if (!is_late_) check_time();
     }
     /// Evaluating, writing or reading came to an error.
     bool failed() const;
@@ -135,12 +136,13 @@ class Execution final : public Stream<path::Command> {
     class StatementNotes;
     explicit Execution(Session& session);
 
-    bool open_inputs();
-    bool open_text(const std::string& source, std::unique_ptr<FileText> text);
-    bool open_program(FileId file, GeneratedText::Tap tap = {});
+    Done open_inputs();
+    Done open_text(const std::string& source, std::unique_ptr<FileText> text);
+    Done open_program(FileId file, GeneratedText::Tap tap = {});
     void connect_with_library();
     void connect(DiagnosticSink& sink);
-    bool came_too_late();
+    /// Says it if the time is over, and is late from then on.
+    void check_time();
     void read_on(bool is_reached);
     LinePlace shown_place(std::uint32_t line, std::optional<Axis> axis) const;
 

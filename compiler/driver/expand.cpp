@@ -34,7 +34,7 @@ Status expand(Session& session, const ExpandJob& job) {
         return refused(session);
     }
     const std::array<std::string, 2> outputs = {job.output, job.map};
-    if (!are_outputs_apart(job.source, outputs, messages)) return refused(session);
+    if (!require_outputs_apart(job.source, outputs, messages)) return refused(session);
     const nc::Dialect* target = session.chosen_dialect(kDefaultTarget);
     if (target == nullptr) return session.status();
     const std::optional<Program> program =
@@ -57,7 +57,7 @@ Status expand(Session& session, const ExpandJob& job) {
         make_with_dangers(session, *program, *target, std::move(text));
     } else {
         while (!text->next().empty()) {
-            if (session.has_output_ended()) return session.status();
+            if (!session.require_output_room()) return session.status();
             session.tell({.blocks = text->blocks(), .setpoints = 0, .time = 0});
         }
         if (text->failed()) return session.status();

@@ -84,7 +84,7 @@ void GeneratedText::warn_of_cuts(const Messages& messages) {
     });
 }
 
-bool GeneratedText::start() {
+Done GeneratedText::start() {
     const Options& options = session_.options();
     Entry entry;
     if (const sema::FunctionCode* chosen = chosen_program(*program_.code, options.program)) {
@@ -111,24 +111,24 @@ static std::int64_t program_number(std::string_view name) {
     return is_number && number > 0 ? number : kFirst;
 }
 
-/// Whether the control can be told the units of the program, or stands in them anyway.
-bool GeneratedText::has_units(const Entry& entry) {
+/// The control can be told the units of the program, or stands in them anyway.
+Done GeneratedText::require_units(const Entry& entry) {
     const nc::Function wanted = entry.is_inch ? nc::Function::Inch : nc::Function::Metric;
     const nc::Function standing = target_.power_on(nc::Group::Units);
     const bool stands =
         wanted == standing || (standing == nc::Function::None && wanted == nc::Function::Metric);
-    if (stands || target_.can_write(wanted)) return true;
+    if (stands || target_.can_write(wanted)) return kDone;
     session_.messages()
         .report(diag::CannotExpress, entry.range)
         .arg(target_.name())
         .arg(entry.is_inch ? "a program in inches" : "a program in millimetres");
-    return false;
+    return kFailed;
 }
 
-bool GeneratedText::start(const Entry& entry) {
-    if (!has_units(entry)) return false;
+Done GeneratedText::start(const Entry& entry) {
+    if (!require_units(entry)) return kFailed;
     start_ = entry.start;
-    if (!entry.start(expander_)) return false;
+    if (!entry.start(expander_)) return kFailed;
     writer_.set_statements(program_.code->statements, &session_.sources());
     nc::ProgramInfo info;
     info.name = entry.name;
@@ -137,7 +137,7 @@ bool GeneratedText::start(const Entry& entry) {
     for (const sema::Plan& plan : program_.code->plans)
         info.greatest_number = std::max(info.greatest_number, std::int64_t{plan.number});
     writer_.begin(info, text_);
-    return true;
+    return kDone;
 }
 
 std::string_view GeneratedText::next() {

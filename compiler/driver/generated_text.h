@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/done.h"
 #include "driver/call_map.h"
 #include "driver/deadline.h"
 #include "driver/line_map.h"
@@ -27,8 +28,8 @@ struct Entry {
     std::string name;  // of the ISO-7bit program
     bool is_inch = false;
     SourceRange range;  // of the name
-    /// False: reported. Called again if an error of the writer asks for the calls that led to it.
-    std::function<bool(expand::Expander&)> start;
+    /// Called again if an error of the writer asks for the calls that led to it.
+    std::function<Done(expand::Expander&)> start;
 };
 
 class GeneratedText final : public nc::TextSource, public nc::PhraseText {
@@ -42,9 +43,9 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
                   DiagnosticSink& sink);
     ~GeneratedText() override;
 
-    /// Chooses the program and sets its parameters. False: reported.
-    bool start();
-    bool start(const Entry& entry);
+    /// Chooses the program and sets its parameters.
+    Done start();
+    Done start(const Entry& entry);
 
     /// The text is not run: what the interpreter would warn of is looked for here.
     /// `messages` silences what the source allows, and outlives the text.
@@ -75,7 +76,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     std::uint64_t statement_lines() const { return statement_lines_; }
 
   private:
-    bool has_units(const Entry& entry);
+    Done require_units(const Entry& entry);
     GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
                   bool keeps_calls, DiagnosticSink& sink);
     /// Where errors of the writer go: to each the calls that led to the block are added, and what
@@ -118,7 +119,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     Session& session_;
     const Program& program_;
     const nc::Dialect& target_;
-    std::function<bool(expand::Expander&)> start_;
+    std::function<Done(expand::Expander&)> start_;
     ExpanderMessages expander_messages_;
     expand::Expander expander_;
     WriterMessages writer_messages_;

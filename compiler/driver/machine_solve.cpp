@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostics/machine.h"
+#include "base/done.h"
 #include "base/numbers.h"
 #include "base/render.h"
 #include "base/units.h"
@@ -148,32 +149,32 @@ class Solver {
     }
 
     /// Direction or angles; without both the tool stands as at base position.
-    bool read_orientation() {
+    Done read_orientation() {
         query_ = machine::query_for(chain_, chain_.tool_direction);
         const bool is_euler = !job_.euler.empty();
         const std::string& text = is_euler ? job_.euler : job_.tool;
-        if (text.empty()) return true;
+        if (text.empty()) return kDone;
         const auto numbers = machine::number_list<3>(text, ',');
         if (!numbers) {
             session_.messages()
                 .report(diag::SolveWord)
                 .arg(text)
                 .arg(is_euler ? "--euler" : "--tool");
-            return false;
+            return kFailed;
         }
         const Vec3 given = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
         if (is_euler) {
             query_.rotation = machine::euler_zyz(rad_from_deg(1) * given);
             query_.fixes_spin = true;
-            return true;
+            return kDone;
         }
         const auto direction = machine::unit_of(given);
         if (!direction) {
             session_.messages().report(diag::SolveNoDirection).arg(text);
-            return false;
+            return kFailed;
         }
         query_ = machine::query_for(chain_, *direction);
-        return true;
+        return kDone;
     }
 
     void set_limits() {

@@ -98,7 +98,7 @@ std::unique_ptr<Output> Output::open(const std::string& path, DiagnosticSink& si
     std::FILE* const stream = path == "-" ? stdout : standard_stream(target);
     const bool is_spool = stream != nullptr || is_special(target);
     std::unique_ptr<Output> output(new Output(path, is_spool ? Kind::Spool : Kind::File, rules));
-    if (output->is_refused(sink)) return nullptr;
+    if (!output->require_no_source(sink)) return nullptr;
     if (is_spool) {
         output->destination_ = stream != nullptr ? stream : std::fopen(target.c_str(), "wb");
         if (output->destination_ != nullptr) return output;
@@ -135,10 +135,10 @@ void Output::write(std::string_view text) {
     if (buffer_.size() >= (kind_ == Kind::File ? kBuffer : kSpoolBuffer)) flush();
 }
 
-bool Output::is_refused(DiagnosticSink& sink) const {
-    if (rules_.inputs == nullptr || name_ == "-" || !rules_.inputs->was_read(name_)) return false;
+Done Output::require_no_source(DiagnosticSink& sink) const {
+    if (rules_.inputs == nullptr || name_ == "-" || !rules_.inputs->was_read(name_)) return kDone;
     sink.report(diag::OutputIsSource).arg(name_);
-    return true;
+    return kFailed;
 }
 
 /// Keeps why the system refused, for the message.
@@ -198,15 +198,15 @@ bool Output::put_in_place() {
     return !failed_;
 }
 
-bool Output::commit(DiagnosticSink& sink) {
-    if (is_refused(sink)) return false;
+Done Output::commit(DiagnosticSink& sink) {
+    if (!require_no_source(sink)) return kFailed;
     const bool is_done = put_in_place();
     buffer_.clear();
-    if (is_done) return true;
+    if (is_done) return kDone;
     auto message = sink.report(diag::FileUnwritable);
     message.arg(name_ == "-" ? "standard output" : name_);
     if (fault_ != 0) message.note(system_fault(fault_));
-    return false;
+    return kFailed;
 }
 
 }  // namespace kadr::driver

@@ -12,8 +12,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/diagnostic.h"
+#include "base/done.h"
 #include "base/files.h"
 
 namespace kadr::driver {
@@ -28,10 +30,13 @@ class OutputLimit {
     bool take(std::size_t bytes) {
         return written_.fetch_add(bytes, std::memory_order_relaxed) + bytes <= most_;
     }
+    /// Whether nobody has been told yet that it is over. Asked by one thread.
+    bool is_first_told() { return !std::exchange(is_told_, true); }
 
   private:
     std::uint64_t most_;
     std::atomic<std::uint64_t> written_ = 0;
+    bool is_told_ = false;
 };
 
 /// What an output must not do; both may be null: nothing is asked.
@@ -55,11 +60,11 @@ class Output {
     void write(std::string_view text);
     /// Replaces what was written at this byte and behind it; not more than was written.
     void overwrite(std::size_t at, std::string_view text);
-    /// Whether the run has read what stands at its place, which is reported.
-    bool is_refused(DiagnosticSink& sink) const;
-    /// Puts the result in its place. False, with a message, if that fails (a full disk, or the run
+    /// The run must not have read what stands at its place.
+    Done require_no_source(DiagnosticSink& sink) const;
+    /// Puts the result in its place. Not done if that fails (a full disk, or the run
     /// has read what stands there meanwhile); what stood there before is then untouched.
-    bool commit(DiagnosticSink& sink);
+    Done commit(DiagnosticSink& sink);
 
     const std::string& name() const { return name_; }
     bool is_standard_output() const { return name_ == "-"; }

@@ -67,18 +67,18 @@ void run_stages(Stream<motion::Segment>& segments, const machine::Machine& machi
     write_all(sampled, pipeline.output.batch, reader);
 }
 
-bool has_modules(const machine::Machine& machine, DiagnosticSink& sink) {
+Done require_modules(const machine::Machine& machine, DiagnosticSink& sink) {
     std::string known;
     for (const std::string_view name : process::module_names()) {
         known += known.empty() ? "`" : ", `";
         known += name;
         known += '`';
     }
-    bool all = true;
+    Done all = kDone;
     for (const machine::ModuleRow& row : machine.pipeline.modules) {
         if (process::is_module(row.module)) continue;
         sink.report(diag::PipelineModule, row.range).arg(row.module).arg(known);
-        all = false;
+        all = kFailed;
     }
     return all;
 }

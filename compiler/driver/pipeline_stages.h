@@ -10,6 +10,7 @@
 #include <functional>
 #include <span>
 
+#include "base/done.h"
 #include "base/stream.h"
 #include "machine/machine.h"
 #include "motion/pipeline.h"
@@ -28,8 +29,7 @@ struct SetpointReader {
 void run_stages(Stream<motion::Segment>& segments, const machine::Machine& machine, double tick,
                 bool has_threads, const SetpointReader& reader);
 
-/// Whether every module that the machine file names is linked into the program; if not, it has been
-/// reported.
-bool has_modules(const machine::Machine& machine, DiagnosticSink& sink);
+/// Every module that the machine file names is linked into the program.
+Done require_modules(const machine::Machine& machine, DiagnosticSink& sink);
 
 }  // namespace kadr::driver

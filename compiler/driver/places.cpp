@@ -29,22 +29,22 @@ bool is_device(const std::string& path) {
 
 }  // namespace
 
-bool are_outputs_apart(const std::string& source, std::span<const std::string> outputs,
-                       DiagnosticSink& sink) {
+Done require_outputs_apart(const std::string& source, std::span<const std::string> outputs,
+                           DiagnosticSink& sink) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         if (outputs[i].empty()) continue;
         if (source != "-" && outputs[i] != "-" && is_same_place(source, outputs[i])) {
             sink.report(diag::OutputIsSource).arg(outputs[i]);
-            return false;
+            return kFailed;
         }
         for (std::size_t k = 0; k < i; ++k) {
             if (outputs[k].empty() || is_device(outputs[i])) continue;
             if (!is_same_place(outputs[i], outputs[k])) continue;
             sink.report(diag::OutputTwice).arg(outputs[i]);
-            return false;
+            return kFailed;
         }
     }
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::driver

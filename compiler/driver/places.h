@@ -6,12 +6,12 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/done.h"
 
 namespace kadr::driver {
 
-/// Whether no output is the source and no two are the same file; empty names are nobody's. What is
-/// wrong is reported.
-bool are_outputs_apart(const std::string& source, std::span<const std::string> outputs,
-                       DiagnosticSink& sink);
+/// No output is the source and no two are the same file; empty names are nobody's.
+Done require_outputs_apart(const std::string& source, std::span<const std::string> outputs,
+                           DiagnosticSink& sink);
 
 }  // namespace kadr::driver

@@ -4,6 +4,7 @@
 
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/expand.h"
+#include "base/done.h"
 #include "sema/check.h"
 
 namespace kadr::driver {
@@ -20,15 +21,15 @@ void name_truth(Session& session, sema::Code& code) {
     }
 }
 
-/// Says that the time was over before the program was checked. True: it was.
-bool report_late(Session& session, FileId file) {
-    if (!session.deadline().is_over()) return false;
+/// The time may be over before the program was checked.
+Done require_time(Session& session, FileId file) {
+    if (!session.deadline().is_over()) return kDone;
     session.messages()
         .report(diag::TimeLimit, SourceRange{file, 0, 0})
         .arg(session.deadline().seconds())
         .note("it was being read and checked")
         .fix("if it is to work longer, raise the limit: `--max-time`");
-    return true;
+    return kFailed;
 }
 
 std::optional<Program> checked(Session& session, FileId file) {
@@ -38,7 +39,7 @@ std::optional<Program> checked(Session& session, FileId file) {
     program.modules = std::make_unique<Modules>(session);
     const auto [ast, dialect] = program.modules->parse(file);
     if (ast == nullptr) {
-        report_late(session, file);
+        (void)require_time(session, file);  // beside what the parser has said
         return std::nullopt;
     }
     sema::CheckOptions options = session.options().check;
@@ -46,7 +47,7 @@ std::optional<Program> checked(Session& session, FileId file) {
     options.is_over = [&session] { return session.deadline().is_over(); };
     program.code = sema::check(*ast, *dialect, *program.modules, session.sources(),
                                session.messages(), options);
-    if (program.code == nullptr && report_late(session, file)) return std::nullopt;
+    if (program.code == nullptr && !require_time(session, file)) return std::nullopt;
     if (program.code != nullptr) name_truth(session, *program.code);
     if (program.code == nullptr || session.messages().errors() > errors_before) return std::nullopt;
     return program;

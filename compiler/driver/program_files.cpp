@@ -32,12 +32,12 @@ const std::vector<ProgramFolders::Entry>& ProgramFolders::entries(const std::str
     return found;
 }
 
-/// False, and reported, for a link that leads away from the folders of programs.
-bool ProgramFolders::may_read(const std::string& file) {
-    if (session_ == nullptr || session_->files().may_be_read(file)) return true;
+/// No link may lead away from the folders of programs.
+Done ProgramFolders::require_readable(const std::string& file) {
+    if (session_ == nullptr || session_->files().may_be_read(file)) return kDone;
     report_unread(session_->messages(), diag::FileUnreadable, {}, file,
                   session_->files().fault_elsewhere(file), session_->files());
-    return false;
+    return kFailed;
 }
 
 std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect& dialect,
@@ -57,7 +57,7 @@ std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect
             };
             const auto found = std::ranges::find_if(names, is_wanted);
             if (found == names.end()) continue;
-            if (!may_read(found->path)) continue;
+            if (!require_readable(found->path)) continue;
             auto text = FileText::open(found->path);
             if (text && session_ != nullptr) session_->files().note(found->path);
             if (text) return File{found->path, std::move(text)};

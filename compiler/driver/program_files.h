@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/done.h"
 #include "driver/session.h"
 #include "interp/program_files.h"
 
@@ -28,7 +29,7 @@ class ProgramFolders final : public interp::ProgramFiles {
     };
     const std::vector<Entry>& entries(const std::string& folder);
 
-    bool may_read(const std::string& file);
+    Done require_readable(const std::string& file);
 
     Session* session_;
     std::vector<std::string> folders_;

@@ -14,6 +14,7 @@
 
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
+#include "base/done.h"
 #include "base/numbers.h"
 #include "base/readable.h"
 #include "base/units.h"
@@ -99,10 +100,10 @@ bool asks_for_nothing(const RunJob& job) {
 }
 
 /// Opens an output if it has a name. False: reported.
-bool open_if_named(std::unique_ptr<Output>& output, const std::string& name, Session& session) {
-    if (name.empty()) return true;
+Done open_if_named(std::unique_ptr<Output>& output, const std::string& name, Session& session) {
+    if (name.empty()) return kDone;
     output = Output::open(name, session.messages(), session.output_rules());
-    return output != nullptr;
+    return Done(output != nullptr);
 }
 
 /// Looks at planned motion on its way to the sampler, at each piece and behind each batch.
@@ -144,16 +145,16 @@ class Run {
     Status perform();
 
   private:
-    bool open_outputs(bool is_kadr);
+    Done open_outputs(bool is_kadr);
     std::function<void(const nc::Block&)> block_look();
-    bool open_execution(std::unique_ptr<FileText> text);
+    Done open_execution(std::unique_ptr<FileText> text);
     void execute();
     void draw(const motion::Segment& segment);
     void sample(Stream<motion::Segment>& segments, double tick);
     void write_setpoints(std::span<const motion::Setpoint> some);
     bool samples() const { return outputs_.setpoints || outputs_.curves || page_; }
     void finish_check(const motion::PlannerOptions& options);
-    bool open_machine_output();
+    Done open_machine_output();
     void report_events_ahead();
     bool has_threads() const;
     RunFigures figures(const motion::Totals& totals) const;
@@ -162,10 +163,10 @@ class Run {
     void write_curves(const RunFigures& figures);
     void write_page(const RunFigures& figures);
     std::string subtitle(const RunFigures& figures) const;
-    bool open_events();
-    bool suits_machine() const;
-    bool open_drives();
-    bool open_scanner();
+    Done open_events();
+    Done check_events() const;
+    Done open_drives();
+    Done open_scanner();
     void finish_drives(const RunFigures& figures);
     std::string machine_title() const;
     Status commit();
@@ -201,31 +202,31 @@ class Run {
     std::uint64_t commands_ = 0;
 };
 
-bool Run::open_outputs(bool is_kadr) {
+Done Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
     const std::array<std::string, 13> names = {
         job_.commands, job_.setpoints, job_.plot,  job_.variables,         job_.map,
         job_.trace,    job_.print,     job_.drive, has_summary ? "-" : "", job_.curves,
         job_.scanner,  job_.limits,    job_.page};
-    if (!are_outputs_apart(job_.source, names, messages)) return false;
+    if (!require_outputs_apart(job_.source, names, messages)) return kFailed;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
-        return false;
+        return kFailed;
     }
-    return open_if_named(outputs_.commands, names[0], session_) &&
-           open_if_named(outputs_.setpoints, names[1], session_) &&
-           open_if_named(outputs_.plot, names[2], session_) &&
-           open_if_named(outputs_.variables, names[3], session_) &&
-           open_if_named(outputs_.map, names[4], session_) &&
-           open_if_named(outputs_.trace, names[5], session_) &&
-           open_if_named(outputs_.print, names[6], session_) &&
-           open_if_named(outputs_.drive, names[7], session_) &&
-           open_if_named(outputs_.summary, names[8], session_) &&
-           open_if_named(outputs_.curves, names[9], session_) &&
-           open_if_named(outputs_.scanner, names[10], session_) &&
-           open_if_named(outputs_.limits, names[11], session_) &&
-           open_if_named(outputs_.page, names[12], session_);
+    return Done(open_if_named(outputs_.commands, names[0], session_) &&
+                open_if_named(outputs_.setpoints, names[1], session_) &&
+                open_if_named(outputs_.plot, names[2], session_) &&
+                open_if_named(outputs_.variables, names[3], session_) &&
+                open_if_named(outputs_.map, names[4], session_) &&
+                open_if_named(outputs_.trace, names[5], session_) &&
+                open_if_named(outputs_.print, names[6], session_) &&
+                open_if_named(outputs_.drive, names[7], session_) &&
+                open_if_named(outputs_.summary, names[8], session_) &&
+                open_if_named(outputs_.curves, names[9], session_) &&
+                open_if_named(outputs_.scanner, names[10], session_) &&
+                open_if_named(outputs_.limits, names[11], session_) &&
+                open_if_named(outputs_.page, names[12], session_));
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -477,31 +478,30 @@ std::string Run::machine_title() const {
 }
 
 /// What the operator does, from the options and from a file. False: reported.
-bool Run::open_events() {
+Done Run::open_events() {
     events_ = job_.operator_events;
-    if (job_.events.empty()) return true;
+    if (job_.events.empty()) return kDone;
     const auto more = read_events(session_, job_.events);
-    if (!more) return false;
+    if (!more) return kFailed;
     events_.insert(events_.end(), more->panel.begin(), more->panel.end());
     input_events_ = more->inputs;
     touches_ = more->touches;
-    return true;
+    return kDone;
 }
 
-/// False: reported.
-bool Run::suits_machine() const {
+/// The laser does not pulse while the operator intervenes.
+Done Run::check_events() const {
     const machine::Machine& machine = execution_->machine();
     const bool has_pulses = machine.laser && machine.laser->pulse > 0;
-    if (events_.empty() || !has_pulses) return true;
+    if (events_.empty() || !has_pulses) return kDone;
     session_.messages().report(diag::OperatorAndPulses).arg(machine.name);
-    return false;
+    return kFailed;
 }
 
-/// The setpoints that the machine file asks for, unless the command line says where they go. False:
-/// reported.
-bool Run::open_machine_output() {
+/// The setpoints that the machine file asks for, unless the command line says where they go.
+Done Run::open_machine_output() {
     std::string name = execution_->machine().pipeline.setpoints.file;
-    if (outputs_.setpoints || name.empty()) return true;
+    if (outputs_.setpoints || name.empty()) return kDone;
     constexpr std::string_view kProgram = "{program}";
     const std::string program =
         job_.source == "-" ? "stdin" : std::filesystem::path(job_.source).stem().string();
@@ -516,23 +516,23 @@ bool Run::open_machine_output() {
             .report(diag::MachineOutputElsewhere)
             .arg(name)
             .fix("if they are to go there, say so: `--setpoints " + name + '`');
-        return false;
+        return kFailed;
     }
     std::vector<std::string> names = {name};
     for (const Output* output : outputs_.all()) {
         if (output != nullptr) names.push_back(output->name());
     }
-    return are_outputs_apart(job_.source, names, session_.messages()) &&
-           open_if_named(outputs_.setpoints, name, session_);
+    if (!require_outputs_apart(job_.source, names, session_.messages())) return kFailed;
+    return open_if_named(outputs_.setpoints, name, session_);
 }
 
-/// The simulation of the drives, if it was asked for. False: reported.
-bool Run::open_drives() {
-    if (!outputs_.drive) return true;
+/// The simulation of the drives, if it was asked for.
+Done Run::open_drives() {
+    if (!outputs_.drive) return kDone;
     const machine::Machine& machine = execution_->machine();
     if (!machine.drives) {
         session_.messages().report(diag::MachineWithoutDrives).arg(machine.name);
-        return false;
+        return kFailed;
     }
     if (job_.drive.ends_with(".csv")) drive_table_ = std::make_unique<DriveTable>(*outputs_.drive);
     const auto look = [this](process::DriveSample sample) {
@@ -546,19 +546,19 @@ bool Run::open_drives() {
     };
     const double period = session_.options().tick.value_or(machine.tick);
     drives_ = std::make_unique<process::DriveRun>(machine, period, look);
-    return true;
+    return kDone;
 }
 
-/// The lists of the scanner, if they were asked for. False: reported.
-bool Run::open_scanner() {
-    if (!outputs_.scanner) return true;
+/// The lists of the scanner, if they were asked for.
+Done Run::open_scanner() {
+    if (!outputs_.scanner) return kDone;
     const machine::Machine& machine = execution_->machine();
     if (!machine.scanner) {
         session_.messages().report(diag::MachineWithoutScanner).arg(machine.name);
-        return false;
+        return kFailed;
     }
     scanner_ = std::make_unique<ScannerText>(*machine.scanner, *outputs_.scanner);
-    return true;
+    return kDone;
 }
 
 void Run::finish_drives(const RunFigures& figures) {
@@ -586,11 +586,11 @@ void Run::finish_drives(const RunFigures& figures) {
 
 Status Run::commit() {
     Messages& messages = session_.messages();
-    if (session_.has_output_ended()) return session_.status();
+    if (!session_.require_output_room()) return session_.status();
     const Status status = session_.status();
     if (status != Status::Done && status != Status::Alarm) return status;
     for (const Output* output : outputs_.all()) {
-        if (output != nullptr && output->is_refused(messages)) return refused();
+        if (output != nullptr && !output->require_no_source(messages)) return refused();
     }
     for (Output* output : outputs_.all()) {
         if (output == nullptr) continue;
@@ -614,7 +614,7 @@ std::function<void(const nc::Block&)> Run::block_look() {
     };
 }
 
-bool Run::open_execution(std::unique_ptr<FileText> text) {
+Done Run::open_execution(std::unique_ptr<FileText> text) {
     Aside aside;
     aside.map = outputs_.map.get();
     aside.in_step = outputs_.variables != nullptr || outputs_.print != nullptr;
@@ -627,7 +627,7 @@ bool Run::open_execution(std::unique_ptr<FileText> text) {
     execution_ = Execution::open(session_, job_.source, std::move(text), aside);
     if (execution_ && debugger_) debugger_->follow(*execution_);
     if (execution_ && page_) page_->follow(*execution_);
-    return execution_ != nullptr;
+    return Done(execution_ != nullptr);
 }
 
 Status Run::perform() {
@@ -646,7 +646,7 @@ Status Run::perform() {
     }
     if (!open_execution(std::move(text))) return session_.status();
     if (!open_machine_output()) return refused();
-    if (!suits_machine() || !open_drives() || !open_scanner()) return refused();
+    if (!check_events() || !open_drives() || !open_scanner()) return refused();
     execute();
     return commit();
 }

@@ -92,18 +92,18 @@ Session::Session(Options options, Share share, Sources& sources, Messages& messa
         for (const std::string& folder : *folders) files_.allow(folder);
 }
 
-/// Whether all texts from this one on, which a loader has read, are ones that it may read; they are
-/// noted. `beside`: the file that the user named; empty: a source named it, at `place`.
-bool Session::admit(std::size_t first, const std::string& beside, const SourceRange& place) {
+/// All texts from this one on, which a loader has read, are ones that it may read; they are noted.
+/// `beside`: the file that the user named; empty: a source named it, at `place`.
+Done Session::admit(std::size_t first, const std::string& beside, const SourceRange& place) {
     for (std::size_t i = first; i < sources_.size(); ++i) {
         const std::string name(sources_.name(FileId{static_cast<std::uint32_t>(i)}));
         files_.note(name);
         if (name == beside || is_of_share(name) || files_.may_be_read(name, beside)) continue;
         report_unread(messages_, diag::FileUnreadable, place, name, files_.fault_elsewhere(name),
                       files_);
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// Whether a file stands in a folder of Kadr's own, where a link is as good as the file.
@@ -192,7 +192,7 @@ const machine::Machine* Session::machine() {
         const std::string_view option = is_option ? "-m" : "";
         auto fresh = load_machine(is_option ? options_.machine : stock_machine(), option);
         OriginSink sink(messages_, {}, option);
-        if (fresh && !has_modules(fresh->machine, sink)) fresh.reset();
+        if (fresh && !require_modules(fresh->machine, sink)) fresh.reset();
         if (!fresh) mark_usage();
         if (fresh) {
             machine_ = std::make_unique<machine::Machine>(std::move(fresh->machine));
@@ -202,14 +202,14 @@ const machine::Machine* Session::machine() {
     return machine_.get();
 }
 
-bool Session::has_output_ended() {
-    if (!output_limit_.is_over()) return false;
-    if (!std::exchange(has_told_of_output_, true)) {
+Done Session::require_output_room() {
+    if (!output_limit_.is_over()) return kDone;
+    if (output_limit_.is_first_told()) {
         messages_.report(diag::OutputLimit)
             .arg(bytes_text(output_limit_.most()))
             .fix("if so much is meant, raise the limit: `--max-output`");
     }
-    return true;
+    return kFailed;
 }
 
 std::string Session::output_name(FileId file) const {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/done.h"
 #include "base/files.h"
 #include "base/source.h"
 #include "driver/deadline.h"
@@ -51,8 +52,9 @@ class Session {
     /// For all outputs of the command.
     OutputRules output_rules() { return {&files_, &output_limit_}; }
     const OutputLimit& output_limit() const { return output_limit_; }
-    /// Whether the outputs are larger than they may be; reported then, once. Asked by one thread.
-    bool has_output_ended();
+    /// The outputs are no larger than they may be; if they are, it is reported once. Asked by one
+    /// thread.
+    Done require_output_room();
 
     /// The name of a file in outputs: as the user wrote it; below the standard library it begins
     /// with `stdlib/`, so that outputs are the same on every computer.
@@ -98,7 +100,7 @@ class Session {
 
   private:
     bool is_of_share(const std::string& name) const;
-    bool admit(std::size_t first, const std::string& beside, const SourceRange& place);
+    Done admit(std::size_t first, const std::string& beside, const SourceRange& place);
 
     Options options_;
     Share share_;
@@ -113,7 +115,6 @@ class Session {
     machine::MachineTold told_;
     bool machine_was_loaded_ = false;
     bool is_usage_ = false;
-    bool has_told_of_output_ = false;
     std::function<void(const Progress&)> progress_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "base/diagnostics/driver.h"
+#include "base/done.h"
 #include "base/text.h"
 #include "driver/examples.h"
 #include "driver/pipeline_stages.h"
@@ -75,17 +76,17 @@ std::size_t widest(const std::vector<std::string>& names) {
     return width;
 }
 
-/// Whether a name is a file that cannot even be read; then it is wrong usage, not a mistake in it.
-bool is_missing_file(Session& session, const std::string& name_or_file) {
+/// What is named as a file can be read; if not, it is wrong usage, not a mistake in it.
+Done require_file(Session& session, const std::string& name_or_file) {
     const bool is_file =
         name_or_file.find('/') != std::string::npos || name_or_file.ends_with(".xml");
-    if (!is_file) return false;
+    if (!is_file) return kDone;
     const auto text = session.files().read(name_or_file);
-    if (text) return false;
+    if (text) return kDone;
     report_unread(session.messages(), diag::FileUnreadable, {}, name_or_file, text.error(),
                   session.files());
     session.mark_usage();
-    return true;
+    return kFailed;
 }
 
 /// A name that nothing here has is wrong usage, as a missing file is.
@@ -167,7 +168,7 @@ Reply list_dialects(Session& session) {
 }
 
 Reply check_dialect(Session& session, const std::string& name_or_file) {
-    if (is_missing_file(session, name_or_file)) return {session.status(), {}};
+    if (!require_file(session, name_or_file)) return {session.status(), {}};
     DiagnosticList found;
     const nc::InspectedDialect inspected = session.inspect_dialect(name_or_file, found);
     if (inspected.dialect) nc::check_sense(inspected.root, *inspected.dialect, found);
@@ -191,7 +192,7 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
 }
 
 Reply explain_word(Session& session, const std::string& name_or_file, const std::string& word) {
-    if (is_missing_file(session, name_or_file)) return {session.status(), {}};
+    if (!require_file(session, name_or_file)) return {session.status(), {}};
     const nc::Dialect* dialect = session.dialect(name_or_file);
     if (dialect == nullptr) {
         session.mark_usage();
@@ -221,7 +222,7 @@ Reply list_machines(Session& session) {
 }
 
 std::optional<machine::Machine> machine_of(Session& session, const std::string& name_or_file) {
-    if (is_missing_file(session, name_or_file)) return std::nullopt;
+    if (!require_file(session, name_or_file)) return std::nullopt;
     auto machine = session.load_machine(name_or_file);
     if (machine) return std::move(machine->machine);
     mark_unknown(session, name_or_file, machine::list(session.share().machines));
@@ -231,7 +232,7 @@ std::optional<machine::Machine> machine_of(Session& session, const std::string& 
 Reply check_machine(Session& session, const std::string& name_or_file) {
     const auto machine = machine_of(session, name_or_file);
     if (!machine) return {session.status(), {}};
-    if (!has_modules(*machine, session.messages())) {
+    if (!require_modules(*machine, session.messages())) {
         session.mark_usage();
         return {session.status(), {}};
     }

@@ -11,6 +11,7 @@
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/expand.h"
 #include "base/diagnostics/test.h"
+#include "base/done.h"
 #include "base/text.h"
 #include "driver/bench.h"
 #include "driver/execution.h"
@@ -77,7 +78,7 @@ class TestRun {
     void run_given(std::uint32_t index, const std::string& dialect, DiagnosticList& said);
     Diagnostic counterexample(std::uint32_t index, const PropertyValues& values,
                               const PropertyValues::Set& set, const Diagnostic& first) const;
-    bool are_defines_known(const FunctionCode& property);
+    Done require_known_defines(const FunctionCode& property);
     void report(const FunctionCode& function, const std::vector<Verdict>& verdicts);
     bool is_chosen(const FunctionCode& function) const;
 
@@ -109,7 +110,7 @@ Outcome TestRun::run_once(std::uint32_t index, const std::vector<sema::Slot>& va
     bench_->begin(dialect, said);
     const sema::Code& code = *program_->code;
     expand::Expander expander(code, *target, {}, said);
-    if (!expander.start_test(index, values, *bench_)) return Outcome::Fails;
+    expander.start_test(index, values, *bench_);
     std::array<nc::Block, 1> block;
     if (expander.pull(block) > 0) {
         const bool has_place =
@@ -184,8 +185,8 @@ void TestRun::run_property(std::uint32_t index, const std::string& dialect, Diag
     }
 }
 
-bool TestRun::are_defines_known(const FunctionCode& property) {
-    bool is_good = true;
+Done TestRun::require_known_defines(const FunctionCode& property) {
+    Done known = kDone;
     for (const sema::Define& define : session_.options().defines) {
         const auto& parameters = property.parameters;
         const bool is_known =
@@ -197,9 +198,9 @@ bool TestRun::are_defines_known(const FunctionCode& property) {
             .arg(property.name)
             .arg(define.name)
             .note(property.range, "the property is declared here");
-        is_good = false;
+        known = kFailed;
     }
-    return is_good;
+    return known;
 }
 
 /// One set of values, from the command line.
@@ -266,7 +267,7 @@ void TestRun::report(const FunctionCode& function, const std::vector<Verdict>& v
 void TestRun::run_test(const Program& program, std::uint32_t index) {
     const FunctionCode& function = program.code->functions[index];
     const bool has_values = !session_.options().defines.empty();
-    if (has_values && !are_defines_known(function)) return;
+    if (has_values && !require_known_defines(function)) return;
     std::vector<Verdict> verdicts;
     for (const std::string& dialect : dialects_) {
         DiagnosticList said;

@@ -11,18 +11,18 @@ Expander::Expander(const sema::Code& code, const nc::Dialect& target, const Expa
 
 Expander::~Expander() = default;
 
-bool Expander::start(std::string_view program, const std::vector<sema::Define>& defines) {
+Done Expander::start(std::string_view program, const std::vector<sema::Define>& defines) {
     return state_->start(program, defines);
 }
 
-bool Expander::start_cycle(std::string_view cycle, std::span<const double> arguments,
+Done Expander::start_cycle(std::string_view cycle, std::span<const double> arguments,
                            std::uint32_t given, const Surroundings& at) {
     return state_->start_cycle(cycle, arguments, given, at);
 }
 
-bool Expander::start_test(std::uint32_t function, std::span<const sema::Slot> values,
+void Expander::start_test(std::uint32_t function, std::span<const sema::Slot> values,
                           TestBench& bench) {
-    return state_->start_test(function, values, bench);
+    state_->start_test(function, values, bench);
 }
 
 std::optional<std::vector<sema::Slot>> Expander::read_values(
@@ -30,7 +30,7 @@ std::optional<std::vector<sema::Slot>> Expander::read_values(
     return state_->read_values(function, defines);
 }
 
-bool Expander::start_call(const CallUnderTest& call) { return state_->start_call(call); }
+void Expander::start_call(const CallUnderTest& call) { state_->start_call(call); }
 
 void Expander::warn_of_cuts(decltype(ExpandOptions::is_allowed) is_allowed) {
     state_->options.warns_of_cuts = true;

@@ -13,6 +13,7 @@
 
 #include "base/axes.h"
 #include "base/diagnostic.h"
+#include "base/done.h"
 #include "base/stream.h"
 #include "expand/test_bench.h"
 #include "nc/block.h"
@@ -83,8 +84,8 @@ class Expander final : public Stream<nc::Block> {
              DiagnosticSink& sink);
     ~Expander() override;
 
-    /// Chooses the program and sets its parameters (checked, with units). False: reported.
-    bool start(std::string_view program, const std::vector<sema::Define>& defines);
+    /// Chooses the program and sets its parameters (checked, with units).
+    Done start(std::string_view program, const std::vector<sema::Define>& defines);
     /// What a cycle finds where it is called; values as in a Block.
     struct Surroundings {
         AxisValues position{};
@@ -98,19 +99,19 @@ class Expander final : public Stream<nc::Block> {
     };
     /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s). A contour
     /// stands for all that its place has more of them: the numbers of its first and last block, or
-    /// its name. False: reported or unknown.
-    bool start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
+    /// its name.
+    Done start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
                      const Surroundings& at);
 
     /// Starts a test or a property of the code with the values of its parameters, in the order of
     /// its registers. It makes no blocks unless it is wrong. `bench` outlives the expander.
-    bool start_test(std::uint32_t function, std::span<const sema::Slot> values, TestBench& bench);
+    void start_test(std::uint32_t function, std::span<const sema::Slot> values, TestBench& bench);
     /// The values of a property's parameters as the command line has them. Nothing: reported.
     std::optional<std::vector<sema::Slot>> read_values(std::uint32_t function,
                                                        const std::vector<sema::Define>& defines);
     /// Starts the call that a test has executed, as a program of its own: globals are fresh. A
     /// cycle or a function begins with the spindle on, a feed set, at a place that the test names.
-    bool start_call(const CallUnderTest& call);
+    void start_call(const CallUnderTest& call);
 
     /// Warns of cuts that the interpreter would warn of, for whom only makes the text.
     void warn_of_cuts(decltype(ExpandOptions::is_allowed) is_allowed);

@@ -195,10 +195,10 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
     return false;
 }
 
-bool Expander::State::start(std::string_view name, const std::vector<sema::Define>& defines) {
+Done Expander::State::start(std::string_view name, const std::vector<sema::Define>& defines) {
     has_failed = true;
     const FunctionCode* function = find_program(name);
-    if (function == nullptr) return false;
+    if (function == nullptr) return kFailed;
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function->registers +
                                             code.functions[0].registers + 16));
     modal = first_state(*function);
@@ -247,10 +247,10 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
                      : "give it on the command line: `-D " + parameter.name + "=…`");
         is_good = false;
     }
-    if (!is_good) return false;
+    if (!is_good) return kFailed;
     has_failed = false;
     enter(*function, given);
-    return true;
+    return kDone;
 }
 
 /// An argument of a cycle as a block has it (mm, degrees, s, rpm). False: it is no number.
@@ -277,7 +277,7 @@ ModalState Expander::State::first_state(const FunctionCode& function) const {
     return state;
 }
 
-bool Expander::State::start_cycle(std::string_view name, std::span<const double> arguments,
+Done Expander::State::start_cycle(std::string_view name, std::span<const double> arguments,
                                   std::uint32_t given, const Surroundings& at) {
     has_failed = true;
     const auto found =
@@ -286,7 +286,7 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
         });
     if (found == code.functions.end()) {
         sink.report(diag::UnknownCycle).arg(name);
-        return false;
+        return kFailed;
     }
     const FunctionCode& function = *found;
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
@@ -337,17 +337,17 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
             sink.report(diag::DefineMissing, parameter.range)
                 .arg(function.name)
                 .arg(parameter.name);
-            return false;
+            return kFailed;
         }
         if (!set_number(parameter, arguments[argument], stack[code.globals + parameter.slot])) {
             sink.report(diag::DefineType).arg(parameter.name).arg(parameter.type_name);
-            return false;
+            return kFailed;
         }
         set |= 1u << i;
     }
     has_failed = false;
     enter(function, set);
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::expand

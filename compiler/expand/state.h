@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/done.h"
 #include "control/cycle_levels.h"
 #include "expand/expander.h"
 #include "expand/heap.h"
@@ -124,8 +125,8 @@ struct Expander::State {
           DiagnosticSink& messages);
 
     // ---- start.cpp
-    bool start(std::string_view program, const std::vector<sema::Define>& defines);
-    bool start_cycle(std::string_view name, std::span<const double> arguments, std::uint32_t given,
+    Done start(std::string_view program, const std::vector<sema::Define>& defines);
+    Done start_cycle(std::string_view name, std::span<const double> arguments, std::uint32_t given,
                      const Surroundings& at);
     const sema::FunctionCode* find_program(std::string_view name);
     bool set_parameter(const sema::FunctionCode& function, const sema::ParameterInfo& parameter,
@@ -135,7 +136,7 @@ struct Expander::State {
     ModalState first_state(const sema::FunctionCode& function) const;
 
     // ---- tests.cpp
-    bool start_test(std::uint32_t index, std::span<const Slot> values, TestBench& asked);
+    void start_test(std::uint32_t index, std::span<const Slot> values, TestBench& asked);
     std::optional<std::vector<Slot>> read_values(std::uint32_t index,
                                                  const std::vector<sema::Define>& defines);
     bool test_call(const Instruction& instruction, Slot* registers, std::uint32_t at);
@@ -144,7 +145,7 @@ struct Expander::State {
     bool expectation_failed(const Instruction& instruction, const Slot* registers,
                             std::uint32_t at);
     bool stops_at_failure();
-    bool start_call(const CallUnderTest& call);
+    void start_call(const CallUnderTest& call);
     void set_up(const CallUnderTest& call);
 
     // ---- vm.cpp

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/done.h"
 #include "sema/code.h"
 
 namespace kadr::expand {
@@ -50,8 +51,8 @@ class TestBench {
     virtual std::optional<std::int64_t> execute(const CallUnderTest& call) = 0;
     /// The call as ISO-7bit text. Nothing: as for `execute`.
     virtual std::optional<std::string> write(const CallUnderTest& call) = 0;
-    /// Whether the call ends with the error or alarm that `text` names; reports if not.
-    virtual bool ends_with_error(const CallUnderTest& call) = 0;
+    /// The call ends with the error or alarm that `text` names.
+    virtual Done require_error(const CallUnderTest& call) = 0;
 
     virtual FigureAnswer ask(std::int64_t execution, sema::Figure figure,
                              std::span<const sema::Slot> arguments) = 0;

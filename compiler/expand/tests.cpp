@@ -41,7 +41,7 @@ std::string shortened(const std::string& text) {
 
 // ---------------------------------------------------------------- a test
 
-bool Expander::State::start_test(std::uint32_t index, std::span<const Slot> values,
+void Expander::State::start_test(std::uint32_t index, std::span<const Slot> values,
                                  TestBench& asked) {
     const FunctionCode& function = code.functions[index];
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
@@ -51,7 +51,6 @@ bool Expander::State::start_test(std::uint32_t index, std::span<const Slot> valu
     std::copy(values.begin(), values.end(), stack.begin() + code.globals);
     has_failed = false;
     enter(function, all_given[index]);
-    return true;
 }
 
 std::optional<std::vector<Slot>> Expander::State::read_values(
@@ -112,7 +111,7 @@ bool Expander::State::test_call(const Instruction& instruction, Slot* registers,
             return true;
         }
         case TestCall::Purpose::ExpectError:
-            if (bench->ends_with_error(call)) return true;
+            if (bench->require_error(call)) return true;
             has_failed = true;
             return !stops_at_failure();
     }
@@ -258,7 +257,7 @@ void Expander::State::set_up(const CallUnderTest& call) {
     deliver(block);
 }
 
-bool Expander::State::start_call(const CallUnderTest& call) {
+void Expander::State::start_call(const CallUnderTest& call) {
     const TestCall& entry = *call.call;
     const FunctionCode& function = code.functions[entry.function];
     const FunctionCode& startup = code.functions[0];
@@ -293,7 +292,6 @@ bool Expander::State::start_call(const CallUnderTest& call) {
     first.return_to = entry.given == all_given[entry.function] ? function.body : function.entry;
     pc = startup.entry;
     is_running = true;
-    return true;
 }
 
 }  // namespace kadr::expand

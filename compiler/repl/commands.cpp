@@ -46,7 +46,7 @@ std::string write_whole(const std::string& path, std::string_view text) {
     const auto output = driver::Output::open(path, messages);
     if (output == nullptr) return said;
     output->write(text);
-    output->commit(messages);
+    (void)output->commit(messages);  // `said` is empty if it is written
     return said;
 }
 
@@ -290,7 +290,7 @@ struct Commands {
         const std::string before = std::exchange(option, std::string(value));
         if (prompt.refresh()) return;
         option = before;
-        prompt.refresh();
+        (void)prompt.refresh();  // as it was before
     }
 
     void wrong(std::string_view text) {

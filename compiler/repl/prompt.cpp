@@ -58,7 +58,7 @@ Prompt::Prompt(driver::Options options, driver::Share share, Surroundings surrou
       surroundings_(std::move(surroundings)),
       stop_(stop) {
     options_.stop = stop_;
-    refresh();
+    (void)refresh();  // what is wrong is shown
 }
 
 void Prompt::take(std::string_view line) {
@@ -146,19 +146,19 @@ void Prompt::undo(std::size_t count) {
         const std::string text = transcript_.undo().text;
         taken += "taken back: " + text.substr(0, text.find('\n')) + '\n';
     }
-    refresh();
+    (void)refresh();  // what is wrong is shown
     write(taken);
 }
 
-/// Evaluates what there is once more, under other options or with other files. False: it has an
-/// error now, which is shown.
-bool Prompt::refresh() {
+/// Evaluates what there is once more, under other options or with other files. Not done if it has
+/// an error now, which is shown.
+Done Prompt::refresh() {
     now_ = {};
     now_ = evaluate(transcript_);
-    if (now_.is_ok) return true;
+    if (now_.is_ok) return kDone;
     has_failed_ = true;
     write(now_.messages);
-    return false;
+    return kFailed;
 }
 
 void Prompt::show_change(const Outcome& before, const Outcome& after) {

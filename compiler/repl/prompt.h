@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/done.h"
 #include "driver/options.h"
 #include "driver/share.h"
 #include "repl/replay.h"
@@ -74,7 +75,7 @@ class Prompt {
     Outcome evaluate(const Transcript& transcript);
     /// Takes back so many inputs.
     void undo(std::size_t count);
-    bool refresh();
+    Done refresh();
     void show_change(const Outcome& before, const Outcome& after);
     void show_lines(const Outcome& outcome);
     void step_lines(const Outcome& outcome);

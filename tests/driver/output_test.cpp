@@ -108,7 +108,8 @@ TEST_F(Outputs, AreHeldApart) {
                            Row{"nowhere twice", {"/dev/null", "/dev/null"}, nullptr}}) {
         SCOPED_TRACE(row.name);
         DiagnosticList sink;
-        EXPECT_EQ(driver::are_outputs_apart(source, row.outputs, sink), row.expected == nullptr);
+        EXPECT_EQ(static_cast<bool>(driver::require_outputs_apart(source, row.outputs, sink)),
+                  row.expected == nullptr);
         const bool is_refused = row.expected != nullptr;
         ASSERT_EQ(sink.all().size(), is_refused ? 1u : 0u);
         if (is_refused) {
