@@ -7,6 +7,7 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/driver.h"
+#include "base/done.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "base/xml.h"
@@ -218,7 +219,7 @@ class ChainLoader {
     ChainLoader(MachineKind kind, const SearchPath& folders, Sources& sources, DiagnosticSink& sink)
         : kind_(kind), folders_(folders), sources_(sources), sink_(sink) {}
 
-    bool load(const std::string& name, const SourceRange& place, DialectTables& tables) {
+    Done load(const std::string& name, const SourceRange& place, DialectTables& tables) {
         // Messages name a file as the one that extends it does.
         const bool is_extended = place.file.is_valid();
         const std::string said = is_extended ? std::string(sources_.text(place)) : name;
@@ -228,7 +229,7 @@ class ChainLoader {
             const auto meant = report_missing(said, place, folders_, sink_);
             // What stands in the file is judged beside the one that was meant.
             if (is_extended && meant) path = find_dialect_file(*meant, folders_);
-            if (!path) return false;
+            if (!path) return kFailed;
         }
         // However it is spelt: `./a.xml` beside a file that was named `a.xml`.
         std::error_code error;
@@ -236,13 +237,13 @@ class ChainLoader {
         const std::string identity = error ? *path : real.string();
         if (std::find(chain_.begin(), chain_.end(), identity) != chain_.end()) {
             sink_.report(diag::DialectExtendsItself, place).arg(said);
-            return false;
+            return kFailed;
         }
         chain_.push_back(identity);
         const auto file = sources_.read(*path);
         if (!file) {
             sink_.report(diag::FileUnreadable, place).arg(*path);
-            return false;
+            return kFailed;
         }
         return load_file(*file, *path, tables);
     }
@@ -251,17 +252,17 @@ class ChainLoader {
     XmlElement root() && { return std::move(root_); }
 
   private:
-    bool load_file(FileId file, const std::string& path, DialectTables& tables) {
+    Done load_file(FileId file, const std::string& path, DialectTables& tables) {
         auto root = parse_xml(file, sources_, dialect_shape(), sink_);
-        if (!root) return false;
+        if (!root) return kFailed;
         if (!check_xml(*root, dialect_shape(), sink_)) {
             has_mistakes_ = true;
-            if (!has_needed_attributes(*root, dialect_shape())) return false;
+            if (!has_needed_attributes(*root, dialect_shape())) return kFailed;
             root = sound_part(*root, dialect_shape());
         }
         const XmlAttribute* base = root->find("extends");
         if (base != nullptr && !load(parent_name(*base, path), base->value_range, tables)) {
-            return false;
+            return kFailed;
         }
         tables.extends = base == nullptr ? "" : base->value;
         tables.file = path;
@@ -270,7 +271,7 @@ class ChainLoader {
         tables.suffix = root->find("suffix")->value;
         if (!apply_dialect(*root, tables, kind_, sink_)) has_mistakes_ = true;
         root_ = std::move(*root);
-        return true;
+        return kDone;
     }
 
     /// A file that is extended by its path lies where the one that extends it does.
@@ -301,8 +302,8 @@ InspectedDialect inspect(MachineKind kind, const std::string& name_or_file,
     }
     ChainLoader chain(kind, with_own, sources, sink);
     if (!chain.load(name_or_file, {}, *tables)) return {};
-    const bool is_whole = finish_tables(*tables, sink);
-    const bool has_mistakes = chain.has_mistakes() || !is_whole;
+    const Done finished = finish_tables(*tables, sink);
+    const bool has_mistakes = chain.has_mistakes() || !finished;
     return {Dialect(std::move(tables)), has_mistakes, std::move(chain).root()};
 }
 

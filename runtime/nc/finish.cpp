@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/diagnostics/dialect.h"
+#include "base/done.h"
 #include "base/numbers.h"
 #include "nc/builder_codes.h"
 #include "nc/load.h"
@@ -16,7 +17,7 @@ class Finisher {
   public:
     Finisher(DialectTables& tables, DiagnosticSink& sink) : tables_(tables), sink_(sink) {}
 
-    bool finish() {
+    Done finish() {
         add_builder_form(tables_);
         index_forms();
         index_codes();
@@ -26,7 +27,7 @@ class Finisher {
         for (const Form& form : tables_.forms) check_parameters(form);
         check_conflicts();
         check_groups();
-        return !failed_;
+        return Done(!failed_);
     }
 
   private:
@@ -310,7 +311,7 @@ class Finisher {
 
 }  // namespace
 
-bool finish_tables(DialectTables& tables, DiagnosticSink& sink) {
+Done finish_tables(DialectTables& tables, DiagnosticSink& sink) {
     return Finisher(tables, sink).finish();
 }
 

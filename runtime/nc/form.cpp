@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/diagnostics/dialect.h"
+#include "base/done.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "nc/letters.h"
@@ -52,20 +53,20 @@ class LineParser {
         return *this;
     }
 
-    bool parse(std::vector<FormWord>& words) {
+    Done parse(std::vector<FormWord>& words) {
         while (skip_blanks()) {
             FormWord word;
-            if (!parse_word(word)) return false;
+            if (!parse_word(word)) return kFailed;
             if (!is_first(word, words))
                 return fail(quoted(tables_.addresses[word.address].name) + " stands twice in it");
             words.push_back(std::move(word));
         }
-        return true;
+        return kDone;
     }
 
     /// Letters and placeholders: each word is a placeholder and what stands before it, the last one
     /// what stands at the end.
-    bool parse_verbatim(std::vector<FormWord>& words) {
+    Done parse_verbatim(std::vector<FormWord>& words) {
         while (at_ < line_.size()) {
             FormWord word;
             const std::size_t brace = std::min(line_.find('{', at_), line_.size());
@@ -74,24 +75,25 @@ class LineParser {
             at_ = brace;
             if (at_ < line_.size()) {
                 word.kind = FormWord::Kind::Value;
-                if (!parse_placeholder(word)) return false;
+                if (!parse_placeholder(word)) return kFailed;
                 if (is_text(word)) return fail("a verbatim form holds numbers, and this is a text");
             }
             words.push_back(std::move(word));
         }
         if (words[0].text.empty()) return fail("it begins with a placeholder");
-        return true;
+        return kDone;
     }
 
-    bool parse_text(FormWord& word) {
+    Done parse_text(FormWord& word) {
         word.kind = FormWord::Kind::Text;
         const std::size_t brace = line_.find('{');
         if (brace == std::string_view::npos) return fail("there is no `{…}` in the comment");
         word.text = line_.substr(0, brace);
         at_ = brace;
-        if (!parse_placeholder(word)) return false;
+        if (!parse_placeholder(word)) return kFailed;
         if (at_ != line_.size()) return fail("nothing may follow the text");
-        return is_text(word) || fail("a comment keeps a text, and no number: it would be lost");
+        return is_text(word) ? kDone
+                             : fail("a comment keeps a text, and no number: it would be lost");
     }
 
   private:
@@ -99,9 +101,9 @@ class LineParser {
         return word.parameter >= 0 && word.dimension == Dimension::Text;
     }
 
-    bool fail(const std::string& why) {
+    Done fail(const std::string& why) {
         sink_.report(diag::DialectBadForm, range_).arg(line_).arg(why);
-        return false;
+        return kFailed;
     }
 
     /// Codes may stand beside each other, other words once in a line.
@@ -123,7 +125,7 @@ class LineParser {
     }
     bool at_blank() const { return at_ == line_.size() || line_[at_] == ' ' || line_[at_] == '\t'; }
 
-    bool parse_word(FormWord& word) {
+    Done parse_word(FormWord& word) {
         const std::size_t begin = at_;
         if (take(',') && at_ < line_.size() && is_letter(line_[at_])) {  // `,C{width}`
             ++at_;
@@ -161,7 +163,7 @@ class LineParser {
     }
 
     /// `DIAMONA[X]`, `PO[X]=(…)`, `ACC[X]={percent}`: the bracket belongs to the name.
-    bool parse_bracketed(FormWord& word, std::size_t begin, std::size_t bracket) {
+    Done parse_bracketed(FormWord& word, std::size_t begin, std::size_t bracket) {
         const std::size_t close = line_.find(']', bracket);
         if (close == std::string_view::npos) return fail("a `]` is missing");
         if (line_.substr(close).starts_with("]=(")) return parse_indexed_call(word, begin, close);
@@ -176,7 +178,7 @@ class LineParser {
     }
 
     /// `PO[X]=({end},{a2?})`: a call whose name ends with the sign.
-    bool parse_indexed_call(FormWord& word, std::size_t begin, std::size_t close) {
+    Done parse_indexed_call(FormWord& word, std::size_t begin, std::size_t close) {
         constexpr std::size_t kSign = 2;  // `]=`
         at_ = close + kSign + 1;
         return parse_call(word, line_.substr(begin, close + kSign - begin));
@@ -188,18 +190,18 @@ class LineParser {
         while (end < line_.size() && is_letter(line_[end])) ++end;
         return end > at_ && end < line_.size() && line_[end] == '(';
     }
-    bool parse_call_behind(FormWord& word, std::size_t begin) {
+    Done parse_call_behind(FormWord& word, std::size_t begin) {
         at_ = line_.find('(', at_) + 1;
         return parse_call(word, line_.substr(begin, at_ - 1 - begin));
     }
 
-    bool parse_name(FormWord& word, std::string_view name) {
+    Done parse_name(FormWord& word, std::string_view name) {
         word.kind = FormWord::Kind::Name;
         word.text = name;
-        return head(word, name, Address::Kind::Word);
+        return take_head(word, name, Address::Kind::Word);
     }
 
-    bool parse_fixed(FormWord& word, std::string_view name, std::size_t begin) {
+    Done parse_fixed(FormWord& word, std::string_view name, std::size_t begin) {
         const Decimal number = parse_decimal(line_.data() + at_, line_.data() + line_.size());
         if (number.end == line_.data() + at_)
             return fail("there is no number behind " + quoted(name));
@@ -208,41 +210,44 @@ class LineParser {
         word.kind = FormWord::Kind::Fixed;
         word.number = number.value;
         word.text = line_.substr(begin, at_ - begin);
-        return declared(word, name);
+        return require_declared(word, name);
     }
 
-    bool parse_value(FormWord& word, std::string_view name, std::size_t begin) {
+    Done parse_value(FormWord& word, std::string_view name, std::size_t begin) {
         word.kind = FormWord::Kind::Value;
         word.text = line_.substr(begin, at_ - begin);
-        if (!declared(word, name) || !parse_placeholder(word) || !parse_tail(word)) return false;
-        return at_blank() || fail("words stand between blanks");
+        if (!require_declared(word, name) || !parse_placeholder(word) || !parse_tail(word))
+            return kFailed;
+        return at_blank() ? kDone : fail("words stand between blanks");
     }
 
     /// `{offset:2}` or `0060` behind a value: the last digits of its number.
-    bool parse_tail(FormWord& word) {
-        if (at_blank()) return true;
-        if (!take('{')) return parse_fixed_tail(word);
+    Done parse_tail(FormWord& word) {
+        if (at_blank()) return kDone;
+        if (!take('{')) {
+            parse_fixed_tail(word);
+            return kDone;
+        }
         const std::size_t close = std::min(line_.find('}', at_), line_.size());
         const std::string_view inner = line_.substr(at_, close - at_);
         at_ = std::min(close + 1, line_.size());
         const std::string_view name = inner.substr(0, inner.find(':'));
         word.tail_parameter = parameter_named(name);
-        if (word.tail_parameter < 0) return unknown_parameter(name);
+        if (word.tail_parameter < 0) return fail_unknown(name);
         const std::string_view digits = inner.substr(std::min(name.size() + 1, inner.size()));
         if (digits.size() != 1 || digits[0] < '1' || digits[0] > '9') {
             return fail("a second `{…}` says how many digits it has: `{offset:2}`");
         }
         word.tail_digits = digits[0] - '0';
-        return true;
+        return kDone;
     }
 
-    bool parse_fixed_tail(FormWord& word) {
+    void parse_fixed_tail(FormWord& word) {
         constexpr int kMost = 9;
         while (at_ < line_.size() && is_digit(line_[at_]) && word.tail_digits < kMost) {
             word.tail_value = word.tail_value * 10 + (line_[at_++] - '0');
             ++word.tail_digits;
         }
-        return true;
     }
 
     int parameter_named(std::string_view name) const {
@@ -250,38 +255,38 @@ class LineParser {
         return found == parameters_.end() ? -1 : static_cast<int>(found - parameters_.begin());
     }
 
-    bool parse_quoted(FormWord& word, std::string_view name) {
+    Done parse_quoted(FormWord& word, std::string_view name) {
         word.kind = FormWord::Kind::Quoted;
         word.text = std::string(name) + '=';
-        if (!declared(word, name) || !parse_placeholder(word)) return false;
-        return take('"') || fail("the quotation mark is not closed");
+        if (!require_declared(word, name) || !parse_placeholder(word)) return kFailed;
+        return take('"') ? kDone : fail("the quotation mark is not closed");
     }
 
-    bool parse_call(FormWord& word, std::string_view name) {
+    Done parse_call(FormWord& word, std::string_view name) {
         word.kind = FormWord::Kind::Call;
         word.text = name;
-        if (!head(word, name, Address::Kind::Call)) return false;
-        if (take(')')) return true;
+        if (!take_head(word, name, Address::Kind::Call)) return kFailed;
+        if (take(')')) return kDone;
         do {
             FormWord argument;
-            if (!parse_argument(argument)) return false;
+            if (!parse_argument(argument)) return kFailed;
             word.arguments.push_back(std::move(argument));
         } while (take(','));
-        return take(')') || fail("the parenthesis is not closed");
+        return take(')') ? kDone : fail("the parenthesis is not closed");
     }
 
-    bool parse_argument(FormWord& word) {
+    Done parse_argument(FormWord& word) {
         word.kind = FormWord::Kind::Empty;
         skip_blanks();
-        if (at_ == line_.size() || line_[at_] == ',' || line_[at_] == ')') return true;
+        if (at_ == line_.size() || line_[at_] == ',' || line_[at_] == ')') return kDone;
         if (line_[at_] == '{') {
             word.kind = FormWord::Kind::Value;
             return parse_placeholder(word);
         }
         if (take('"')) {
             word.kind = FormWord::Kind::Text;
-            return parse_placeholder(word) &&
-                   (take('"') || fail("the quotation mark is not closed"));
+            if (!parse_placeholder(word)) return kFailed;
+            return take('"') ? kDone : fail("the quotation mark is not closed");
         }
         const Decimal number = parse_decimal(line_.data() + at_, line_.data() + line_.size());
         if (number.end == line_.data() + at_)
@@ -291,11 +296,11 @@ class LineParser {
         word.number = number.value;
         word.text = line_.substr(at_, end - at_);
         at_ = end;
-        return true;
+        return kDone;
     }
 
     /// `{time:ms}`, `{number-6}`, `{x=0}`, `{x?}`, `{+retract}`, `{-pitch}`, `{x?:named}`
-    bool parse_placeholder(FormWord& word) {
+    Done parse_placeholder(FormWord& word) {
         if (!take('{')) return fail("`{` expected");
         const std::size_t close = line_.find('}', at_);
         if (close == std::string_view::npos) return fail("`{` is not closed");
@@ -320,28 +325,28 @@ class LineParser {
         const std::size_t sign = inner.find_first_of("+-=");
         const std::string_view name = inner.substr(0, std::min(sign, inner.size()));
         word.parameter = parameter_named(name);
-        if (word.parameter < 0) return unknown_parameter(name);
+        if (word.parameter < 0) return fail_unknown(name);
         const Parameter& parameter = parameters_[static_cast<std::size_t>(word.parameter)];
         word.dimension = parameter.dimension;
         if (word.is_optional && !parameter.is_optional && !completed_by_others_)
             return fail("the parameter " + quoted(name) + " is not optional");
         word.is_kept = word.is_optional && completed_by_others_;
         word.is_optional |= word.adds;
-        if (!parse_operator(word, inner, sign) || !parse_unit(word, unit)) return false;
+        if (!parse_operator(word, inner, sign) || !parse_unit(word, unit)) return kFailed;
         if (is_negated) word.factor = -word.factor;
-        return true;
+        return kDone;
     }
 
     /// `{}`, `{?}`: a number on which nothing depends.
-    bool parse_any(FormWord& word) {
+    Done parse_any(FormWord& word) {
         if (word.kind != FormWord::Kind::Value || !is_read_only_)
             return fail("`{}` is the number of a letter, in a form that is only read");
         word.is_any = true;
-        return true;
+        return kDone;
     }
 
     /// `{=0.5:length}`: always the same, in the units of the text.
-    bool parse_quantity(FormWord& word, std::string_view inner) {
+    Done parse_quantity(FormWord& word, std::string_view inner) {
         const Decimal number = parse_decimal(inner.data(), inner.data() + inner.size());
         const auto digits = static_cast<std::size_t>(number.end - inner.data());
         const bool is_length = digits > 0 && inner.substr(digits) == ":length";
@@ -352,10 +357,10 @@ class LineParser {
         word.number = number.value;
         word.dimension = Dimension::Length;
         word.is_quantity = true;
-        return true;
+        return kDone;
     }
 
-    bool unknown_parameter(std::string_view name) {
+    Done fail_unknown(std::string_view name) {
         std::vector<std::string_view> names;
         for (const Parameter& parameter : parameters_) names.push_back(parameter.name);
         const auto near = nearest_name(name, names.data(), names.size());
@@ -364,8 +369,8 @@ class LineParser {
         return fail(why);
     }
 
-    bool parse_operator(FormWord& word, std::string_view inner, std::size_t sign) {
-        if (sign == std::string_view::npos) return true;
+    Done parse_operator(FormWord& word, std::string_view inner, std::size_t sign) {
+        if (sign == std::string_view::npos) return kDone;
         const std::string_view rest = inner.substr(inner[sign] == '=' ? sign + 1 : sign);
         const Decimal number = parse_decimal(rest.data(), rest.data() + rest.size());
         if (number.end != rest.data() + rest.size() || rest.empty()) {
@@ -377,48 +382,48 @@ class LineParser {
         } else {
             word.offset = number.value;
         }
-        return true;
+        return kDone;
     }
 
-    bool parse_unit(FormWord& word, std::string_view unit) {
-        if (unit.empty()) return true;
+    Done parse_unit(FormWord& word, std::string_view unit) {
+        if (unit.empty()) return kDone;
         if (unit == "named" || unit == "lead") {
             word.is_named_only = unit == "named";
             word.is_lead = unit == "lead";
-            return true;
+            return kDone;
         }
         if (unit == "placeholder") {
             word.is_named_only = word.is_placeholder = true;
-            return true;
+            return kDone;
         }
         if (unit == "absolute") {
             word.is_absolute = true;
-            return true;
+            return kDone;
         }
         if (unit == "incremental") {
             word.is_incremental = true;
-            return true;
+            return kDone;
         }
         if (unit == "turned") {
             word.takes_ways = true;
-            return true;
+            return kDone;
         }
         if (unit == "increments") {
             word.in_increments = true;
-            return true;
+            return kDone;
         }
         if (unit == "s|ms") {
             word.plain_factor = 1000;
-            return true;
+            return kDone;
         }
         if (unit == "digits") {
             word.plain_factor = -1;  // below 0: no increment makes another number of them
-            return true;
+            return kDone;
         }
         for (const Unit& known : kUnits) {
             if (known.name != unit) continue;
             word.factor = known.factor;
-            return true;
+            return kDone;
         }
         return fail(
             "there is no unit " + quoted(unit) +
@@ -426,15 +431,15 @@ class LineParser {
             "absolute and incremental");
     }
 
-    bool declared(FormWord& word, std::string_view name) {
+    Done require_declared(FormWord& word, std::string_view name) {
         word.address = tables_.find_address(name);
-        if (word.address != kNoAddress) return true;
+        if (word.address != kNoAddress) return kDone;
         sink_.report(diag::DialectUnknownAddress, range_).arg(name).arg(line_);
-        return false;
+        return kFailed;
     }
 
     /// Words by themselves and calls need no declaration of their own.
-    bool head(FormWord& word, std::string_view name, Address::Kind kind) {
+    Done take_head(FormWord& word, std::string_view name, Address::Kind kind) {
         word.address = tables_.find_address(name);
         if (word.address == kNoAddress) {
             Address address;
@@ -446,7 +451,7 @@ class LineParser {
             if (name.size() == 1)
                 tables_.letters[static_cast<unsigned char>(name[0])] = word.address;
             tables_.addresses.push_back(std::move(address));
-            return true;
+            return kDone;
         }
         Address& known = tables_.addresses[word.address];
         const bool takes_both =
@@ -456,7 +461,7 @@ class LineParser {
             known.kind = Address::Kind::Call;
             known.is_word_too = true;
         }
-        if (takes_both || known.kind == kind) return true;
+        if (takes_both || known.kind == kind) return kDone;
         return fail(quoted(name) + " needs a value");
     }
 
@@ -524,7 +529,7 @@ std::vector<Form> expand_codes(Form form, DialectTables& tables, DiagnosticSink&
 }
 
 /// Codes that a form may begin with are looked up in tables.
-bool has_usual_codes(const std::vector<Form>& forms, DiagnosticSink& sink) {
+Done require_usual_codes(const std::vector<Form>& forms, DiagnosticSink& sink) {
     for (const Form& form : forms) {
         const FormWord& first = form.words[0];
         if (first.kind != FormWord::Kind::Fixed) continue;
@@ -532,9 +537,9 @@ bool has_usual_codes(const std::vector<Form>& forms, DiagnosticSink& sink) {
         sink.report(diag::DialectBadForm, form.range)
             .arg(form.pattern)
             .arg("its first number is not from 0 to 9999");
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 bool says(const std::vector<FormWord>& words, int parameter) {
@@ -555,7 +560,7 @@ void fix_single_values(Form& form) {
 
 }  // namespace
 
-bool parse_form_line(std::string_view line, std::span<const Parameter> parameters,
+Done parse_form_line(std::string_view line, std::span<const Parameter> parameters,
                      DialectTables& tables, const SourceRange& range, std::vector<FormWord>& words,
                      DiagnosticSink& sink) {
     return LineParser(trimmed(line), parameters, tables, range, sink).parse(words);
@@ -605,7 +610,7 @@ std::vector<Form> parse_form(const Form& prototype, std::string_view text, Diale
     form.order = tables.addresses[form.words[0].address].order;
     fix_single_values(form);
     std::vector<Form> forms = expand_codes(std::move(form), tables, sink);
-    if (!has_usual_codes(forms, sink)) forms.clear();
+    if (!require_usual_codes(forms, sink)) forms.clear();
     return forms;
 }
 

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "base/done.h"
 #include "nc/tables.h"
 
 namespace kadr::nc {
@@ -28,7 +29,7 @@ std::vector<Form> parse_form(const Form& form, std::string_view text, DialectTab
                              DiagnosticSink& sink);
 
 /// Reads the words of one line that are no form of their own (deferred words).
-bool parse_form_line(std::string_view line, std::span<const Parameter> parameters,
+Done parse_form_line(std::string_view line, std::span<const Parameter> parameters,
                      DialectTables& tables, const SourceRange& range, std::vector<FormWord>& words,
                      DiagnosticSink& sink);
 

@@ -19,7 +19,7 @@ void load_ground(const XmlElement& e, DialectTables& tables, Attributes& attribu
 
 }  // namespace
 
-bool apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind kind,
+Done apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind kind,
                    DiagnosticSink& sink) {
     Attributes attributes(sink, kind);
     FormLoader forms(tables, attributes);
@@ -43,7 +43,7 @@ bool apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind ki
         if (e.name == "language") load_language(e, tables, attributes);
     }
     drop_cleared_forms(tables);
-    return !attributes.has_failed();
+    return Done(!attributes.has_failed());
 }
 
 }  // namespace kadr::nc

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "base/done.h"
 #include "base/xml.h"
 #include "nc/dialect_on_machine.h"
 #include "nc/tables.h"
@@ -14,13 +15,13 @@ namespace kadr::nc {
 const XmlShape& dialect_shape();
 
 /// Reads the elements of one file, which has the shape of a dialect, into tables that may hold what
-/// it extends already. Mistakes are reported; false if there was one.
+/// it extends already. Mistakes are reported; not done if there was one.
 ///
 /// kind  of the machines whose defaults act
-bool apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind kind,
+Done apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind kind,
                    DiagnosticSink& sink);
 
-/// Checks the whole and makes the indexes. False if there was a mistake.
-bool finish_tables(DialectTables& tables, DiagnosticSink& sink);
+/// Checks the whole and makes the indexes. Not done if there was a mistake.
+Done finish_tables(DialectTables& tables, DiagnosticSink& sink);
 
 }  // namespace kadr::nc

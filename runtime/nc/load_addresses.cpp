@@ -1,6 +1,7 @@
 // The heads of words: which letters and names there are, and how their numbers look.
 #include <array>
 
+#include "base/done.h"
 #include "nc/load_parts.h"
 
 namespace kadr::nc {
@@ -58,7 +59,7 @@ void read_format(const XmlElement& element, NumberFormat& format, Attributes& at
 }
 
 /// More decimals than the writer's scaled integers hold. True if there are no more.
-bool check_decimals(const XmlElement& element, const NumberFormat& format, Attributes& attributes) {
+Done check_decimals(const XmlElement& element, const NumberFormat& format, Attributes& attributes) {
     constexpr int kMost = 9;
     const std::pair<const char*, int> all[] = {
         {"decimals", format.decimals},
@@ -70,9 +71,9 @@ bool check_decimals(const XmlElement& element, const NumberFormat& format, Attri
     for (const auto& [name, decimals] : all) {
         if (decimals <= kMost) continue;
         attributes.bad_value(needed(element, name), "at most 9 decimals");
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 void remove_address(const XmlWord& word, DialectTables& tables, Attributes& attributes) {

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <set>
 
+#include "base/done.h"
 #include "nc/load_parts.h"
 #include "nc/statement_holes.h"
 
@@ -93,18 +94,18 @@ class LanguageLoader {
     /// be a second sign of the division, and 6*3 were 2. A text may get another meaning, as MOD
     /// that of another remainder.
     template <typename Form, typename IsSame>
-    bool takes_text(const std::vector<Form>& forms, Operation operation, const IsSame& is_same,
-                    const XmlAttribute& text) {
+    Done require_own_text(const std::vector<Form>& forms, Operation operation,
+                          const IsSame& is_same, const XmlAttribute& text) {
         const auto taken = std::ranges::find_if(forms, is_same);
         const bool is_taken = taken != forms.end() && taken->operation != operation;
         const auto own = std::ranges::find(forms, operation, &Form::operation);
         // What stands twice in one file is told by lint.cpp.
         const bool is_new = said_texts_.insert(text.value).second;
-        if (!is_taken || own == forms.end() || !is_new) return false;
+        if (!is_taken || own == forms.end() || !is_new) return kDone;
         attributes_.bad_value(text, "it is `" + std::string(info(taken->operation).name) +
                                         "` already, and `" + std::string(info(operation).name) +
                                         "` has a text");
-        return true;
+        return kFailed;
     }
 
     void load_operator(const XmlElement& element) {
@@ -125,7 +126,8 @@ class LanguageLoader {
         const auto is_same = [&](const OperatorForm& old) {
             return old.text == form.text && old.is_prefix == form.is_prefix;
         };
-        if (takes_text(language_.operators, form.operation, is_same, needed(element, "text")))
+        if (!require_own_text(language_.operators, form.operation, is_same,
+                              needed(element, "text")))
             return;
         std::erase_if(language_.operators, is_same);
         language_.operators.push_back(std::move(form));
@@ -166,7 +168,7 @@ class LanguageLoader {
                 text, "a name and its arguments in brackets are expected, as `SIN[{a}]`");
         }
         const auto is_same = [&](const FunctionForm& old) { return old.form == form.form; };
-        if (takes_text(language_.functions, form.operation, is_same, text)) return;
+        if (!require_own_text(language_.functions, form.operation, is_same, text)) return;
         std::erase_if(language_.functions, is_same);
         language_.functions.push_back(std::move(form));
     }

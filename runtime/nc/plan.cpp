@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/diagnostics/dialect.h"
+#include "base/done.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "nc/lost_words.h"
@@ -104,7 +105,7 @@ class Planner {
             report(*fault);
             return std::nullopt;
         }
-        if (is_refused(match_)) return std::nullopt;
+        if (!require_writable(match_)) return std::nullopt;
         for (std::size_t i = 0; i < match_.claim_count; ++i) add_hole(match_.claims[i]);
         if (!check_arc_words(std::span(match_.claims).first(match_.claim_count)))
             return std::nullopt;
@@ -134,7 +135,7 @@ class Planner {
         return text;
     }
 
-    bool take(std::size_t i) {
+    Done take(std::size_t i) {
         const SourceWord& word = words_[i];
         const AddressId address = tables_.find_address(word.address);
         const bool is_removed = address != kNoAddress &&
@@ -142,15 +143,15 @@ class Planner {
                                 tables_.addresses[address].forms.empty();
         if (address == kNoAddress || is_removed) {
             report_unknown(word);
-            return false;
+            return kFailed;
         }
         if (tables_.addresses[address].is_block_number) {
             if (word.value != SourceWord::Value::Literal) {
                 sink_.report(diag::BlockWordCodeComputed, word.range).arg(word.address);
-                return false;
+                return kFailed;
             }
             plan_.block.number = static_cast<std::int32_t>(word.number);
-            return true;
+            return kDone;
         }
         GivenWord& given = given_[count_];
         given.address = address;
@@ -159,18 +160,18 @@ class Planner {
         given.number = word.number;
         given.mode = static_cast<GivenWord::Mode>(word.mode);
         source_[count_++] = i;
-        return true;
+        return kDone;
     }
 
     /// What a control reads, but a block of a source cannot be: it would mean something else there.
-    bool is_refused(const Match& match) {
+    Done require_writable(const Match& match) {
         for (std::size_t i = 0; i < match.form_count; ++i) {
             const Form& form = tables_.forms[match.forms[i]];
             plan_.feed_stays_metric = plan_.feed_stays_metric || form.feed_stays_metric;
             const bool is_cycle = form.function == Function::Cycle;
             if (has_fact(form.function, Fact::ReadOnly) && form.function != Function::PolarOff) {
                 report_read_only(head_of(form));
-                return true;
+                return kFailed;
             }
             if (is_cycle && !form.is_preset && can_be_source(dialect_, form.cycle)) continue;
             if (!is_cycle && !form.feed_by_radius) continue;
@@ -183,15 +184,15 @@ class Planner {
                     .arg(tables_.name)
                     .fix("call `feed_inverse_time()`: then F is 1/min, of arcs too");
             }
-            return true;
+            return kFailed;
         }
         for (std::size_t i = 0; i < match.claim_count; ++i) {
             const Claim& claim = match.claims[i];
             if (claim.is_parameter || (kReadSlots >> claim.place & 1u) == 0) continue;
             report_read_only(words_[source_[claim.word]]);
-            return true;
+            return kFailed;
         }
-        return false;
+        return kDone;
     }
 
     void report_read_only(const SourceWord& word) {
@@ -261,13 +262,13 @@ class Planner {
     }
 
     /// Words of arcs beside a motion that is none, as far as the block itself says its motion.
-    bool check_arc_words(std::span<const Claim> claims) {
+    Done check_arc_words(std::span<const Claim> claims) {
         const Function motion = plan_.block.motion;
         const bool is_straight = has_fact(motion, Fact::Straight);
         const auto slot_of = [](const Claim& claim) { return static_cast<Slot>(claim.place); };
         const Claim* radius = nullptr;
         const Claim* center = nullptr;
-        bool is_fine = true;
+        Done checked = kDone;
         for (const Claim& claim : claims) {
             if (claim.is_parameter || (bit(slot_of(claim)) & kArcSlots) == 0) continue;
             if (slot_of(claim) == Slot::Radius) radius = &claim;
@@ -277,12 +278,12 @@ class Planner {
             sink_.report(diag::ArcWordWithoutArc, word.range)
                 .arg(text_of(word))
                 .arg(info(motion).name);
-            is_fine = false;
+            checked = kFailed;
         }
-        if (!is_fine || radius == nullptr || center == nullptr) return is_fine;
+        if (!checked || radius == nullptr || center == nullptr) return checked;
         sink_.report(diag::ArcSaidTwice, words_[source_[radius->word]].range)
             .note(words_[source_[center->word]].range, "the centre");
-        return false;
+        return kFailed;
     }
 
     void report(const MatchFault& fault) {
