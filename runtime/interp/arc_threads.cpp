@@ -47,7 +47,7 @@ void Executor::thread_along_arc(const Block& block, const Target& target, const 
     if (!arc) return;
     const std::optional<Lead> lead = lead_of_arc(block, arc->end - arc->start);
     if (!lead) return;
-    if (!check_thread_spindle(block)) return;
+    if (!require_thread_spindle(block)) return;
     leave_corners(diag::CornerNotContour);
     if (ended_) return;
     check_tool(block);
@@ -75,7 +75,7 @@ void Executor::thread_along_arc(const Block& block, const Target& target, const 
             }
             at.base = frames_.to_base(at.here);
         }
-        if (!check_limits(block, at.base, at.moved)) return;
+        if (!require_within_limits(block, at.base, at.moved)) return;
         has_moved_ = true;
         const Vec3 way = linear(at.here) - linear(position_.here);
         const double length = (linear(at.base) - linear(position_.base)).norm();

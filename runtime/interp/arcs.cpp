@@ -48,7 +48,7 @@ std::optional<Axis> missing_axis(AxisMask present, path::Plane plane) {
 }  // namespace
 
 void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
-    if (!check_feed(block, "arc")) return;
+    if (!require_feed(block, "arc")) return;
     const auto missing = missing_axis(axes_.present, modal_.plane);
     if (missing && !virtual_.axes.is_on()) {
         DiagnosticBuilder message = report(diag::AxisMissing, block, modal_.motion);
@@ -155,7 +155,7 @@ void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Targ
             path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep);
         if (!lay_course(block, way, target)) return;
     }
-    if (!check_arc_limits(block, arc, target)) return;
+    if (!require_arc_within_limits(block, arc, target)) return;
     if (spindle_.has_cutting_speed) [[unlikely]]
         watch_cutting_speed(block, position_.here[0], target.here[0]);
 

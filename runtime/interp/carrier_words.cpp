@@ -158,11 +158,11 @@ bool Executor::leave_carrier() {
     return true;
 }
 
-/// Whether a transformation is switched on beside a carrier; it was reported then.
-bool Executor::refuses_beside_carrier(const Block& block, Function function) {
-    if (!carrier_.stand || function == Function::TcpOff) return false;
+/// No transformation is switched on beside a carrier.
+Done Executor::require_no_carrier(const Block& block, Function function) {
+    if (!carrier_.stand || function == Function::TcpOff) return kDone;
     report(diag::IsoNotSupported, block, function).arg("a transformation beside a tool carrier");
-    return true;
+    return kFailed;
 }
 
 /// Whether a carrier has turned the tool.

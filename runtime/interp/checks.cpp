@@ -29,77 +29,77 @@ constexpr double kLimitSlack = 1e-6;  // mm, deg
 
 }  // namespace
 
-bool Executor::check_axes(const Block& block, SlotMask targets) {
+Done Executor::require_axes(const Block& block, SlotMask targets) {
     SlotMask missing = targets & ~SlotMask{axes_.present};
     if (virtual_.axes.turns()) {
         missing &= ~bit(nc::slot_of(virtual_.axes.virtual_axis()));
         if (const Slot turning = nc::slot_of(virtual_.axes.rotary); (targets & bit(turning)) != 0) {
             report(diag::VirtualRotary, block, turning).arg(nc::slot_name(turning));
-            return false;
+            return kFailed;
         }
     }
-    if (missing == 0) return true;
+    if (missing == 0) return kDone;
     const Slot slot = first_slot(missing);
     DiagnosticBuilder message = report(diag::AxisMissing, block, slot);
     message.arg(kAxisNames[static_cast<std::size_t>(slot)]);
     const std::string hint =
         hint_at_comma(dialect_.tables(), static_cast<Axis>(slot), block.at(slot));
     if (!hint.empty() && !cycle_.blocks) message.fix(hint);
-    return false;
+    return kFailed;
 }
 
 /// Between the code that gears the spindle and the tapping cycle no axis moves.
-bool Executor::check_rigid_tap(const Block& block, SlotMask targets) {
-    if (!taps_rigidly_ || targets == 0 || cycle_.blocks) return true;
-    if (block.find(Function::TapRigid) != nullptr) return true;
+Done Executor::require_no_move_before_tap(const Block& block, SlotMask targets) {
+    if (!taps_rigidly_ || targets == 0 || cycle_.blocks) return kDone;
+    if (block.find(Function::TapRigid) != nullptr) return kDone;
     report(diag::TapMoveBefore, block, first_slot(targets));
-    return false;
+    return kFailed;
 }
 
-bool Executor::check_feed(const Block& block, std::string_view what) {
-    if (contour_) return true;  // no axis moves
+Done Executor::require_feed(const Block& block, std::string_view what) {
+    if (contour_) return kDone;  // no axis moves
     if (!modal_.has_feed) {
         DiagnosticBuilder message = report(diag::FeedMissing, block);
         message.arg(what);
         const std::string hint = hint_at_bare_cycle(dialect_.tables(), places_, origin(block));
         if (cycle_.blocks && !hint.empty()) message.fix(hint);
-        return false;
+        return kFailed;
     }
     if (!(modal_.feed > 0)) {
         const double feed = modal_.feed;
         (block.has(Slot::Feed) ? report(diag::FeedNotPositive, block, Slot::Feed)
                                : report(diag::FeedNotPositive, block))
             .arg(feed);
-        return false;
+        return kFailed;
     }
     if (modal_.feed_mode == FeedMode::InverseTime && rules_.inverse_time_feed_in_every_block &&
         !block.has(Slot::Feed)) {
         report(diag::InverseTimeFeedMissing, block);
-        return false;
+        return kFailed;
     }
     if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) {
         check_tool(block);
         if (tool_.current != dangers_.cut_tool) watch_missing_length(block);
         if (is_new_feed()) [[unlikely]]
             watch_feed(block);
-        return true;
+        return kDone;
     }
     if (modal_.feed_mode == FeedMode::PerRevolution) {
         report(diag::RevolutionFeedStands, block);
-        return false;
+        return kFailed;
     }
     // The beam of a scanner comes with its marks.
     if (!is_scanning_ && told_.first_time(Once::SpindleStopped))
         report(diag::FeedWithSpindleStopped, block);
-    return true;
+    return kDone;
 }
 
 /// Nothing is cut: the spindle may stand, and what is in it need not be a tool. A feed per
 /// revolution would wait for ever where it stands.
-bool Executor::check_probe(const Block& block) {
+Done Executor::require_probe_feed(const Block& block) {
     const bool has_feed = modal_.has_feed && modal_.feed > 0;
-    if (has_feed && modal_.feed_mode == FeedMode::PerMinute) return true;
-    return check_feed(block, "probing move");
+    if (has_feed && modal_.feed_mode == FeedMode::PerMinute) return kDone;
+    return require_feed(block, "probing move");
 }
 
 /// A rapid that dives below the workpiece zero of a mill while the spindle stands. On a lathe, and
@@ -154,32 +154,32 @@ void Executor::check_units(const Block& block, nc::Function function) {
     units_ = units;
 }
 
-bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+Done Executor::require_within_limits(const Block& block, const AxisValues& base, AxisMask moved) {
     // No axis goes along a contour that is only read; but it does not leave every machine.
     constexpr double kAnyMachine = 1e7;  // mm, deg
     const auto is_near = [](double place) { return std::abs(place) < kAnyMachine; };
-    if (contour_ && std::ranges::all_of(base, is_near)) return true;
+    if (contour_ && std::ranges::all_of(base, is_near)) return kDone;
     // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
-    if (is_transformed()) return !area_.acts() || check_area(block, base, moved);
-    return check_machine_limits(block, base, moved) &&
-           (!area_.acts() || check_area(block, base, moved));
+    if (is_transformed()) return area_.acts() ? require_within_area(block, base, moved) : kDone;
+    if (!require_within_machine(block, base, moved)) return kFailed;
+    return area_.acts() ? require_within_area(block, base, moved) : kDone;
 }
 
-/// Whether the tip is inside of the working area that the program has set.
-bool Executor::check_area(const Block& block, const AxisValues& base, AxisMask moved) {
+/// The tip stays inside of the working area that the program has set.
+Done Executor::require_within_area(const Block& block, const AxisValues& base, AxisMask moved) {
     const AxisMask axes =
         frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_.present & kLinearXYZ));
     const std::optional<WorkArea::Excess> excess = area_.excess(base, axes);
-    if (!excess) return true;
+    if (!excess) return kDone;
     const Slot word = nc::slot_of(excess->axis);
     (block.has(word) ? report(diag::AreaLeft, block, word) : report(diag::AreaLeft, block))
         .arg(kAxisNames[index(excess->axis)])
         .arg(round_to(excess->at, 6))
         .arg(round_to(excess->limit, 6));
-    return false;
+    return kFailed;
 }
 
-bool Executor::check_machine_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+Done Executor::require_within_machine(const Block& block, const AxisValues& base, AxisMask moved) {
     const AxisMask axes =
         frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_.present & kLinearXYZ));
     for (AxisMask rest = axes; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
@@ -187,47 +187,49 @@ bool Executor::check_machine_limits(const Block& block, const AxisValues& base, 
         const double at = base[i] + length_shift_[i];
         if (at < axes_.lower[i] - kLimitSlack || at > axes_.upper[i] + kLimitSlack) {
             report_limit(block, static_cast<Axis>(i), at);
-            return false;
+            return kFailed;
         }
     }
-    return true;
+    return kDone;
 }
 
-bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const Target& target) {
-    if (!check_limits(block, target.base, target.moved)) return false;
-    if (contour_) return true;
+Done Executor::require_arc_within_limits(const Block& block, const path::Arc& arc,
+                                         const Target& target) {
+    if (!require_within_limits(block, target.base, target.moved)) return kFailed;
+    if (contour_) return kDone;
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
     const path::ArcShape shape = path::shape_of(arc);
-    if (is_transformed()) return true;
+    if (is_transformed()) return kDone;
     const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
     bool is_far = !area_.acts();
     for (std::size_t i = 0; i < 3; ++i) {
         const double center = arc.center[static_cast<Eigen::Index>(i)] + length_shift_[i];
         is_far &= center - reach >= axes_.lower[i] && center + reach <= axes_.upper[i];
     }
-    if (is_far) return true;
-    return check_box(block, path::bounds(path::make_helix(arc.start, arc.end, arc.center,
-                                                          arc.normal, arc.sweep)));
+    if (is_far) return kDone;
+    return require_box_within_limits(
+        block,
+        path::bounds(path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep)));
 }
 
-bool Executor::check_box(const Block& block, const path::Box& box) {
+Done Executor::require_box_within_limits(const Block& block, const path::Box& box) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto k = static_cast<Eigen::Index>(i);
         for (const double edge : {box.lower[k], box.upper[k]}) {
             const double at = edge + length_shift_[i];
             if (at >= axes_.lower[i] - kLimitSlack && at <= axes_.upper[i] + kLimitSlack) continue;
             report_limit(block, static_cast<Axis>(i), at);
-            return false;
+            return kFailed;
         }
     }
-    if (!area_.acts()) return true;
+    if (!area_.acts()) return kDone;
     const auto corner = [](const Vec3& at) {
         AxisValues values{};
         for (std::size_t i = 0; i < 3; ++i) values[i] = at[static_cast<Eigen::Index>(i)];
         return values;
     };
-    return check_area(block, corner(box.lower), kLinearXYZ) &&
-           check_area(block, corner(box.upper), kLinearXYZ);
+    if (!require_within_area(block, corner(box.lower), kLinearXYZ)) return kFailed;
+    return require_within_area(block, corner(box.upper), kLinearXYZ);
 }
 
 void Executor::report_limit(const Block& block, Axis axis, double at) {

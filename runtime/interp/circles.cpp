@@ -110,7 +110,7 @@ Vec3 Executor::through_point(const Block& block) const {
 
 /// A circle over a point between, in whatever plane the three points lie.
 void Executor::arc_over_point(const Block& block, const Target& target, bool exact_stop) {
-    if (!check_feed(block, "arc")) return;
+    if (!require_feed(block, "arc")) return;
     if (const SlotMask others = block.given & (nc::kArcSlots | bit(Slot::Opening)); others != 0) {
         report_arc_words(block, others);
         return;
@@ -132,7 +132,7 @@ void Executor::arc_over_point(const Block& block, const Target& target, bool exa
 /// An arc in the plane that begins in the direction in which the tool has come; along the third
 /// axis it is a helix. Straight on, it is a line.
 void Executor::arc_along(const Block& block, const Target& target, bool exact_stop) {
-    if (!check_feed(block, "arc")) return;
+    if (!require_feed(block, "arc")) return;
     const SlotMask words = nc::kArcSlots | nc::kThroughSlots | bit(Slot::Opening);
     if (const SlotMask others = block.given & words; others != 0) {
         report_arc_words(block, others);

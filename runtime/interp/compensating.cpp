@@ -76,7 +76,7 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompByFaceInPlane: comp_.system = comp_system_of(invocation.function); break;
         case Function::SideCompLeft:
         case Function::SideCompRight:
-            if (!check_side_comp(block, invocation.function)) return;
+            if (!require_tcp_for_side_comp(block, invocation.function)) return;
             comp_.is_by_side_code = true;
             actions.radius_comp = comp_side_of(invocation.function);
             break;
@@ -154,7 +154,7 @@ void Executor::round_comp_corner(const Block& block, const Invocation& invocatio
         report(diag::CompCornerMoves, block, invocation.function);
         return;
     }
-    if (!check_feed(block, "arc")) return;
+    if (!require_feed(block, "arc")) return;
     path::Vec3 direction = path::Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
         direction[static_cast<Eigen::Index>(i)] =
@@ -206,12 +206,11 @@ void Executor::change_comp(const CompChange& change) {
     }
 }
 
-/// False: in space this is not known, and it was said.
-bool Executor::is_comp_in_plane(const Block& block, Function function) {
-    if (!space_comp_.is_on()) return true;
+Done Executor::require_comp_in_plane(const Block& block, Function function) {
+    if (!space_comp_.is_on()) return kDone;
     report(diag::IsoNotSupported, block, function)
         .arg(word_of(block, function) + " beside a contour in space");
-    return false;
+    return kFailed;
 }
 
 /// What a program can say of it in space; the rest is of the working plane.
@@ -237,7 +236,7 @@ void Executor::change_space_comp(const CompChange& change) {
         case CompChange::Kind::Pause:
         case CompChange::Kind::Resume:
         case CompChange::Kind::LetGo:
-        case CompChange::Kind::Again: break;  // refused before: is_comp_in_plane()
+        case CompChange::Kind::Again: break;  // refused before: require_comp_in_plane()
     }
 }
 
@@ -298,7 +297,7 @@ void Executor::begin_comp(const Block& block, CompSide side) {
         report(diag::CompSpaceStart, block, function_of(comp_.side));
         return;
     }
-    if (!is_tool_constant(block)) return;
+    if (!require_constant_tool(block)) return;
     CompChange change = comp_change(block, CompChange::Kind::Begin);
     if (!ended_) send_comp(change);
 }

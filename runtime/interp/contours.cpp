@@ -61,12 +61,12 @@ std::string_view Executor::begin_contour() {
     return {};
 }
 
-/// Whether the block can be a part of the contour; false: it was reported.
-bool Executor::check_contour_block(const Block& block) {
-    if (!acts(block)) return true;
+/// The block is one that a contour can have.
+Done Executor::require_contour_block(const Block& block) {
+    if (!acts(block)) return kDone;
     const auto refuse = [&](const DiagnosticRow& row, Function function) {
         report(row, block, function).arg(word_of(block, function));
-        return false;
+        return kFailed;
     };
     if (!nc::has_fact(block.motion, nc::Fact::ContourElement))
         return refuse(diag::ContourMotion, block.motion);
@@ -74,7 +74,7 @@ bool Executor::check_contour_block(const Block& block) {
         const Function function = block.functions[i].function;
         if (nc::has_fact(function, nc::Fact::EndsProgram)) {
             report(diag::ContourUnfinished, block, function);
-            return false;
+            return kFailed;
         }
         const auto plane = plane_of(function);
         const bool changes_units = (function == Function::Inch && units_ != Units::Inch) ||
@@ -83,7 +83,7 @@ bool Executor::check_contour_block(const Block& block) {
             (plane && *plane != modal_.plane))
             return refuse(diag::ContourBlockWrong, function);
     }
-    return true;
+    return kDone;
 }
 
 /// What acted in a block that was executed, for the elements that come of it.

@@ -146,26 +146,29 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
     if (const DiagnosticRow* why = corners_.wish_behind(wish, place)) report(*why, block);
 }
 
+/// Whether the words of arcs beside a line say a corner.
+bool Executor::has_square_corner() const {
+    return rules_.corner_by_arc_words && !cycle_.blocks && modal_.motion == Function::Line;
+}
+
 /// A chamfer or a rounding at a square corner, said by the words of arcs beside a line: the centre
-/// word of the other axis, or a radius, whose sign is the way on. False: the words say none.
-bool Executor::wish_square_corner(const Block& block, const Target& target) {
+/// word of the other axis, or a radius, whose sign is the way on.
+void Executor::wish_square_corner(const Block& block, const Target& target) {
     const SlotMask words = block.given & nc::kArcSlots;
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const auto moves = [&](Axis axis) {
         return std::abs(target.here[index(axis)] - position_.here[index(axis)]) > path::kSamePoint;
     };
     const bool along_first = moves(plane.first);
-    if (!rules_.corner_by_arc_words || cycle_.blocks || modal_.motion != Function::Line)
-        return false;
     const bool has_other = block.find(Function::CornerChamfer) != nullptr ||
                            block.find(Function::CornerRound) != nullptr;
     if ((words & (words - 1)) != 0 || has_other) {
         report(diag::CornerTwice, block);
-        return true;
+        return;
     }
     if (along_first == moves(plane.second)) {
         report(diag::CornerNotSquare, block);
-        return true;
+        return;
     }
     CornerWish wish;
     wish.is_square = true;
@@ -173,14 +176,13 @@ bool Executor::wish_square_corner(const Block& block, const Target& target) {
     const bool is_round = words == bit(Slot::Radius);
     if (!is_round && words != bit(slot_across(wish.next))) {
         report(diag::CornerNotSquare, block);
-        return true;
+        return;
     }
     wish.kind = is_round ? CornerWish::Kind::Round : CornerWish::Kind::Width;
     const double size = block.at(is_round ? Slot::Radius : slot_across(wish.next));
     wish.sign = size < 0 ? -1 : 1;
     wish.size = std::abs(size);
     put_wish(block, wish);
-    return true;
 }
 
 // ------------------------------------------------------------------------------ out

@@ -99,14 +99,14 @@ void Executor::move_along_curve(const Block& block, const nc::Invocation& call) 
     shape.linear = frames_.total().linear * axes;
     if (!is_sound(shape)) return refuse("it has no finite shape with these values");
 
-    if (!check_feed(block, "curve")) return;
+    if (!require_feed(block, "curve")) return;
     leave_corners(diag::CornerNotContour);
     if (ended_) return;
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
     const Vec3 start = linear(position_.base);
     const path::Parametric curve = path::make_parametric(start, path::end_of(shape, start), shape);
     if (!(curve.length > path::kSamePoint)) return refuse("it has no length");
-    if (!check_box(block, path::bounds(curve))) return;
+    if (!require_box_within_limits(block, path::bounds(curve))) return;
 
     Target target{{}, position_.base, 0};
     for (std::size_t i = 0; i < 3; ++i) {

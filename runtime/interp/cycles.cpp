@@ -119,10 +119,10 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         call.arguments[i] = block.argument(invocation, i);
     }
     complete_call(call);
-    if (!check_counts(block, call)) return;
+    if (!require_whole_counts(block, call)) return;
     cycle_.is_across = is_lathe_ && find_parameter(info.parameters, kAcrossParameter).has_value();
     cycle_.lies_flat = !cycle_.is_across && (is_lathe_ || cycles_->turns(info.name));
-    if (!check_surroundings(block, call) || !check_cycle_words(block, actions)) return;
+    if (!require_surroundings(block, call) || !require_words_of_cycle(block, actions)) return;
     complete_surroundings(call, calls_program_at(block));
     take_ends(block, call);
     complete_ends(call);
@@ -398,10 +398,9 @@ void Executor::complete_call(ModalCycle& call) const {
     }
 }
 
-/// Whether what counts is a whole number; false: it is not, and it was said. Controls that round
-/// such numbers have no modal cycles.
-bool Executor::check_counts(const Block& block, const ModalCycle& call) {
-    if (!rules_.modal_cycles) return true;
+/// What counts is a whole number. Controls that round such numbers have no modal cycles.
+Done Executor::require_whole_counts(const Block& block, const ModalCycle& call) {
+    if (!rules_.modal_cycles) return kDone;
     const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const double value = call.arguments[i];
@@ -409,9 +408,9 @@ bool Executor::check_counts(const Block& block, const ModalCycle& call) {
         if (!counts || !is_given(call, i) || value == std::floor(value)) continue;
         refuse_cycle(block, '`' + std::string(parameters[i].name) + "` is " +
                                 format_shortest(value) + ", and must be a whole number");
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// Cycles of a lathe have their end in X and Z. What a word of the call says of it may be a
@@ -471,20 +470,19 @@ bool Executor::is_among_places() const {
     return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle].parameters, "x");
 }
 
-/// Whether all that the block says beside a cycle to an end in X and Z is the cycle's; false: it is
-/// not, and it was said. Drilling cycles take words that wait for another cycle, and go to a place
-/// by any axis.
-bool Executor::check_cycle_words(const Block& block, const Actions& actions) {
+/// All that the block says beside a cycle to an end in X and Z is the cycle's. Drilling
+/// cycles take words that wait for another cycle, and go to a place by any axis.
+Done Executor::require_words_of_cycle(const Block& block, const Actions& actions) {
     const bool is_called = actions.cycle != nullptr;
     const nc::CycleInfo& info =
         dialect_.cycles()[is_called ? block.cycle : cycles_said_.modal.cycle];
     const bool is_turning = info.takes_shape() || find_parameter(info.parameters, "x").has_value();
-    if (!rules_.modal_cycles || !is_turning || info.roles.depth >= 0) return true;
+    if (!rules_.modal_cycles || !is_turning || info.roles.depth >= 0) return kDone;
     const CycleWords& words = actions.cycle_words;
     if (words.stroke || words.dwell || words.times) {
         report(diag::IsoWordUnused, block, Function::CycleWords)
             .arg(word_of(block, Function::CycleWords));
-        return false;
+        return kFailed;
     }
     for (std::size_t i = 0; i < kAxes; ++i) {
         const auto axis = static_cast<Axis>(i);
@@ -492,13 +490,13 @@ bool Executor::check_cycle_words(const Block& block, const Actions& actions) {
         if (!block.has(slot) || find_parameter(info.parameters, end_name(axis))) continue;
         report(info.is_modal ? diag::CycleAxis : diag::CycleAxisBeside, block, slot)
             .arg(kAxisNames[i]);
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 void Executor::repeat_cycle(const Block& block, const Actions& actions) {
-    if (!check_cycle_words(block, actions)) return;
+    if (!require_words_of_cycle(block, actions)) return;
     const nc::CycleInfo& info = dialect_.cycles()[cycles_said_.modal.cycle];
     if (const SlotMask centers = block.given & nc::kCenterSlots; centers != 0)
         warn_arc_word(block, centers);
@@ -533,7 +531,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const SlotMask place =
         block.given & nc::kTargetSlots & ~SlotMask{bit(nc::slot_of(plane.normal))};
-    if (!check_axes(block, place)) return;
+    if (!require_axes(block, place)) return;
     const bool has_end = find_parameter(dialect_.cycles()[call.cycle].parameters, "x").has_value();
     if (place != 0 && !has_end)
         line(block, target_of(block, place), path::Op::Rapid, stops_exactly());
@@ -571,7 +569,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     request.x_is_diameter = !cycle_.lies_flat || axes_.word_scale[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
-        if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
+        if (require_no_refusal(block)) ended_ = alarmed_ = true;  // the expander has said why
         return;
     }
     cycle_.name = info.name;
@@ -600,18 +598,18 @@ void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blo
 }
 
 /// A tapping cycle whose words do not say the pitch has it from the feed: F itself where it counts
-/// by the revolution, else F divided by the speed. False: there is none, and it was said.
-bool Executor::complete_tap(const Block& block, ModalCycle& call) {
+/// by the revolution, else F divided by the speed.
+Done Executor::complete_tap(const Block& block, ModalCycle& call) {
     const std::optional<std::size_t> pitch =
         find_parameter(dialect_.cycles()[call.cycle].parameters, "pitch");
-    if (!pitch || is_given(call, pitch)) return true;
+    if (!pitch || is_given(call, pitch)) return kDone;
     if (!modal_.has_feed || !(modal_.feed > 0) || modal_.feed_mode == path::FeedMode::InverseTime) {
         report(diag::TapPitchMissing, block, Function::Cycle);
-        return false;
+        return kFailed;
     }
     if (spindle_.has_cutting_speed || !(spindle_.speed > 0)) {
         report(diag::TapSpeedMissing, block, Function::Cycle);
-        return false;
+        return kFailed;
     }
     const bool is_pitch = modal_.feed_mode == path::FeedMode::PerRevolution;
     const double turn = is_pitch ? modal_.feed : modal_.feed / spindle_.speed;
@@ -619,30 +617,28 @@ bool Executor::complete_tap(const Block& block, ModalCycle& call) {
     // Told where the cycle is called or gets another feed, not at each of its holes.
     const bool is_new = block.find(Function::Cycle) != nullptr || block.has(Slot::Feed);
     if (!is_pitch && is_new) watch_tap(block, Function::Cycle);
-    return true;
+    return kDone;
 }
 
-/// Where F is the pitch of a thread, that of a cycle is F too. False: there is none, and it was
-/// said.
-bool Executor::complete_thread(const Block& block, ModalCycle& call) {
+/// Where F is the pitch of a thread, that of a cycle is F too.
+Done Executor::complete_thread(const Block& block, ModalCycle& call) {
     const std::optional<std::size_t> lead =
         find_parameter(dialect_.cycles()[call.cycle].parameters, "lead");
-    if (!lead || is_given(call, lead) || !rules_.thread_pitch_is_feed) return true;
+    if (!lead || is_given(call, lead) || !rules_.thread_pitch_is_feed) return kDone;
     if (!modal_.has_feed || !(modal_.feed > 0)) {
         DiagnosticBuilder message = report(diag::ThreadPitchMissing, block);
         message.arg(kAxisNames[index(Axis::Z)]);
         const std::string hint = hint_at_bare_cycle(dialect_.tables(), places_, block);
         if (!hint.empty()) message.fix(hint);
-        return false;
+        return kFailed;
     }
     set_argument(call, lead, modal_.feed);
-    return true;
+    return kDone;
 }
 
-/// Dwells below 0 count turns of the spindle on some controls. False: it has no speed, and it was
-/// said.
-bool Executor::time_turns(const Block& block, ModalCycle& call) {
-    if (!rules_.negative_dwell_turns) return true;
+/// Dwells below 0 count turns of the spindle on some controls.
+Done Executor::time_turns(const Block& block, ModalCycle& call) {
+    if (!rules_.negative_dwell_turns) return kDone;
     const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         double& time = call.arguments[i];
@@ -651,18 +647,19 @@ bool Executor::time_turns(const Block& block, ModalCycle& call) {
         if (!(spindle_.speed > 0)) {
             report(diag::DwellInvalid, block, Function::Cycle)
                 .arg("it counts turns of the spindle, and no speed is set");
-            return false;
+            return kFailed;
         }
         time *= -60 / spindle_.speed;
     }
-    return true;
+    return kDone;
 }
 
-/// Says what the definition of the cycle says against its parameters; false: nothing.
-bool Executor::was_refused(const Block& block) {
+/// What the definition of the cycle says against its parameters is told.
+Done Executor::require_no_refusal(const Block& block) {
     const std::optional<std::string> words = cycles_->refusal();
-    if (words) refuse_cycle(block, *words);
-    return words.has_value();
+    if (!words) return kDone;
+    refuse_cycle(block, *words);
+    return kFailed;
 }
 
 /// An alarm of the cycle in these words, which say what number it has on the control.
@@ -673,14 +670,13 @@ void Executor::refuse_cycle(const Block& block, std::string_view words) {
         message.alarm(std::move(alarm->number), std::move(alarm->text));
 }
 
-/// Where the control's cycles look around before they begin. False: something is missing, and it
-/// was said.
-bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
+/// Where the control's cycles look around before they begin.
+Done Executor::require_surroundings(const Block& block, const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const auto has = [&](std::string_view name) {
         return find_parameter(info.parameters, name).has_value();
     };
-    if (!rules_.cycles_check_surroundings || has(kPatternParameter)) return true;
+    if (!rules_.cycles_check_surroundings || has(kPatternParameter)) return kDone;
     const bool has_feed = (modal_.has_feed && modal_.feed > 0) ||
                           is_given(call, find_parameter(info.parameters, "cut")) ||
                           is_given(call, find_parameter(info.parameters, "in_feed"));
@@ -702,8 +698,9 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
     } else if (!turns_by_itself && !turns) {
         missing = "no spindle direction is set for the cycle";
     }
-    if (!missing.empty()) refuse_cycle(block, missing);
-    return missing.empty();
+    if (missing.empty()) return kDone;
+    refuse_cycle(block, missing);
+    return kFailed;
 }
 
 /// What a call does not say because the control knows it: the cutter's diameter, the radius of the
@@ -727,7 +724,7 @@ void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const
 }
 
 void Executor::finish_cycle() {
-    if (was_refused(cycle_.caller)) return;
+    if (!require_no_refusal(cycle_.caller)) return;
     // Compensation that the cycle has not ended is over; the cutter stays where it is.
     if (comp_.is_on()) {
         comp_.side = CompSide::Off;

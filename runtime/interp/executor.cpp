@@ -109,13 +109,13 @@ void Executor::execute_next() {
         ended_ = alarmed_ = true;  // the control stops at the line that could not be read
         return;
     }
-    if (move_plainly(*block)) return;
+    if (move_plainly(*block) == Plainly::Executed) return;
     if (virtual_.axes.is_on()) {
         block = in_virtual(*block);
         if (block == nullptr) return;
     }
-    if (shape_ && !check_shape_block(*block)) return;
-    if (contour_ && !check_contour_block(*block)) return;
+    if (shape_ && !require_shape_block(*block)) return;
+    if (contour_ && !require_contour_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
     // What is no block of the control, or is left out, is none without motion either.
     const bool is_passed = open_line_ || (!ended_ && !acts(*block));
@@ -208,7 +208,7 @@ void Executor::run(const Block& block) {
         report(diag::TooManyBlocks, block).arg(static_cast<std::size_t>(options_.max_blocks));
         return;
     }
-    if (tilting_.open && !check_open_plane(block)) return;
+    if (tilting_.open && !require_block_of_open_plane(block)) return;
     if (block.function_count != 0) return run_functions(block);
     // Nothing but words: nearly every block.
     static constexpr Actions kNone{};

@@ -215,7 +215,8 @@ class Executor {
     bool is_too_late(nc::Function function) const;
     bool is_other_plane(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
-    bool has_axes(const nc::Block& block, const nc::Invocation& invocation, AxisMask named);
+    Done require_named_axes(const nc::Block& block, const nc::Invocation& invocation,
+                            AxisMask named);
     control::FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
@@ -227,7 +228,8 @@ class Executor {
     void pass_machine_function(const nc::Block& block, std::int64_t number);
 
     // plain_moves.cpp
-    bool move_plainly(const nc::Block& block);
+    enum class Plainly : std::uint8_t { NotPlain, Executed };
+    Plainly move_plainly(const nc::Block& block);
     bool is_plain_block(const nc::Block& block) const;
     bool is_plain_state() const;
 
@@ -237,7 +239,7 @@ class Executor {
     void check_place(const nc::Block& block, nc::SlotMask targets);
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
     double x_scale(const nc::Block& block, bool is_distance) const;
-    bool check_rotary_ways(const nc::Block& block);
+    Done require_rotary_ways(const nc::Block& block);
     void turn_rotary(const nc::Block& block, Target& target) const;
     void arrive(const Target& target);
     // probing.cpp
@@ -251,7 +253,7 @@ class Executor {
     void use_probed(const nc::Block& block, const nc::Invocation& invocation);
     void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
     bool is_without_frames(const Actions& actions) const;
-    bool take_frames_off(const nc::Block& block);
+    Done take_frames_off(const nc::Block& block);
     void put_frames_back(const nc::Block& block);
     void move_in_machine_coordinates(const nc::Block& block);
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
@@ -259,17 +261,17 @@ class Executor {
     void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
     void check_reference(const nc::Block& block);
     void leave_reference(const nc::Block& block);
-    bool offset_ways(const nc::Block& block, double times, Target& target);
+    Done offset_ways(const nc::Block& block, double times, Target& target);
     void tap(const nc::Block& block, const Target& target);
     void thread(const nc::Block& block, const Target& target, const Actions& actions);
-    bool check_thread_spindle(const nc::Block& block);
+    Done require_thread_spindle(const nc::Block& block);
     std::optional<double> thread_change(const nc::Block& block, double pitch, double way);
     std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
     Axis wanted_length_axis() const;
     path::Vec3 wanted_lengths() const;
     void check_length_known(const nc::Block& block);
     path::Vec3 activate_length(const nc::Block& block, AxisMask moved);
-    bool activate_length_on_arc(const nc::Block& block, const path::Vec3& normal, AxisMask moved);
+    Done activate_length_on_arc(const nc::Block& block, const path::Vec3& normal, AxisMask moved);
     void move_length_alone(const nc::Block& block);
     void move_behind_switch(const nc::Block& block);
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
@@ -294,17 +296,17 @@ class Executor {
     void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
 
     // orienting.cpp: the machine's transformation
-    bool has_transformation(const nc::Block& block, const nc::Invocation& invocation);
+    Done require_transformation(const nc::Block& block, const nc::Invocation& invocation);
     void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
     std::array<std::size_t, 2> joints_in_order() const;
-    bool lacks_axis_for_direction(const nc::Block& block);
-    bool refuses_in_spline(const nc::Block& block, nc::Function function);
-    bool refuses_lone_axis(const nc::Block& block, nc::SlotMask targets);
+    Done require_axes_for_direction(const nc::Block& block);
+    Done require_no_spline(const nc::Block& block, nc::Function function);
+    Done require_no_lone_axis(const nc::Block& block, nc::SlotMask targets);
     void begin_length_transformation(const nc::Block& block, const nc::Invocation& invocation,
                                      Actions& actions);
     void end_length_transformation(Actions& actions);
     void check_offset_said(const nc::Block& block);
-    bool refuses_under_tcp(const nc::Block& block, nc::Function function);
+    Done require_allowed_under_tcp(const nc::Block& block, nc::Function function);
     path::Vec3 joints_of(const AxisValues& base) const;
     AxisMask joint_axes() const;
     AxisValues machine_axes() const;
@@ -315,8 +317,8 @@ class Executor {
                           Actions& actions);
     void take_lean(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     void take_opening(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
-    bool turns_in_two_ways(const nc::Block& block, const ToolWords& tool);
-    bool has_idle_words(const nc::Block& block, const ToolWords& tool);
+    Done require_one_turn(const nc::Block& block, const ToolWords& tool);
+    Done require_no_idle_words(const nc::Block& block, const ToolWords& tool);
     bool leans_on_surface() const;
     bool is_led_by_surface(const ToolWords& tool) const;
     machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
@@ -327,40 +329,40 @@ class Executor {
     std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
 
     // tool_turns.cpp: how the tool turns
-    bool orient(const nc::Block& block, const Actions& actions, Target& target);
-    bool lay_tool_words(const nc::Block& block, const ToolWords& tool, Target& target);
+    Done orient(const nc::Block& block, const Actions& actions, Target& target);
+    Done lay_tool_words(const nc::Block& block, const ToolWords& tool, Target& target);
     void settle_turn(const Target& target);
-    bool turn_by_axes(const nc::Block& block, Target& target);
-    bool turn_to(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+    Done turn_by_axes(const nc::Block& block, Target& target);
+    Done turn_to(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
                  Target& target);
-    bool lay_turn(const nc::Block& block, const path::Vec3& to, Target& target,
+    Done lay_turn(const nc::Block& block, const path::Vec3& to, Target& target,
                   const ToolWords* angles = nullptr);
-    bool lay_cone(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+    Done lay_cone(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
                   Target& target);
     std::optional<machine::OrientationArc> cone_to(const nc::Block& block, const ToolWords& tool,
                                                    const path::Vec3& from, const path::Vec3& to);
-    bool follow_course(const nc::Block& block, const path::Turn& turn, const path::Curve& curve,
+    Done follow_course(const nc::Block& block, const path::Turn& turn, const path::Curve& curve,
                        Target& target);
-    bool lay_course(const nc::Block& block, const path::Curve& curve, Target& target);
-    bool lean_at_end(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
+    Done lay_course(const nc::Block& block, const path::Curve& curve, Target& target);
+    Done lean_at_end(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
                      Target& target);
     std::optional<path::Vec3> lean_on(const nc::Block& block, const path::Vec3& normal,
                                       const path::Vec3& tangent, const path::Lean& lean);
-    bool rises_too_much(const nc::Block& block, double rise);
-    bool rises_on_the_way(const nc::Block& block, const path::Turn& surface,
-                          const path::Curve& curve);
+    Done require_small_rise(const nc::Block& block, double rise);
+    Done require_small_rise_along(const nc::Block& block, const path::Turn& surface,
+                                  const path::Curve& curve);
     bool surface_leads_end() const;
     std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
                                                         const ToolWords& tool);
-    bool lead_by_surface(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
+    Done lead_by_surface(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
                          Target& target);
-    bool lead_by_point(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
+    Done lead_by_point(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
                        Target& target);
-    bool turn_first(const nc::Block& block, const path::Vec3& to);
+    Done turn_first(const nc::Block& block, const path::Vec3& to);
     bool spins_with_path(const ToolWords& tool) const;
     std::optional<path::Vec3> spin_reference(const path::Vec3& tool,
                                              const path::Curve* curve) const;
-    bool lay_spin(const nc::Block& block, const ToolWords& tool, Target& target,
+    Done lay_spin(const nc::Block& block, const ToolWords& tool, Target& target,
                   const path::Curve* curve = nullptr);
     void reset_orientation(const nc::Block& block, const nc::Invocation& invocation);
     machine::Mat3 base_rotation() const;
@@ -372,21 +374,21 @@ class Executor {
     // point_to_point.cpp: … where the axes go straight
     bool goes_straight(path::Op op) const;
     bool goes_straight(const nc::Block& block, const Actions& actions) const;
-    bool refuses_point_to_point(const nc::Block& block, const Actions& actions);
+    Done require_point_to_point_way(const nc::Block& block, const Actions& actions);
     void choose_axes(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     machine::JointLimits signed_limits(const ToolWords& tool) const;
-    bool lay_point_to_point(const nc::Block& block, const ToolWords& tool, Target& target);
-    bool stand_along(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+    Done lay_point_to_point(const nc::Block& block, const ToolWords& tool, Target& target);
+    Done stand_along(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
                      Target& target);
-    bool turn_by_signs(const nc::Block& block, const ToolWords& tool, Target& target);
+    Done turn_by_signs(const nc::Block& block, const ToolWords& tool, Target& target);
     // spline_turns.cpp: … along splines and polynomials
-    bool may_turn_along(const nc::Block& block, const ToolWords& tool);
-    bool direct_pole(const nc::Block& block, const ToolWords& tool, PoleBlock& pole);
-    bool turn_along(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
+    Done require_turn_along(const nc::Block& block, const ToolWords& tool);
+    Done direct_pole(const nc::Block& block, const ToolWords& tool, PoleBlock& pole);
+    Done turn_along(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
                     AxisValues& to);
-    bool lay_span_turn(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
+    Done lay_span_turn(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
                        Target& target);
-    bool share_turn(const nc::Block& block, const ToolWords& tool,
+    Done share_turn(const nc::Block& block, const ToolWords& tool,
                     const std::vector<double>& shares, const std::vector<PoleBlock*>& pieces);
     // tilting.cpp: tilted planes, and the rotary axes that stand to them
     void tilt(const nc::Block& block, const nc::Invocation& invocation);
@@ -396,15 +398,16 @@ class Executor {
     std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const SaidPlane& said);
     std::optional<path::Vec3> origin_of_plane(const nc::Block& block,
                                               const nc::Invocation& invocation, std::size_t first);
-    bool begin_plane(const nc::Block& block, const nc::Invocation& invocation, bool is_added);
+    Done require_place_for_plane(const nc::Block& block, const nc::Invocation& invocation,
+                                 bool is_added);
     void set_plane(const path::Frame& plane, bool is_added);
     void tilt_along_tool(const nc::Block& block, const nc::Invocation& invocation);
     void end_tilt(const nc::Block& block);
     void turn_in_space(const nc::Block& block, const nc::Invocation& invocation);
-    bool end_space_turns(const nc::Block& block);
-    bool is_length_nested(const nc::Block& block, nc::Function function);
+    Done end_space_turns(const nc::Block& block);
+    Done require_nested_length(const nc::Block& block, nc::Function function);
     void align(const nc::Block& block, const nc::Invocation& invocation);
-    bool has_rotary_axes(const nc::Block& block, nc::Function function);
+    Done require_rotary_axes(const nc::Block& block, nc::Function function);
     std::optional<path::Vec3> joints_for_plane(const nc::Block& block, nc::Function function,
                                                int sense);
     void turn_joints(const nc::Block& block, const path::Vec3& joints, path::Op op);
@@ -418,15 +421,15 @@ class Executor {
     void set_length_shift(const path::Vec3& shift);
     path::Command& put_tool_length(const nc::Block& block, Axis axis);
     void check_carried(const nc::Block& block);
-    bool check_open_plane(const nc::Block& block);
+    Done require_block_of_open_plane(const nc::Block& block);
 
     // swivelling.cpp: SINUMERIK's swivelling cycle, frames along tool and tables
     void swivel(const nc::Block& block, const nc::Invocation& invocation);
     std::optional<path::Mat3> swivel_rotation(const nc::Block& block,
                                               const nc::Invocation& invocation);
     path::Vec3 direct_joints(const nc::Block& block, const nc::Invocation& invocation) const;
-    bool retract_before_swivel(const nc::Block& block, const nc::Invocation& invocation);
-    bool retract_along_tool(const nc::Block& block, std::optional<double> by);
+    Done retract_before_swivel(const nc::Block& block, const nc::Invocation& invocation);
+    Done retract_along_tool(const nc::Block& block, std::optional<double> by);
     void end_swivel(const nc::Block& block);
     void frame_along_tool(const nc::Block& block, const nc::Invocation& invocation);
     void follow_tables(const nc::Block& block, bool is_wanted);
@@ -438,7 +441,7 @@ class Executor {
     void lay_on_carrier();
     void end_carrier();
     bool leave_carrier();
-    bool refuses_beside_carrier(const nc::Block& block, nc::Function function);
+    Done require_no_carrier(const nc::Block& block, nc::Function function);
     bool is_turned_by_carrier() const;
     bool is_plane_on_carrier() const;
     std::optional<double> carrier_quantity(nc::Quantity quantity, std::int64_t first,
@@ -462,13 +465,13 @@ class Executor {
                                                      const nc::Invocation& invocation);
     void refuse_virtual(const nc::Block& block, nc::Function function);
     void refuse_virtual(const nc::Block& block, nc::Slot slot);
-    bool check_virtual(const nc::Block& block);
-    bool take_rotary_word(const nc::Block& block);
+    Done require_virtual_words(const nc::Block& block);
+    Done take_rotary_word(const nc::Block& block);
     const nc::Block* in_virtual(const nc::Block& block);
     void say_virtual_plane(path::Plane said);
     void follow_from_here();
     void follow_rotary();
-    bool follow_leg_by_leg(const path::Command& command, const path::Curve& curve);
+    Done follow_leg_by_leg(const path::Command& command, const path::Curve& curve);
     bool is_transformed() const { return orienting_.is_on || virtual_.axes.is_on(); }
     // arc_threads.cpp
     void thread_along_arc(const nc::Block& block, const Target& target, const Actions& actions);
@@ -492,7 +495,7 @@ class Executor {
     void switch_polar(bool is_on);
     const nc::Block* with_places(const nc::Block& block);
     const nc::Block* with_polar_point(const nc::Block& block, const nc::Invocation& point);
-    bool take_pole(const nc::Block& block);
+    Done take_pole(const nc::Block& block);
     const nc::Block* with_polar_slots(const nc::Block& block);
     const nc::Block* with_polar_axes(const nc::Block& block);
     bool is_distance(const nc::Block& block, nc::Slot slot) const;
@@ -514,7 +517,8 @@ class Executor {
     void put_wish(const nc::Block& block, CornerWish wish);
     /// Whether a corner at the end of a motion may still be wished for, by a block behind it.
     bool wishes_corners() const { return rounding_ > 0 || rules_.corner_in_own_block; }
-    bool wish_square_corner(const nc::Block& block, const Target& target);
+    bool has_square_corner() const;
+    void wish_square_corner(const nc::Block& block, const Target& target);
     bool has_stages() const;
     void settle(const nc::Block& block);
     void settle_stages(const nc::Block& block, const AxisValues& here, bool is_last);
@@ -530,7 +534,7 @@ class Executor {
     void send_comp(const CompChange& change);
     void change_space_comp(const CompChange& change);
     bool is_in_space(CompChange::Kind kind) const;
-    bool is_comp_in_plane(const nc::Block& block, nc::Function function);
+    Done require_comp_in_plane(const nc::Block& block, nc::Function function);
     path::Mat3 comp_lie() const;
     path::Mat3 plane_lie() const;
     SpaceCompSettings space_comp_settings() const;
@@ -567,7 +571,7 @@ class Executor {
 
     // shapes.cpp: the blocks of the program along which a cycle works
     void begin_shape(const nc::Block& block, const ModalCycle& call);
-    bool check_shape_block(const nc::Block& block);
+    Done require_shape_block(const nc::Block& block);
     bool is_behind_shape(const nc::Block& block) const;
     void end_shape_block(const nc::Block& block);
     void finish_shape();
@@ -576,7 +580,7 @@ class Executor {
     bool keeps_shape() const { return shape_ && !shape_->is_followed; }
 
     // contours.cpp
-    bool check_contour_block(const nc::Block& block);
+    Done require_contour_block(const nc::Block& block);
     void note_contour_block(const nc::Block& block);
     std::optional<ContourSaid> contour_of(const ContourRun& run);
 
@@ -584,8 +588,8 @@ class Executor {
     bool continues_spline(const nc::Block& block) const;
     void set_spline_degree(const nc::Block& block, const nc::Invocation& invocation);
     void spline(const nc::Block& block, const ToolWords& tool);
-    bool start_spline(const nc::Block& block, bool by_knots);
-    bool add_pole(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
+    Done start_spline(const nc::Block& block, bool by_knots);
+    Done add_pole(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
     void move_along_spline();
     void finish_spline();
     void put_span(const path::SplineSpan& span, const PoleBlock& said, AxisMask moved,
@@ -598,7 +602,7 @@ class Executor {
     bool only_turns(const nc::Block& block);
     Target target_in(const nc::Block& block, nc::SlotMask targets);
     void go_through(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
-    bool start_through(const nc::Block& block);
+    Done start_through(const nc::Block& block);
     void move_through();
     void finish_through(const nc::Block* next);
     std::optional<path::Vec3> direction_into(const nc::Block& next);
@@ -625,7 +629,7 @@ class Executor {
     // involutes.cpp
     void involute(const nc::Block& block, const Target& programmed, bool exact_stop);
     std::optional<path::InvoluteWords> involute_words(const nc::Block& block);
-    bool take_involute_end(const nc::Block& block, const path::InvoluteWords& words,
+    Done take_involute_end(const nc::Block& block, const path::InvoluteWords& words,
                            Target& target);
     void put_involute(const nc::Block& block, const path::InvoluteWords& words, double radius,
                       const Target& target, bool exact_stop);
@@ -633,10 +637,10 @@ class Executor {
 
     // surfaces.cpp
     std::optional<SpaceCutter> face_cutter_now(const nc::Block& block);
-    bool is_tool_constant(const nc::Block& block);
-    bool lay_face(const nc::Block& block, const ToolWords& tool);
-    bool check_side_comp(const nc::Block& block, nc::Function function);
-    bool check_side_arc(const nc::Block& block);
+    Done require_constant_tool(const nc::Block& block);
+    Done lay_face(const nc::Block& block, const ToolWords& tool);
+    Done require_tcp_for_side_comp(const nc::Block& block, nc::Function function);
+    Done require_no_side_arc(const nc::Block& block);
 
     // curves.cpp
     void move_along_curve(const nc::Block& block, const nc::Invocation& call);
@@ -644,18 +648,19 @@ class Executor {
     // motion.cpp: what is wrong or strange
     const nc::Block& with_center(const nc::Block& block);
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
-    bool check_axes(const nc::Block& block, nc::SlotMask targets);
-    bool check_rigid_tap(const nc::Block& block, nc::SlotMask targets);
-    bool check_feed(const nc::Block& block, std::string_view what);
-    bool check_probe(const nc::Block& block);
+    Done require_axes(const nc::Block& block, nc::SlotMask targets);
+    Done require_no_move_before_tap(const nc::Block& block, nc::SlotMask targets);
+    Done require_feed(const nc::Block& block, std::string_view what);
+    Done require_probe_feed(const nc::Block& block);
     void check_rapid(const nc::Block& block, const Target& target);
     void check_tool(const nc::Block& block);
     void check_units(const nc::Block& block, nc::Function function);
-    bool check_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
-    bool check_machine_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
-    bool check_area(const nc::Block& block, const AxisValues& base, AxisMask moved);
-    bool check_arc_limits(const nc::Block& block, const path::Arc& arc, const Target& target);
-    bool check_box(const nc::Block& block, const path::Box& box);
+    Done require_within_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
+    Done require_within_machine(const nc::Block& block, const AxisValues& base, AxisMask moved);
+    Done require_within_area(const nc::Block& block, const AxisValues& base, AxisMask moved);
+    Done require_arc_within_limits(const nc::Block& block, const path::Arc& arc,
+                                   const Target& target);
+    Done require_box_within_limits(const nc::Block& block, const path::Box& box);
     void report_limit(const nc::Block& block, Axis axis, double at);
 
     // dangers.cpp: what every control takes, and no spindle
@@ -696,19 +701,19 @@ class Executor {
     control::CycleLevel retract_now(double value) const;
     void complete_words(ModalCycle& call);
     void go_straight(ModalCycle& call);
-    bool time_turns(const nc::Block& block, ModalCycle& call);
+    Done time_turns(const nc::Block& block, ModalCycle& call);
     void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
     void take_off_scale(ModalCycle& call);
     const nc::Block& with_depth_apart(const nc::Block& block);
-    bool complete_tap(const nc::Block& block, ModalCycle& call);
-    bool complete_thread(const nc::Block& block, ModalCycle& call);
+    Done complete_tap(const nc::Block& block, ModalCycle& call);
+    Done complete_thread(const nc::Block& block, ModalCycle& call);
     void open_cycle(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> blocks);
     void finish_cycle();
-    bool was_refused(const nc::Block& block);
+    Done require_no_refusal(const nc::Block& block);
     void refuse_cycle(const nc::Block& block, std::string_view words);
-    bool check_surroundings(const nc::Block& block, const ModalCycle& call);
-    bool check_counts(const nc::Block& block, const ModalCycle& call);
-    bool check_cycle_words(const nc::Block& block, const Actions& actions);
+    Done require_surroundings(const nc::Block& block, const ModalCycle& call);
+    Done require_whole_counts(const nc::Block& block, const ModalCycle& call);
+    Done require_words_of_cycle(const nc::Block& block, const Actions& actions);
     void complete_surroundings(ModalCycle& call, bool calls_program) const;
     void begin_pattern(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> places);
     void go_to_next_place();
@@ -720,7 +725,7 @@ class Executor {
     void end_where_tool_stands(ModalCycle& call) const;
     void forget_ends();
     bool is_among_places() const;
-    bool may_move_in_cycle(const nc::Block& block, const Actions& actions);
+    Done require_no_cycle(const nc::Block& block, const Actions& actions);
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
     const nc::Block& in_plane_of_cycle(const nc::Block& block);

@@ -55,7 +55,8 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
                          Function::SetPositionAxes, Function::PositionReset>();
     const control::FrameWords words =
         frame_words(block, invocation, kX, x_scale, is_of_axes ? std::size_t{6} : std::size_t{3});
-    if (is_of_axes && !has_axes(block, invocation, static_cast<AxisMask>(words.given))) return;
+    if (is_of_axes && !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
+        return;
     switch (invocation.function) {
         case Function::Shift:
         case Function::ShiftAxes: frames_.shift(words); break;
@@ -96,13 +97,13 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     }
 }
 
-/// False: the machine lacks an axis that the words name, which is said.
-bool Executor::has_axes(const Block& block, const Invocation& invocation, AxisMask named) {
+Done Executor::require_named_axes(const Block& block, const Invocation& invocation,
+                                  AxisMask named) {
     const auto missing = static_cast<AxisMask>(named & ~(axes_.present | kLinearXYZ));
-    if (missing == 0) return true;
+    if (missing == 0) return kDone;
     report(diag::AxisMissing, block, invocation.function)
         .arg(kAxisNames[static_cast<std::size_t>(std::countr_zero(missing))]);
-    return false;
+    return kFailed;
 }
 
 /// Center of a rotation or a scaling.

@@ -81,7 +81,8 @@ Done Executor::require_allowed(const Block& block, Function function) {
             .arg(frames_.is_rotated() || tilting_.is_on ? "rotation" : "scaling");
         return kFailed;
     }
-    return Done(!orienting_.has_length || !refuses_under_tcp(block, function));
+    if (!orienting_.has_length) return kDone;
+    return require_allowed_under_tcp(block, function);
 }
 
 /// What an effect does, or that the block asks for it later.
@@ -199,8 +200,8 @@ void Executor::switch_tcp(const Block& block, const Invocation& invocation, Acti
     const Function function = invocation.function;
     if (nc::info(function).group == Group::LengthComp)
         return begin_length_transformation(block, invocation, actions);
-    if (function == Function::TcpBased && !has_transformation(block, invocation)) return;
-    if (refuses_beside_carrier(block, function)) return;
+    if (function == Function::TcpBased && !require_transformation(block, invocation)) return;
+    if (!require_no_carrier(block, function)) return;
     const bool is_virtual = function == Function::FaceOn || function == Function::CylinderOn ||
                             function == Function::InclinedOn;
     if (is_virtual) return begin_virtual(block, invocation);
@@ -254,7 +255,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
                 report(diag::CompNoVector, block, invocation.function);
                 return;
             }
-            if (!is_comp_in_plane(block, invocation.function)) return;
+            if (!require_comp_in_plane(block, invocation.function)) return;
             actions.keeps_vector |= invocation.function == Function::CompKeepVector;
             if (invocation.function == Function::CompCornerHere) actions.comp_corner = &invocation;
             break;
@@ -298,7 +299,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::CompPause:
         case Function::CompResume:
             if (comp_.is_on() && !keeps_shape()) {
-                if (!is_comp_in_plane(block, invocation.function)) return;
+                if (!require_comp_in_plane(block, invocation.function)) return;
                 send_comp({invocation.function == Function::CompPause ? CompChange::Kind::Pause
                                                                       : CompChange::Kind::Resume,
                            {},

@@ -21,7 +21,7 @@ using path::linear;
 using path::Vec3;
 
 void Executor::involute(const Block& block, const Target& programmed, bool exact_stop) {
-    if (!check_feed(block, "involute")) return;
+    if (!require_feed(block, "involute")) return;
     leave_corners(diag::CornerNotContour);
     if (ended_) return;
     if (frames_.is_stretched(modal_.plane)) {
@@ -60,24 +60,24 @@ std::optional<path::InvoluteWords> Executor::involute_words(const Block& block) 
 }
 
 /// The end of an involute that says the angle under which it is seen from the centre.
-bool Executor::take_involute_end(const Block& block, const path::InvoluteWords& words,
+Done Executor::take_involute_end(const Block& block, const path::InvoluteWords& words,
                                  Target& target) {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const SlotMask in_plane = bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second));
     if (const SlotMask ends = block.given & in_plane; ends != 0) {
         report_arc_words(block, ends);
-        return false;
+        return kFailed;
     }
     const auto end = path::involute_end(words, rad_from_deg(block.at(Slot::Opening)));
     if (!end) {
         report_involute(block, end.error());
-        return false;
+        return kFailed;
     }
     for (const Axis axis : {plane.first, plane.second})
         target.here[index(axis)] = (*end)[static_cast<Eigen::Index>(index(axis))];
     target.base = frames_.to_base(target.here);
     target.moved = static_cast<AxisMask>(target.moved | bit(plane.first) | bit(plane.second));
-    return true;
+    return kDone;
 }
 
 void Executor::put_involute(const Block& block, const path::InvoluteWords& words, double radius,
@@ -93,8 +93,8 @@ void Executor::put_involute(const Block& block, const path::InvoluteWords& words
     const path::Involute involute = path::make_involute(linear(position_.base), linear(target.base),
                                                         center, normal, base_radius);
     if (tool_.has_changed && !activate_length_on_arc(block, normal, target.moved)) return;
-    if (!check_limits(block, target.base, target.moved)) return;
-    if (!check_box(block, path::bounds(involute))) return;
+    if (!require_within_limits(block, target.base, target.moved)) return;
+    if (!require_box_within_limits(block, path::bounds(involute))) return;
     has_moved_ = true;
     path::Command& command = put(path::Op::Involute, block);
     command.to = target.base;

@@ -34,18 +34,17 @@ path::Curve straight_way(const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-/// Whether the block may go to a machine coordinate or probe though a cycle acts; false: it was
-/// said. Behind a single cycle to an end in X and Z the way to a machine coordinate is a motion of
-/// its own.
-bool Executor::may_move_in_cycle(const Block& block, const Actions& actions) {
-    if (!cycles_said_.modal.is_active && actions.cycle == nullptr) return true;
+/// A block that goes to a machine coordinate or probes stands in no cycle. Behind a single cycle to
+/// an end in X and Z the way to a machine coordinate is a motion of its own.
+Done Executor::require_no_cycle(const Block& block, const Actions& actions) {
+    if (!cycles_said_.modal.is_active && actions.cycle == nullptr) return kDone;
     if (actions.cycle == nullptr && !actions.probes && !is_among_places()) {
         forget_ends();
-        return true;
+        return kDone;
     }
     const Function own = actions.probes ? Function::Probe : Function::MachineCoordinates;
     report(diag::MotionInCycle, block, own).arg(word_of(block, own));
-    return false;
+    return kFailed;
 }
 
 void Executor::move(const Block& block, const Actions& actions) {
@@ -58,7 +57,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     SlotMask arc_words = block.given & kArcSlots;
     const bool has_arc = arc_words != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
     const bool may_move = targets != 0 || actions.tool.turns() || has_arc;
-    if (may_move && refuses_point_to_point(block, actions)) return;
+    if (may_move && !require_point_to_point_way(block, actions)) return;
     // They have told where the compensation ends.
     if (arc_words != 0 && leave_direction(block)) arc_words &= ~nc::kCenterSlots;
     if (actions.soft != nullptr && (space_comp_.is_on() || comp_.chosen() != CompSystem::InPlane)) {
@@ -76,7 +75,7 @@ void Executor::move(const Block& block, const Actions& actions) {
         return;
     }
     if (targets != 0 && (actions.machine_coordinates || actions.probes) &&
-        !may_move_in_cycle(block, actions))
+        !require_no_cycle(block, actions))
         return;
     if (actions.calls_behind_motions) {
         cycles_said_.behind_motions.reset();
@@ -89,7 +88,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (cycles_said_.modal.is_active && (block.given & kCycleSlots) != 0 &&
         !actions.machine_coordinates)
         return repeat_cycle(block, actions);
-    if (!check_rigid_tap(block, targets)) return;
+    if (!require_no_move_before_tap(block, targets)) return;
     if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);
     const bool is_elsewhere = actions.machine_coordinates && !frames_off_;
     if (actions.tool.is_any() && !nc::has_fact(modal_.motion, nc::Fact::TurnsTool)) {
@@ -113,8 +112,8 @@ void Executor::move(const Block& block, const Actions& actions) {
         if (actions.length_changed) move_length_alone(block);
         return;
     }
-    if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
-    if (actions.at_rapid && refuses_lone_axis(block, targets)) return;
+    if (!require_axes(block, targets) || !require_rotary_ways(block)) return;
+    if (actions.at_rapid && !require_no_lone_axis(block, targets)) return;
     if ((unplaced_ & targets) != 0) [[unlikely]]
         check_place(block, targets);
     if (is_elsewhere) return move_in_machine_coordinates(block);
@@ -167,7 +166,8 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
     if (modal_.motion == Function::ArcThrough) return arc_over_point(block, target, exact_stop);
     if (modal_.motion == Function::ArcTangent) return arc_along(block, target, exact_stop);
-    if (arc_words != 0 && !wish_square_corner(block, target)) warn_arc_word(block, arc_words);
+    if (arc_words != 0 && has_square_corner()) wish_square_corner(block, target);
+    else if (arc_words != 0) warn_arc_word(block, arc_words);
     if (ended_) return;
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
 }
@@ -216,17 +216,17 @@ double Executor::x_scale(const Block& block, bool is_distance) const {
 }
 
 /// Places of rotary axes whose direction is said lie within one turn.
-bool Executor::check_rotary_ways(const Block& block) {
-    if (block.rotary_ways == 0) return true;
+Done Executor::require_rotary_ways(const Block& block) {
+    if (block.rotary_ways == 0) return kDone;
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
         const nc::RotaryWay way = block.rotary_way(axis);
         const double place = block.at(nc::slot_of(axis));
         const bool is_free = way == nc::RotaryWay::AsProgrammed;
         if (is_free || (place >= 0 && place < 360)) continue;
         report(diag::RotaryRange, block, nc::slot_of(axis)).arg(place);
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// Rotary axes go to a place of their turn on the way that the word says.
@@ -261,8 +261,8 @@ void Executor::arrive(const Target& target) {
 void Executor::line(const Block& block, const Target& programmed, Op op, bool exact_stop) {
     Target target = programmed;
     std::optional<Probing> probing;
-    if (op == Op::Line && !check_feed(block, "line")) return;
-    if (op == Op::Probe && !check_probe(block)) return;
+    if (op == Op::Line && !require_feed(block, "line")) return;
+    if (op == Op::Probe && !require_probe_feed(block)) return;
     if (op == Op::Rapid) check_rapid(block, target);
     if (tool_.has_changed) activate_length(block, target.moved);
     if (spindle_.has_cutting_speed && op != Op::Probe) [[unlikely]]
@@ -274,7 +274,7 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
         probing = probe_along(block, target, {position_.here, target.here});
         if (probing->ends_way()) target = *probing->touched;
     }
-    if (!check_limits(block, target.base, target.moved)) return;
+    if (!require_within_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
     Command& command = put(op, block);
     command.to = target.base;

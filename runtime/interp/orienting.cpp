@@ -107,20 +107,20 @@ AxisValues Executor::machine_axes_at(const AxisValues& base) const {
     return axes;
 }
 
-/// Whether the transformation that a block asks for by its number and its data is the machine's; it
-/// was reported if not. The tool at base position and the zeros of the rotary axes are the machine
-/// file's, and the axes follow them in the motion too. S 7.1.
-bool Executor::has_transformation(const Block& block, const nc::Invocation& invocation) {
+/// The transformation that a block asks for by its number and its data is the machine's. The tool
+/// at base position and the zeros of the rotary axes are the machine file's, and the axes follow
+/// them in the motion too. S 7.1.
+Done Executor::require_transformation(const Block& block, const nc::Invocation& invocation) {
     constexpr double kSameDirection = 1e-4;  // rad; components are written with four digits
     constexpr std::size_t kNumber = parameter_of<Function::TcpBased>("number");
     constexpr std::size_t kX = parameter_of<Function::TcpBased>("x");
     constexpr std::size_t kOffsets = parameter_of<Function::TcpBased>("first");
-    if (!machine_.kinematics) return true;  // which is said where it is switched on
+    if (!machine_.kinematics) return kDone;  // which is said where it is switched on
     const Function function = invocation.function;
     const double number = block.argument(invocation, kNumber, 1);
     if (number != 1) {
         report(diag::TransformationNumber, block, function, kNumber).arg(number).arg(machine_.name);
-        return false;
+        return kFailed;
     }
     const Vec3 said(block.argument(invocation, kX), block.argument(invocation, kX + 1),
                     block.argument(invocation, kX + 2));
@@ -129,22 +129,22 @@ bool Executor::has_transformation(const Block& block, const nc::Invocation& invo
         const Vec3& own = machine_.kinematics->chain.tool_direction;
         if (!direction) {
             report(diag::OrientationZero, block, function, kX);
-            return false;
+            return kFailed;
         }
         if ((*direction - own).norm() > kSameDirection) {
             report(diag::BaseDirection, block, function, kX)
                 .arg(written_direction(said))
                 .arg(written_direction(own));
-            return false;
+            return kFailed;
         }
     }
     for (std::size_t i = kOffsets; i < kOffsets + 2; ++i) {
         const double offset = block.argument(invocation, i);
         if (offset == 0) continue;
         report(diag::RotaryOffset, block, function, i).arg(offset);
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// The axes stay where they are; what changes is the system in which the tip is said. S 7.1.
@@ -154,7 +154,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
         report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
         return;
     }
-    if (is_wanted == orienting_.is_on || refuses_in_spline(block, invocation.function)) return;
+    if (is_wanted == orienting_.is_on || !require_no_spline(block, invocation.function)) return;
     if (comp_.is_on()) {
         report(diag::TransformationComp, block, invocation.function)
             .arg(word_of(block, invocation.function));
@@ -185,29 +185,27 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
     if (!is_wanted && tilting_.is_on) carry(block, joints_of(position_.base));
 }
 
-/// Whether the program says a spline, in which no other coordinate system begins; it was reported
-/// then. S 7.1: 14402.
-bool Executor::refuses_in_spline(const Block& block, Function function) {
+/// Inside of a spline no other coordinate system begins. S 7.1: 14402.
+Done Executor::require_no_spline(const Block& block, Function function) {
     switch (modal_.motion) {
         case Function::Spline:
         case Function::AkimaSpline:
         case Function::CubicSpline: break;
-        default: return false;
+        default: return kDone;
     }
     report(diag::TransformationSpline, block, function).arg(word_of(block, function));
-    return true;
+    return kFailed;
 }
 
-/// Whether an axis that the transformation moves is to move by itself; it was reported then.
-/// S 7.1: 17610.
-bool Executor::refuses_lone_axis(const Block& block, SlotMask targets) {
+/// An axis that the transformation moves does not move by itself. S 7.1: 17610.
+Done Executor::require_no_lone_axis(const Block& block, SlotMask targets) {
     const auto moved = static_cast<AxisMask>(targets & kLinearXYZ);
     // Where a transformation is a kind of length compensation a rapid is one like any other.
-    if (moved == 0 || !is_transformed() || orienting_.has_length) return false;
+    if (moved == 0 || !is_transformed() || orienting_.has_length) return kDone;
     const auto first = static_cast<std::size_t>(std::countr_zero(moved));
     report(diag::TransformationAxis, block, nc::slot_of(static_cast<Axis>(first)))
         .arg(kAxisNames[first]);
-    return true;
+    return kFailed;
 }
 
 // ------------------------------------------------------------------------------ with a length
@@ -286,12 +284,12 @@ void Executor::check_offset_said(const Block& block) {
 
 /// What the control refuses while its transformation is a kind of tool length compensation.
 /// F 4.7: PS5421.
-bool Executor::refuses_under_tcp(const Block& block, Function function) {
-    if (!orienting_.has_length || cycle_.blocks) return false;
+Done Executor::require_allowed_under_tcp(const Block& block, Function function) {
+    if (!orienting_.has_length || cycle_.blocks) return kDone;
     const bool is_by_side = comp_.is_on() && comp_.is_by_side_code;
     if (is_by_side && nc::info(function).group == nc::Group::LengthComp) {
         report(diag::SideCompOrder, block, function).arg(word_of(block, function));
-        return true;
+        return kFailed;
     }
     switch (function) {
         case Function::RadiusCompLeft:
@@ -307,10 +305,10 @@ bool Executor::refuses_under_tcp(const Block& block, Function function) {
         case Function::PolarOn:
         case Function::Cycle: break;
         default:
-            if (!nc::has_fact(function, nc::Fact::TiltsPlane)) return false;
+            if (!nc::has_fact(function, nc::Fact::TiltsPlane)) return kDone;
     }
     report(diag::TcpForbidden, block, function).arg(word_of(block, function));
-    return true;
+    return kFailed;
 }
 
 }  // namespace kadr::interp

@@ -50,7 +50,7 @@ void Executor::finish_pattern() {
     }
     modal_ = after;
     patterns_.pop_back();
-    was_refused(caller);
+    if (const auto words = cycles_->refusal()) refuse_cycle(caller, *words);
 }
 
 /// Whether the program of the text is called at the places of this block, and not a cycle.

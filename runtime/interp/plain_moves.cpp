@@ -36,28 +36,28 @@ bool Executor::is_plain_block(const Block& block) const {
            block.x_measure == nc::XMeasure::Modal && is_of_places;
 }
 
-/// False: the block is not a plain one, and nothing was done.
-bool Executor::move_plainly(const Block& block) {
-    if (!is_plain_block(block) || !is_plain_state()) return false;
+/// A block that is not a plain one is left alone.
+Executor::Plainly Executor::move_plainly(const Block& block) {
+    if (!is_plain_block(block) || !is_plain_state()) return Plainly::NotPlain;
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_rapid = motion == Function::Rapid;
     if (is_rapid ? !told_.has_told(Once::Rapid) && spindle_.mode == path::SpindleMode::Stop
                  : motion != Function::Line)
-        return false;
-    if (!is_rapid && may_count_degrees(block)) return false;
-    if (options_.max_blocks != 0 && block_count_ >= options_.max_blocks) return false;
+        return Plainly::NotPlain;
+    if (!is_rapid && may_count_degrees(block)) return Plainly::NotPlain;
+    if (options_.max_blocks != 0 && block_count_ >= options_.max_blocks) return Plainly::NotPlain;
     const AxisValues& shift = frames_.shift_values();
     AxisValues to;  // in the base system
     for (SlotMask rest = block.given; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         to[i] = block.values[i] * axes_.word_scale[i] + shift[i];
         const double at = to[i] + length_shift_[i];
-        if (!(at >= axes_.lower[i] && at <= axes_.upper[i])) return false;
+        if (!(at >= axes_.lower[i] && at <= axes_.upper[i])) return Plainly::NotPlain;
     }
 
     ++block_count_;
     modal_.motion = motion;
-    if (!is_rapid && !check_feed(block, "line")) return true;
+    if (!is_rapid && !require_feed(block, "line")) return Plainly::Executed;
     has_moved_ = true;
     Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
     command.moved = static_cast<AxisMask>(block.given);
@@ -74,7 +74,7 @@ bool Executor::move_plainly(const Block& block) {
     if (spindle_.has_cutting_speed && (block.given & bit(nc::Slot::X)) != 0) [[unlikely]]
         watch_cutting_speed(block, before[0] - shift[0], position_.here[0]);
     if (is_elsewhere) came_from_ = before;
-    return true;
+    return Plainly::Executed;
 }
 
 }  // namespace kadr::interp

@@ -57,8 +57,8 @@ bool Executor::goes_straight(const Block& block, const Actions& actions) const {
     return goes_straight(is_rapid ? Op::Rapid : Op::Line);
 }
 
-/// What has a path of its own has no place where axes go from point to point: reported. S 14144.
-bool Executor::refuses_point_to_point(const Block& block, const Actions& actions) {
+/// What has a path of its own has no place where axes go from point to point. S 14144.
+Done Executor::require_point_to_point_way(const Block& block, const Actions& actions) {
     const bool is_wanted = orienting_.point_to_point == PointToPoint::All ||
                            (orienting_.point_to_point == PointToPoint::Rapids &&
                             (actions.at_rapid || modal_.motion == Function::Rapid));
@@ -66,11 +66,11 @@ bool Executor::refuses_point_to_point(const Block& block, const Actions& actions
         report(diag::IsoNotSupported, block)
             .arg(
                 "a motion from point to point on a face, on a cylinder or along an inclined slide");
-        return true;
+        return kFailed;
     }
     if (orienting_.point_to_point != PointToPoint::All || !orienting_.is_on ||
         orienting_.has_length)
-        return false;
+        return kDone;
     std::string why;
     if (actions.soft != nullptr) why = word_of(block, actions.soft->function);
     else if (comp_.is_on()) why = spelling_of(function_of(comp_.side));
@@ -79,9 +79,9 @@ bool Executor::refuses_point_to_point(const Block& block, const Actions& actions
              modal_.motion != Function::Line)
         why = spelling_of(modal_.motion);
     else if (actions.taps) why = word_of(block, Function::TapFloating);
-    if (why.empty()) return false;
+    if (why.empty()) return kDone;
     report(diag::PointMotion, block).arg(why);
-    return true;
+    return kFailed;
 }
 
 /// Which position of the rotary axes the block wants: `STAT` from here on, `TU` here. S 7.4.
@@ -133,8 +133,8 @@ machine::JointLimits Executor::signed_limits(const ToolWords& tool) const {
 }
 
 /// Where the axes stand for the tool that the block says. What leads a tool along a path leads
-/// none here: reported.
-bool Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
+/// none here.
+Done Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || spins_with_path(tool);
     if (is_led || tool.lead) {
         const Function word = tool.lead ? Function::ToolLead : function_of(orienting_.turning);
@@ -142,26 +142,26 @@ bool Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Tar
             .arg(spins_with_path(tool) ? spelling_of(function_of(orienting_.spin))
                  : tool.lead           ? word_of(block, word)
                                        : spelling_of(word));
-        return false;
+        return kFailed;
     }
     orienting_.point.reset();
     if (tool.says_direction()) {
-        if (lacks_axis_for_direction(block)) return false;
+        if (!require_axes_for_direction(block)) return kFailed;
         const std::optional<Vec3> to = wanted_direction(block, tool);
-        if (!to || !stand_along(block, tool, *to, target)) return false;
+        if (!to || !stand_along(block, tool, *to, target)) return kFailed;
     } else if ((block.given & joint_axes()) != 0) {
-        if (!turn_by_signs(block, tool, target)) return false;
+        if (!turn_by_signs(block, tool, target)) return kFailed;
     } else if (tool.signs || tool.says_configuration) {
         const Vec3 stays =
             machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
-        if (!stand_along(block, tool, stays, target)) return false;
+        if (!stand_along(block, tool, stays, target)) return kFailed;
     }
     return lay_spin(block, tool, target);
 }
 
 /// The rotary axes hold the tool along a direction, in the position that the block asks for, or the
-/// nearest one. False: it was reported.
-bool Executor::stand_along(const Block& block, const ToolWords& tool, const Vec3& to,
+/// nearest one.
+Done Executor::stand_along(const Block& block, const ToolWords& tool, const Vec3& to,
                            Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     machine::PathQuery query = query_to(to, tool.angles.is_said() ? &tool : nullptr);
@@ -169,23 +169,22 @@ bool Executor::stand_along(const Block& block, const ToolWords& tool, const Vec3
     const auto nearest = machine::choose_path(chain, query);
     if (!nearest) {
         report_no_way(block, nearest.error());
-        return false;
+        return kFailed;
     }
     query.configuration = orienting_.configuration;
     query.limits = signed_limits(tool);
     const auto end = machine::choose_path(chain, query);
     if (!end) {
         report(diag::AxisChoiceMissing, block);
-        return false;
+        return kFailed;
     }
     put_joints(end->rotary, target);
-    return true;
+    return kDone;
 }
 
-/// Rotary axes that are programmed go to the turn that has the sign of the block. False: there is
-/// none, which was reported.
-bool Executor::turn_by_signs(const Block& block, const ToolWords& tool, Target& target) {
-    if (!tool.signs) return true;
+/// Rotary axes that are programmed go to the turn that has the sign of the block.
+Done Executor::turn_by_signs(const Block& block, const ToolWords& tool, Target& target) {
+    if (!tool.signs) return kDone;
     const Chain& chain = machine_.kinematics->chain;
     const machine::JointLimits limits = signed_limits(tool);
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
@@ -201,11 +200,11 @@ bool Executor::turn_by_signs(const Block& block, const ToolWords& tool, Target& 
             if (!fits(place) && fits(other)) place = other;
         if (!fits(place)) {
             report(diag::AxisChoiceMissing, block);
-            return false;
+            return kFailed;
         }
         target.here[i] = place - frames_.shift_values()[i];
     }
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::interp

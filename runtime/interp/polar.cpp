@@ -157,16 +157,15 @@ const Block* Executor::with_polar_point(const Block& block, const Invocation& po
     return with_polar_slots(said);
 }
 
-/// The pole is the centre that stays, and the tool's place is where angles and radii count on from;
-/// false: no pole has been said.
-bool Executor::take_pole(const Block& block) {
+/// The pole is the centre that stays, and the tool's place is where angles and radii count on from.
+Done Executor::take_pole(const Block& block) {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     if (rules_.center_stays) {
         const std::optional<double> first = center_[index(plane.first)];
         const std::optional<double> second = center_[index(plane.second)];
         if (!first || !second) {
             report(diag::PolarPoleMissing, block);
-            return false;
+            return kFailed;
         }
         polar_.pole = {*first, *second};
     }
@@ -174,7 +173,7 @@ bool Executor::take_pole(const Block& block) {
     polar_.radius = arm.norm();
     if (arm.norm() > path::kSamePoint)
         polar_.angle_deg = deg_from_rad(std::atan2(arm.y(), arm.x()));
-    return true;
+    return kDone;
 }
 
 /// Angle and radius have words of their own.

@@ -261,7 +261,7 @@ std::optional<Target> Executor::end_of_polynomials(const Block& block) {
         report(diag::PolynomialBeside, block, other).arg(nc::slot_name(other));
         return std::nullopt;
     }
-    if (!check_axes(block, targets) || !check_rotary_ways(block)) return std::nullopt;
+    if (!require_axes(block, targets) || !require_rotary_ways(block)) return std::nullopt;
     return target_of(places, targets);
 }
 
@@ -322,7 +322,7 @@ std::optional<Executor::Polynomials> Executor::polynomials_of(const Block& block
 }
 
 void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_stop) {
-    if (!check_feed(block, "polynomial")) return;
+    if (!require_feed(block, "polynomial")) return;
     leave_corners(diag::CornerNotContour);
     if (ended_) return;
     std::optional<Polynomials> course = polynomials_of(block);
@@ -339,9 +339,9 @@ void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_
     std::vector<Piece> pieces;
     for (const Piece& piece : positive)
         cut_evenly(piece, way, frames_.total(), kMostFollowedCuts, pieces);
-    if (!may_turn_along(block, tool)) return;
+    if (!require_turn_along(block, tool)) return;
     if (tool_.has_changed) activate_length(block, target->moved);
-    if (!check_limits(block, target->base, target->moved)) return;
+    if (!require_within_limits(block, target->base, target->moved)) return;
     PoleBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
     said.modes = orienting_;
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;

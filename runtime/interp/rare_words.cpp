@@ -130,7 +130,7 @@ void Executor::measure_length(const Block& block, const Invocation& invocation) 
         report(diag::MotionInCycle, block, Function::MeasureLength).arg("measure_length");
         return;
     }
-    if (!check_axes(block, targets)) return;
+    if (!require_axes(block, targets)) return;
     if (told_.first_time(Once::Measure)) report(diag::MeasureFinds, block);
     line(block, target_of(block, targets), Op::Rapid, true);
 }

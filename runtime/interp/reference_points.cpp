@@ -28,20 +28,20 @@ bool Executor::is_without_frames(const Actions& actions) const {
            !rules_.machine_coordinates_rapid;
 }
 
-/// For this block no frame acts. False: it was reported.
-bool Executor::take_frames_off(const Block& block) {
+/// For this block no frame acts.
+Done Executor::take_frames_off(const Block& block) {
     constexpr SlotMask kPlaces = nc::kTargetSlots | nc::kPolarSlots | nc::kArcSlots;
-    if ((block.given & kPlaces) == 0) return true;
+    if ((block.given & kPlaces) == 0) return kDone;
     if (is_transformed()) {
         report(diag::TransformationMotion, block, Function::MachineCoordinates)
             .arg("a place in machine coordinates");
-        return false;
+        return kFailed;
     }
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     if (nc::has_fact(motion, nc::Fact::SplineMotion)) {
         report(diag::IsoNotSupported, block, Function::MachineCoordinates)
             .arg("a spline in machine coordinates");
-        return false;
+        return kFailed;
     }
     const nc::Invocation* said = block.find(Function::MachineCoordinates);
     frames_off_.emplace(FramesOff{frames_, position_});
@@ -51,7 +51,7 @@ bool Executor::take_frames_off(const Block& block) {
             : 0);
     frame_changed();
     position_.programmed = position_.here;
-    return true;
+    return kDone;
 }
 
 void Executor::put_frames_back(const Block& block) {
@@ -88,7 +88,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     const bool is_rapid =
         probes_at_rapid(block) ||
         (!probes && (rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid));
-    if (!is_rapid && !(probes ? check_probe(block) : check_feed(block, "line"))) return;
+    if (!is_rapid && !(probes ? require_probe_feed(block) : require_feed(block, "line"))) return;
 
     const SlotMask targets = block.given & nc::kTargetSlots;
     const bool has_length = rules_.machine_coordinates_keep_length;
@@ -118,7 +118,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
         target = *probing.touched;
         for (std::size_t i = 0; i < kAxes; ++i) to[i] = target.base[i] + length_shift_[i];
     }
-    if (!check_limits(block, target.base, target.moved)) return;
+    if (!require_within_limits(block, target.base, target.moved)) return;
 
     Command& command = put(is_rapid ? Op::Rapid : probes ? Op::Probe : Op::Line, block);
     command.to = to;
@@ -136,7 +136,7 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
     Target target{{}, to, moved};
     for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];
     target.here = frames_.from_base(target.base);
-    if (!check_machine_limits(block, target.base, target.moved)) return;
+    if (!require_within_machine(block, target.base, target.moved)) return;
     Command& command = put(Op::Rapid, block);
     command.to = to;
     command.moved = moved;
@@ -176,7 +176,7 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
 void Executor::check_reference(const Block& block) {
     constexpr double kWidth = 0.0005;  // mm, deg: half an increment
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (targets == 0 || !check_axes(block, targets)) return;
+    if (targets == 0 || !require_axes(block, targets)) return;
     line(block, target_of(block, targets), Op::Rapid, true);
     for (std::size_t i = 0; i < kAxes && !ended_; ++i) {
         if ((targets >> i & 1u) == 0) continue;
@@ -193,7 +193,7 @@ void Executor::check_reference(const Block& block) {
 /// distance counts from the place between.
 void Executor::leave_reference(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (targets == 0 || !check_axes(block, targets)) return;
+    if (targets == 0 || !require_axes(block, targets)) return;
     Target over{position_.here, {}, static_cast<AxisMask>(targets)};
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((targets >> i & 1u) == 0) continue;
@@ -208,17 +208,16 @@ void Executor::leave_reference(const Block& block) {
     if (!ended_) line(block, target_of(block, targets), Op::Rapid, true);
 }
 
-/// Makes the ways longer by the radius offset, so many times. False: that is not possible, and it
-/// was said.
-bool Executor::offset_ways(const Block& block, double times, Target& target) {
+/// Makes the ways longer by the radius offset, so many times.
+Done Executor::offset_ways(const Block& block, double times, Target& target) {
     if (comp_.is_on()) {
         report(diag::WayOffsetCompensated, block, Function::WayOffset);
-        return false;
+        return kFailed;
     }
     if (nc::has_fact(modal_.motion, nc::Fact::Circle)) {
         report(diag::IsoNotSupported, block, Function::WayOffset)
             .arg("an arc whose ends are moved by an offset");
-        return false;
+        return kFailed;
     }
     const double offset = times * tool_offsets_.radius(tool_.radius_offset);
     for (std::size_t i = 0; i < kAxes; ++i) {
@@ -226,7 +225,7 @@ bool Executor::offset_ways(const Block& block, double times, Target& target) {
         target.here[i] += target.here[i] < position_.here[i] ? -offset : offset;
     }
     target.base = frames_.to_base(target.here);
-    return true;
+    return kDone;
 }
 
 /// Over the programmed place, if the block names one and the tool is not there, to the reference
@@ -237,7 +236,7 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
     if (invocation.function == Function::ReferencePoint) {
         constexpr std::size_t kX = parameter_of<Function::ReferencePoint>("x");
         moved = static_cast<AxisMask>(invocation.given >> kX & 0b111u);
-    } else if (!check_axes(block, targets)) {
+    } else if (!require_axes(block, targets)) {
         return;
     }
     constexpr std::size_t kPoint =

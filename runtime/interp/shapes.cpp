@@ -54,37 +54,37 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
     shape_->coolant = coolant_;
 }
 
-/// Whether the block can be a part of the shape; false: it was reported.
-bool Executor::check_shape_block(const Block& block) {
-    if (block.kind != Block::Kind::Nc || is_behind_shape(block)) return true;
+/// The block is one that the shape can have.
+Done Executor::require_shape_block(const Block& block) {
+    if (block.kind != Block::Kind::Nc || is_behind_shape(block)) return kDone;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (!nc::has_fact(block.functions[i].function, nc::Fact::EndsShape)) continue;
         if (is_plane(block.functions[i].function, modal_.plane)) continue;
         report(diag::ShapeBlockWrong, block, block.functions[i].function)
             .arg(word_of(block, block.functions[i].function));
-        return false;
+        return kFailed;
     }
     if (!nc::has_fact(block.motion, nc::Fact::ShapeElement)) {
         report(diag::ShapeBlockWrong, block, block.motion).arg(word_of(block, block.motion));
-        return false;
+        return kFailed;
     }
     if (shape_->is_named && !modal_.has_feed) {  // the cycle says the feeds
         modal_.has_feed = true;
         modal_.feed = 1;
     }
-    if (shape_->has_begun) return true;
+    if (shape_->has_begun) return kDone;
     // A program of its own begins with what it needs.
-    if (shape_->is_named && (block.given & nc::kTargetSlots) == 0) return true;
+    if (shape_->is_named && (block.given & nc::kTargetSlots) == 0) return kDone;
     shape_->has_begun = true;
     const bool goes_on = shape_->is_named && block.motion == Function::None;
     const Function motion = goes_on ? modal_.motion : block.motion;
     if (nc::has_fact(motion, nc::Fact::Straight)) {
         shape_->approaches_at_rapid = motion == Function::Rapid;
         shape_->approach_axes = block.given & nc::kTargetSlots;
-        return true;
+        return kDone;
     }
     report(diag::ShapeFirstBlock, block);
-    return false;
+    return kFailed;
 }
 
 /// Behind the blocks of a program that a call has named, the cycle is called.

@@ -63,7 +63,7 @@ std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions
     }
     if (const Invocation* said = block.find(Function::SoftFeed))
         move.slow_feed = block.argument(*said, parameter_of<Function::SoftFeed>("feed"));
-    if (!check_feed(block, "soft approach or retract")) return std::nullopt;
+    if (!require_feed(block, "soft approach or retract")) return std::nullopt;
     const auto motion = [&](bool is_rapid, double feed) {
         Command command;
         command.op = is_rapid ? Op::Rapid : Op::Line;
@@ -148,12 +148,12 @@ void Executor::approach_softly(const Block& block, const Actions& actions) {
     const std::optional<SoftMove> move = soft_move_of(block, actions);
     if (!move) return;
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (!check_axes(block, targets)) return;
+    if (!require_axes(block, targets)) return;
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const SlotMask plane = bit(nc::slot_of(axes.first)) | bit(nc::slot_of(axes.second));
     const Target target = target_of(block, targets);
     if (tool_.has_changed) activate_length(block, target.moved);
-    if (!check_limits(block, target.base, target.moved)) return;
+    if (!require_within_limits(block, target.base, target.moved)) return;
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
     // A contour that was followed so far ends on its normal, and the compensation begins anew.
@@ -272,7 +272,7 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
     const std::optional<SoftMove> move = soft_move_of(block, actions);
     if (!move) return;
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (!check_axes(block, targets)) return;
+    if (!require_axes(block, targets)) return;
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
@@ -299,7 +299,7 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
     const double tool =
         has_level ? target.base[normal] : move->level.value_or(contour + move->clearance);
     const std::optional<double> level = soft_level(block, *move, contour, tool);
-    if (!level || !check_limits(block, target.base, target.moved)) return;
+    if (!level || !require_within_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
 
     const Element element = path::way_from(place.place, place.direction, *way);

@@ -25,13 +25,13 @@ constexpr int kMostTurns = 2;  // PS5043
 
 }  // namespace
 
-/// False: the rotations and the length of the tool are not nested, and it was reported. The length
+/// The rotations and the length of the tool are nested. The length
 /// is switched on inside of them and off again: else it would lie askew to its own compensation.
-bool Executor::is_length_nested(const Block& block, Function function) {
+Done Executor::require_nested_length(const Block& block, Function function) {
     const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
-    if (!has_length) return true;
+    if (!has_length) return kDone;
     report(diag::SpaceTurnLength, block, function).arg(word_of(block, function));
-    return false;
+    return kFailed;
 }
 
 void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
@@ -42,8 +42,8 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
         report(diag::SpaceTurnNested, block, invocation.function);
         return;
     }
-    if (!begin_plane(block, invocation, tilting_.turns > 0)) return;
-    if (!is_length_nested(block, invocation.function)) return;
+    if (!require_place_for_plane(block, invocation, tilting_.turns > 0)) return;
+    if (!require_nested_length(block, invocation.function)) return;
     const Vec3 axis{block.argument(invocation, kAxis), block.argument(invocation, kAxis + 1),
                     block.argument(invocation, kAxis + 2)};
     if (axis.norm() == 0) {
@@ -64,12 +64,12 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
 }
 
 /// All rotations end at once.
-bool Executor::end_space_turns(const Block& block) {
-    if (tilting_.turns == 0) return true;
-    if (!is_length_nested(block, Function::RotateOff)) return false;
+Done Executor::end_space_turns(const Block& block) {
+    if (tilting_.turns == 0) return kDone;
+    if (!require_nested_length(block, Function::RotateOff)) return kFailed;
     tilting_.turns = 0;
     set_length_shift(length_shift_of(tool_.lengths));
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::interp

@@ -74,7 +74,7 @@ std::optional<Vec3> Executor::way_into(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0 && !is_arc(motion) && !nc::has_fact(motion, nc::Fact::Involute))
         return std::nullopt;
-    if (!check_axes(block, targets)) return std::nullopt;
+    if (!require_axes(block, targets)) return std::nullopt;
     Target target = target_of(block, targets);
     const Vec3 start = linear(position_.here);
     const Vec3 way = linear(target.here) - start;

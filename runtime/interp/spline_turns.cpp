@@ -27,10 +27,9 @@ constexpr double kNoDirection = 1e-3;
 
 }  // namespace
 
-/// Whether the tool may turn as it is said beside a spline or a polynomial; if not, it was
-/// reported.
-bool Executor::may_turn_along(const Block& block, const ToolWords& tool) {
-    if (!orienting_.is_on && !tool.is_any()) return true;
+/// The tool may turn as it is said beside a spline or a polynomial.
+Done Executor::require_turn_along(const Block& block, const ToolWords& tool) {
+    if (!orienting_.is_on && !tool.is_any()) return kDone;
     const bool is_alone = orienting_.is_on && !orienting_.has_length && !is_any_comp_on();
     // What is modal would act on the spans that wait, too.
     bool is_refused = tool.is_any() && (!is_alone || (tool.changes_lean && is_in_spline()));
@@ -43,36 +42,36 @@ bool Executor::may_turn_along(const Block& block, const ToolWords& tool) {
     }
     if (is_refused) {
         report(diag::IsoNotSupported, block).arg("a tool that turns so beside a spline");
-        return false;
+        return kFailed;
     }
-    if (!orienting_.is_on) return true;
+    if (!orienting_.is_on) return kDone;
     check_offset_said(block);
-    return !turns_in_two_ways(block, tool) && !has_idle_words(block, tool);
+    if (!require_one_turn(block, tool)) return kFailed;
+    return require_no_idle_words(block, tool);
 }
 
 /// What a pole of a B-spline says of the tool: a direction, or the one of the pole before it.
-/// Nothing where no transformation turns the tool; false: it was reported.
-bool Executor::direct_pole(const Block& block, const ToolWords& tool, PoleBlock& pole) {
-    if (!orienting_.is_on) return true;
+/// Nothing where no transformation turns the tool.
+Done Executor::direct_pole(const Block& block, const ToolWords& tool, PoleBlock& pole) {
+    if (!orienting_.is_on) return kDone;
     if (tool.says_direction()) {
-        if (lacks_axis_for_direction(block)) return false;
+        if (!require_axes_for_direction(block)) return kFailed;
         const std::optional<Vec3> said = wanted_direction(block, tool);
-        if (!said) return false;
+        if (!said) return kFailed;
         pole.direction = *said;
-        return true;
+        return kDone;
     }
     const Vec3 joints = joints_of(position_.base);
     pole.direction =
         spline_->direction().value_or(machine::tool_vector(machine_.kinematics->chain, joints));
-    return true;
+    return kDone;
 }
 
 /// How the tool turns along a span, and where the rotary axes stand at its end: in `to` and in the
-/// position, of which X, Y and Z are behind blocks that have been read meanwhile. False: it was
-/// reported.
+/// position, of which X, Y and Z are behind blocks that have been read meanwhile.
 ///
 /// at  whose place messages show
-bool Executor::turn_along(const Block& at, const PoleBlock& said, const path::Curve& span,
+Done Executor::turn_along(const Block& at, const PoleBlock& said, const path::Curve& span,
                           AxisValues& to) {
     const Position read = position_;
     const double feed = std::exchange(modal_.feed, said.feed);
@@ -85,65 +84,65 @@ bool Executor::turn_along(const Block& at, const PoleBlock& said, const path::Cu
     for (std::size_t i = 0; i < 3; ++i)
         target.base[i] = path::end(span)[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
-    const bool is_laid =
-        lay_span_turn(at, said, span, target) && check_limits(at, target.base, joint_axes());
+    const bool is_laid = lay_span_turn(at, said, span, target) &&
+                         require_within_limits(at, target.base, joint_axes());
     modal_.feed = feed;
     static_cast<OrientModes&>(orienting_) = modes;
     position_ = read;
-    if (!is_laid) return false;
+    if (!is_laid) return kFailed;
     for (AxisMask rest = joint_axes(); rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         to[i] = position_.base[i] = target.base[i];
         position_.here[i] = position_.programmed[i] = target.here[i];
     }
-    return true;
+    return kDone;
 }
 
-bool Executor::lay_span_turn(const Block& at, const PoleBlock& said, const path::Curve& span,
+Done Executor::lay_span_turn(const Block& at, const PoleBlock& said, const path::Curve& span,
                              Target& target) {
     next_turn_ = {};
     course_.reset();
     if (said.direction) {
         if (said.direction->norm() < kNoDirection) {
             report(diag::OrientationOpposite, at);
-            return false;
+            return kFailed;
         }
-        if (!lay_turn(at, said.direction->normalized(), target)) return false;
+        if (!lay_turn(at, said.direction->normalized(), target)) return kFailed;
         orienting_.leans = false;
     } else {
-        if (!lay_tool_words(at, said.tool.value_or(ToolWords{}), target)) return false;
+        if (!lay_tool_words(at, said.tool.value_or(ToolWords{}), target)) return kFailed;
         if (course_) return lay_course(at, span, target);
     }
     settle_turn(target);
-    return true;
+    return kDone;
 }
 
 /// What a block says of the tool, shared out to the pieces of its polynomial by their lengths: the
-/// directions in which they end. False: it was reported.
-bool Executor::share_turn(const Block& block, const ToolWords& tool,
+/// directions in which they end.
+Done Executor::share_turn(const Block& block, const ToolWords& tool,
                           const std::vector<double>& shares,
                           const std::vector<PoleBlock*>& pieces) {
-    if (!orienting_.is_on) return true;
+    if (!orienting_.is_on) return kDone;
     const bool is_led = is_led_by_surface(tool);
     if (pieces.size() == 1 || (!tool.is_any() && !is_led)) {
         if (tool.is_any() || is_led) pieces.back()->tool = tool;
-        return true;
+        return kDone;
     }
     const bool is_plane = orienting_.turning == TurnWay::Plane && tool.says_direction() &&
                           !is_led && !tool.spin && !tool.spin_by;
     if (!is_plane) {
         report(diag::IsoNotSupported, block)
             .arg("a tool that turns so beside a polynomial with such a denominator");
-        return false;
+        return kFailed;
     }
-    if (lacks_axis_for_direction(block)) return false;
+    if (!require_axes_for_direction(block)) return kFailed;
     const std::optional<Vec3> to = wanted_direction(block, tool);
-    if (!to) return false;
+    if (!to) return kFailed;
     const Vec3 from = machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
     const auto arc = machine::great_circle(from, *to);
     if (!arc) {
         report(diag::OrientationOpposite, block);
-        return false;
+        return kFailed;
     }
     double reached = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -152,7 +151,7 @@ bool Executor::share_turn(const Block& block, const ToolWords& tool,
         pieces[i]->direction =
             is_last ? *to : Vec3(Eigen::AngleAxisd(reached * arc->turn, arc->axis) * from);
     }
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::interp

@@ -94,14 +94,14 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
         report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
         return;
     }
-    if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
+    if (!require_axes(block, targets) || !require_rotary_ways(block)) return;
     if (const auto interval = word(block, Function::SplineInterval, kInterval);
         interval && *interval < 0) {
         report(diag::IsoMinusNotAllowed, block, Function::SplineInterval)
             .arg(word_of(block, Function::SplineInterval));
         return;
     }
-    if (!may_turn_along(block, tool)) return;
+    if (!require_turn_along(block, tool)) return;
     if (!spline_ && !start_spline(block, knot.has_value())) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
@@ -118,52 +118,53 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
     move_along_spline();
 }
 
-bool Executor::start_spline(const Block& block, bool by_knots) {
+Done Executor::start_spline(const Block& block, bool by_knots) {
     const bool counts_knots =
         dialect_.can_write(Function::SplineKnot) && !dialect_.can_write(Function::SplineInterval);
     leave_corners(diag::CornerNotContour);
-    if (ended_) return false;
+    if (ended_) return kFailed;
     if (!by_knots && counts_knots) {
         report(diag::SplineKnots, block).arg("are missing");
-        return false;
+        return kFailed;
     }
-    if (!check_feed(block, "spline")) return false;
+    if (!require_feed(block, "spline")) return kFailed;
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
     said_in_spline_.begin(span_as_said(block));
     spline_.emplace(spline_degree_, by_knots);
-    if (by_knots) return true;
+    if (by_knots) return kDone;
     PoleBlock start{block.line, block.source, 0, position_.base, {}, {}};
     start.modes = orienting_;
-    if (!direct_pole(block, {}, start)) return false;
+    if (!direct_pole(block, {}, start)) return kFailed;
     spline_->add_pole(linear(position_.base), 1, start);
-    return true;
+    return kDone;
 }
 
-bool Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& tool) {
+Done Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& tool) {
     const double weight = word(block, Function::SplineWeight, kWeight).value_or(1);
     if (!(weight > 0)) {
         report(diag::SplineValue, block, Function::SplineWeight)
             .arg("weight")
             .arg(weight)
             .arg("above 0");
-        return false;
+        return kFailed;
     }
     const Target target = target_of(block, targets);
     const Vec3 pole = linear(target.base);
     // Poles of X, Y and Z may lie where the axes never go; those of the others are held to theirs.
-    if (!check_limits(block, target.base, static_cast<AxisMask>(target.moved & ~kLinearXYZ)))
-        return false;
+    if (!require_within_limits(block, target.base,
+                               static_cast<AxisMask>(target.moved & ~kLinearXYZ)))
+        return kFailed;
     const bool is_start = spline_->poles() == 0;
     if (is_start && (pole - linear(position_.base)).norm() > kSamePlace) {
         report(diag::SplineStart, block).arg(round_to((pole - linear(position_.base)).norm(), 4));
-        return false;
+        return kFailed;
     }
     PoleBlock said = pole_block(block, target.base);
-    if (!direct_pole(block, tool, said)) return false;
+    if (!direct_pole(block, tool, said)) return kFailed;
     spline_->moved = static_cast<AxisMask>(spline_->moved | target.moved);
     spline_->add_pole(pole, weight, said);
     arrive(target);
-    return true;
+    return kDone;
 }
 
 /// Whether a spline goes on in a block with a position beside which this stands. Another motion
@@ -269,7 +270,7 @@ void Executor::put_span(const path::SplineSpan& span, const PoleBlock& said, Axi
     path::Curve curve = path::Point{start};
     if (shape.degree > 3) curve = path::make_quintic(start, end, shape);
     else curve = path::make_spline(start, end, shape);
-    if (!check_box(at, path::bounds(curve))) return;
+    if (!require_box_within_limits(at, path::bounds(curve))) return;
     AxisValues to = said.to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = end[static_cast<Eigen::Index>(i)];
     puts_span_ = true;

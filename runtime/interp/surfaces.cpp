@@ -38,23 +38,23 @@ std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
 }
 
 /// Where the program has said that the tool keeps its direction, nothing may turn it.
-bool Executor::is_tool_constant(const Block& block) {
+Done Executor::require_constant_tool(const Block& block) {
     const bool is_constant =
         comp_.acting == CompSystem::ByFaceInFrame || comp_.acting == CompSystem::ByFaceInPlane;
-    if (!is_constant || !orienting_.is_on) return true;
+    if (!is_constant || !orienting_.is_on) return kDone;
     report(diag::CompFaceTurned, block, function_of(comp_.side));
-    return false;
+    return kFailed;
 }
 
-/// How the surface lies along the block, for the cutter on it. False: it was reported.
-bool Executor::lay_face(const Block& block, const ToolWords& tool) {
+/// How the surface lies along the block, for the cutter on it.
+Done Executor::lay_face(const Block& block, const ToolWords& tool) {
     const auto normals = normals_of(block, tool);
-    if (!normals) return false;
+    if (!normals) return kFailed;
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
     if (!arc) {
         report(diag::CompFaceNormal, block, Function::SurfaceNormal)
             .arg("at the end of the block it points the other way than at its start");
-        return false;
+        return kFailed;
     }
     face_ = {};
     face_.kind = path::ContactKind::Face;
@@ -64,21 +64,21 @@ bool Executor::lay_face(const Block& block, const ToolWords& tool) {
     // Where the tool is led by the surface too, that is still to be asked where the block before
     // ended.
     if (!leans_on_surface()) orienting_.normal = (*normals)[1];
-    return true;
+    return kDone;
 }
 
-/// Whether a code by which the side of the cutter is compensated stands where the control takes it.
-/// F 4.4: inside the tool centre point control, which ends after it.
-bool Executor::check_side_comp(const Block& block, Function function) {
-    if (orienting_.has_length) return true;
+/// A code by which the side of the cutter is compensated stands inside the tool centre point
+/// control, which ends after it. F 4.4.
+Done Executor::require_tcp_for_side_comp(const Block& block, Function function) {
+    if (orienting_.has_length) return kDone;
     report(diag::SideCompAlone, block, function);
-    return false;
+    return kFailed;
 }
 
 /// F 4.4: with a tool and a table that turn, lines and positioning only.
-bool Executor::check_side_arc(const Block& block) {
+Done Executor::require_no_side_arc(const Block& block) {
     const bool is_on = comp_.is_on() && comp_.is_by_side_code;
-    if (!is_on || !is_arc(modal_.motion)) return true;
+    if (!is_on || !is_arc(modal_.motion)) return kDone;
     const machine::Chain& chain = machine_.kinematics->chain;
     bool turns_tool = false;
     bool turns_table = false;
@@ -86,9 +86,9 @@ bool Executor::check_side_arc(const Block& block) {
         turns_tool |= joint.is_present && joint.side == machine::Side::Head;
         turns_table |= joint.is_present && joint.side == machine::Side::Table;
     }
-    if (!turns_tool || !turns_table) return true;
+    if (!turns_tool || !turns_table) return kDone;
     report(diag::SideCompArc, block, modal_.motion);
-    return false;
+    return kFailed;
 }
 
 }  // namespace kadr::interp

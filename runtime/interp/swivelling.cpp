@@ -72,7 +72,7 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
         report(diag::TiltCompensated, block, Function::Swivel).arg("CYCLE800");
         return;
     }
-    if (!has_rotary_axes(block, Function::Swivel)) return;
+    if (!require_rotary_axes(block, Function::Swivel)) return;
     if (modal_.plane != path::Plane::Xy) return refuse("the working plane is not G17");
     const double direction =
         block.argument(invocation, parameter_of<Function::Swivel>("direction"));
@@ -172,31 +172,30 @@ std::optional<Mat3> Executor::swivel_rotation(const Block& block, const Invocati
     return machine::turned_in_order(turns);
 }
 
-/// False: it was reported.
-bool Executor::retract_before_swivel(const Block& block, const Invocation& invocation) {
+Done Executor::retract_before_swivel(const Block& block, const Invocation& invocation) {
     const double kind = block.argument(invocation, parameter_of<Function::Swivel>("retract"));
     const auto to_reference = [&](AxisMask axes) {
         AxisValues to = machine_axes();
         for (std::size_t i = 0; i < 3; ++i)
             if ((axes >> i & 1u) != 0) to[i] = axes_.reference_points[0][i];
         rapid_to_machine_position(block, to, axes);
-        return !ended_;
+        return Done(!ended_);
     };
     const auto across = static_cast<AxisMask>((bit(Axis::X) | bit(Axis::Y)) & axes_.present);
-    if (kind == 0) return true;
+    if (kind == 0) return kDone;
     if (kind == 1) return to_reference(bit(Axis::Z));
-    if (kind == 2) return to_reference(bit(Axis::Z)) && to_reference(across);
+    if (kind == 2) return to_reference(bit(Axis::Z)) ? to_reference(across) : kFailed;
     if (kind == 4) return retract_along_tool(block, std::nullopt);
     if (kind == 5) {
         const double by = block.argument(invocation, parameter_of<Function::Swivel>("by"));
         return retract_along_tool(block, by);
     }
     report(diag::SwivelValue, block, Function::Swivel).arg("_FR is not 0, 1, 2, 4 or 5");
-    return false;
+    return kFailed;
 }
 
 /// Away from the workpiece along the tool: by a distance, or as far as the axes go.
-bool Executor::retract_along_tool(const Block& block, std::optional<double> by) {
+Done Executor::retract_along_tool(const Block& block, std::optional<double> by) {
     const AxisValues axes = machine_axes();
     const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, joints_of(position_.base));
     double most = std::numeric_limits<double>::infinity();
@@ -208,15 +207,15 @@ bool Executor::retract_along_tool(const Block& block, std::optional<double> by) 
     const double way = by.value_or(most);
     if (!std::isfinite(way) || way < 0 || way > most + 1e-6) {
         report(diag::SwivelRetract, block, Function::Swivel);
-        return false;
+        return kFailed;
     }
-    if (way == 0) return true;
+    if (way == 0) return kDone;
     Target target{position_.here, position_.base,
                   static_cast<AxisMask>(axes_.present & kLinearXYZ)};
     for (std::size_t i = 0; i < 3; ++i) target.base[i] += way * tool[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
     line(block, target, Op::Rapid, true);
-    return !ended_;
+    return Done(!ended_);
 }
 
 /// The frames of the cycle go; no axis moves.
@@ -259,7 +258,7 @@ void Executor::frame_along_tool(const Block& block, const Invocation& invocation
 
 /// PAROT, PAROTOF.
 void Executor::follow_tables(const Block& block, bool is_wanted) {
-    if (is_wanted && !carrier_.stand && !has_rotary_axes(block, Function::TableFrame)) return;
+    if (is_wanted && !carrier_.stand && !require_rotary_axes(block, Function::TableFrame)) return;
     tilting_.on_tables = is_wanted;
     if (carrier_.stand) {
         lay_on_carrier();

@@ -37,7 +37,7 @@ void Executor::tap(const Block& block, const Target& target) {
         return;
     }
     if (tool_.has_changed) activate_length(block, target.moved);
-    if (!check_limits(block, target.base, target.moved)) return;
+    if (!require_within_limits(block, target.base, target.moved)) return;
     const bool is_cw = (pitch > 0) == (modal_.motion == Function::TapIn);
     spindle_.mode = is_cw ? SpindleMode::Cw : SpindleMode::Ccw;
     update_spindle(block);
@@ -61,10 +61,10 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     const double along = way.cwiseAbs().maxCoeff();
     const std::optional<double> change = thread_change(block, *pitch, along);
     if (!change) return;
-    if (!check_thread_spindle(block)) return;
+    if (!require_thread_spindle(block)) return;
     check_tool(block);
     if (tool_.has_changed) activate_length(block, target.moved);
-    if (!check_limits(block, target.base, target.moved)) return;
+    if (!require_within_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
     Command& command = put(Op::Thread, block);
     command.to = target.base;
@@ -79,15 +79,15 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     arrive(target);
 }
 
-/// False: the spindle, which the thread is geared to, stands, and it was said.
-bool Executor::check_thread_spindle(const Block& block) {
+/// The spindle, which the thread is geared to, turns.
+Done Executor::require_thread_spindle(const Block& block) {
     if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
         report(diag::RevolutionFeedStands, block);
-        return false;
+        return kFailed;
     }
     if (spindle_.has_cutting_speed && told_.first_time(Once::ThreadSpeed))
         report(diag::ThreadUnderCuttingSpeed, block);
-    return true;
+    return kDone;
 }
 
 /// By how much the pitch changes in a turn; 0 of an even thread. In a turn the tool goes by the

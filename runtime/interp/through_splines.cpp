@@ -87,14 +87,14 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
         report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
     };
     if (others != 0 && is_transformed()) return refuse_others();
-    if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
-    if (!check_feed(block, "spline")) return;
-    if (!may_turn_along(block, tool)) return;
+    if (!require_axes(block, targets) || !require_rotary_ways(block)) return;
+    if (!require_feed(block, "spline")) return;
+    if (!require_turn_along(block, tool)) return;
     if (!through_ && !start_through(block)) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
     const Target target = target_of(block, targets);
-    if (!check_limits(block, target.base, target.moved)) return;
+    if (!require_within_limits(block, target.base, target.moved)) return;
     if (!through_->spline.add_point(linear(target.base))) {
         // An axis has no way of the spline to follow.
         const bool is_followed = others != 0 && target.base != position_.base;
@@ -109,15 +109,15 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
     move_through();
 }
 
-bool Executor::start_through(const Block& block) {
+Done Executor::start_through(const Block& block) {
     leave_corners(diag::CornerNotContour);
-    if (ended_) return false;
+    if (ended_) return kFailed;
     SplineEnd start{spline_ends_.start, Vec3::Zero()};
     if (start.kind == SplineEnd::Kind::Tangent) {
         const auto direction = direction_of(linear(position_.base) - came_from_);
         if (!direction) {
             report(diag::SplineNoDirection, block).arg("before");
-            return false;
+            return kFailed;
         }
         start.tangent = *direction;
     }
@@ -129,7 +129,7 @@ bool Executor::start_through(const Block& block) {
     const path::Mat3 axes = path::unit_axes(frames_.total());
     through_.emplace(
         ThroughRun{modal_.motion, {kind, start, linear(position_.base), axes}, {}, AxisMask{0}});
-    return true;
+    return kDone;
 }
 
 /// Puts out the spans that are known by now. One that is known while points may still come is not

@@ -100,18 +100,19 @@ std::optional<Vec3> Executor::origin_of_plane(const Block& block, const Invocati
     return std::nullopt;
 }
 
-/// Whether a plane may be said here.
-bool Executor::begin_plane(const Block& block, const Invocation& invocation, bool is_added) {
+/// A plane may be said here.
+Done Executor::require_place_for_plane(const Block& block, const Invocation& invocation,
+                                       bool is_added) {
     if (comp_.is_on()) {
         report(diag::TiltCompensated, block, invocation.function)
             .arg(word_of(block, invocation.function));
-        return false;
+        return kFailed;
     }
     if (tilting_.is_on && !is_added && invocation.function != Function::Tilt) {
         report(diag::TiltNested, block, invocation.function);
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// The plane lies in the system reached so far, a local shift included.
@@ -162,8 +163,9 @@ void Executor::tilt(const Block& block, const Invocation& invocation) {
     const bool is_added =
         invocation.function == Function::TiltPlane &&
         block.argument(invocation, parameter_of<Function::TiltPlane>("added")) != 0;
-    if (!begin_plane(block, invocation, is_added)) return;
-    if (invocation.function == Function::Tilt && !has_rotary_axes(block, Function::Tilt)) return;
+    if (!require_place_for_plane(block, invocation, is_added)) return;
+    if (invocation.function == Function::Tilt && !require_rotary_axes(block, Function::Tilt))
+        return;
     const std::optional<Frame> plane = plane_by_angles(block, invocation);
     if (!plane) return;
     set_plane(*plane, is_added);
@@ -184,7 +186,7 @@ void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) 
     const double number = block.argument(invocation, kNumber);
     const bool is_added = block.argument(invocation, kAdded) != 0;
     if (!tilting_.open) {
-        if (!begin_plane(block, invocation, is_added)) return;
+        if (!require_place_for_plane(block, invocation, is_added)) return;
         tilting_.open.emplace();
         tilting_.open->is_by_points = is_by_points;
         tilting_.open->is_added = is_added;
@@ -228,19 +230,18 @@ std::optional<Frame> Executor::plane_by_blocks(const Block& block, const SaidPla
            path::rotation_in_plane(path::Plane::Xy, said.turn);
 }
 
-/// False: another block stands among those of a plane, and it was reported.
-bool Executor::check_open_plane(const Block& block) {
-    if (block.find(function_of(*tilting_.open)) != nullptr) return true;
+Done Executor::require_block_of_open_plane(const Block& block) {
+    if (block.find(function_of(*tilting_.open)) != nullptr) return kDone;
     report(diag::TiltFormat, block)
         .arg("its blocks are not complete: number " + std::to_string(tilting_.open->next) +
              " is missing");
-    return false;
+    return kFailed;
 }
 
 /// The plane square to the tool as it stands; frames lie on the turned tables first.
 void Executor::tilt_along_tool(const Block& block, const Invocation& invocation) {
-    if (!begin_plane(block, invocation, false)) return;
-    if (!has_rotary_axes(block, invocation.function)) return;
+    if (!require_place_for_plane(block, invocation, false)) return;
+    if (!require_rotary_axes(block, invocation.function)) return;
     constexpr std::size_t kOrigin = parameter_of<Function::TiltAlongTool>("x");
     const std::optional<Vec3> said = origin_of_plane(block, invocation, kOrigin);
     if (!said) return;
@@ -270,10 +271,10 @@ void Executor::end_tilt(const Block& block) {
 
 // ------------------------------------------------------------------------------ rotary axes
 
-bool Executor::has_rotary_axes(const Block& block, Function function) {
-    if (machine_.kinematics && machine_.kinematics->chain.is_turning()) return true;
+Done Executor::require_rotary_axes(const Block& block, Function function) {
+    if (machine_.kinematics && machine_.kinematics->chain.is_turning()) return kDone;
     report(diag::TiltNoKinematics, block, function).arg(machine_.name);
-    return false;
+    return kFailed;
 }
 
 /// The rotary axes turn until the tool is along Z of the plane.
@@ -284,7 +285,7 @@ void Executor::align(const Block& block, const Invocation& invocation) {
         report(diag::TiltAlignAlone, block, function);
         return;
     }
-    if (!has_rotary_axes(block, function)) return;
+    if (!require_rotary_axes(block, function)) return;
     const double way = function == Function::TiltAlign
                            ? block.argument(invocation, parameter_of<Function::TiltAlign>("way"))
                            : 0;
@@ -363,7 +364,7 @@ void Executor::turn_joints(const Block& block, const Vec3& joints, Op op) {
 /// The rotary axes go there, and the linear axes hold the tip on the workpiece, or a point of the
 /// tool's axis above it: that is the tip of a shorter tool. F 4.8.
 void Executor::turn_about_tip(const Block& block, const Vec3& joints, Op op, double above) {
-    if (op == Op::Line && !check_feed(block, "line")) return;
+    if (op == Op::Line && !require_feed(block, "line")) return;
     drop_carry(block);
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
     if (above == 0) return hold_tip(block, joints, op);
@@ -394,7 +395,7 @@ void Executor::hold_tip(const Block& block, const Vec3& joints, Op op) {
     for (std::size_t i = 0; i < 3; ++i)
         end[i] = stand[static_cast<Eigen::Index>(i)] - length_shift_[i];
     const auto moved = static_cast<AxisMask>(kLinearXYZ | joint_axes());
-    if (!check_machine_limits(block, end, moved)) return;
+    if (!require_within_machine(block, end, moved)) return;
     path::Command& command = put(op, block);
     command.to = end;
     for (std::size_t i = 0; i < 3; ++i) command.to[i] = tip[static_cast<Eigen::Index>(i)];

@@ -116,13 +116,13 @@ Vec3 Executor::activate_length(const Block& block, AxisMask moved) {
 }
 
 /// … with an arc. On a line the tip comes from wherever the length has left it; an arc that begins
-/// beside its circle is none. Along its axis it rises. False: it was reported.
-bool Executor::activate_length_on_arc(const Block& block, const Vec3& normal, AxisMask moved) {
+/// beside its circle is none. Along its axis it rises.
+Done Executor::activate_length_on_arc(const Block& block, const Vec3& normal, AxisMask moved) {
     const Vec3 way = activate_length(block, moved);
     const double aside = (way - way.dot(normal) * normal).norm();
-    if (aside <= rules_.arc_tolerance) return true;
+    if (aside <= rules_.arc_tolerance) return kDone;
     report(diag::ArcLengthChange, block, modal_.motion).arg(round_to(aside, 4));
-    return false;
+    return kFailed;
 }
 
 /// Tells the motion side what lies between the tip and what the linear axes carry.

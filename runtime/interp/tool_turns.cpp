@@ -91,9 +91,8 @@ Vec3 axis_between(const Vec3& axis, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-/// What the block says of the tool, as rotary positions at its end and a way there. False: it was
-/// reported.
-bool Executor::orient(const Block& block, const Actions& actions, Target& target) {
+/// What the block says of the tool, as rotary positions at its end and a way there.
+Done Executor::orient(const Block& block, const Actions& actions, Target& target) {
     // Every axis may move, whatever the block names.
     target.carried = static_cast<AxisMask>(kLinearXYZ & ~target.moved);
     target.moved = static_cast<AxisMask>(target.moved | kLinearXYZ | joint_axes());
@@ -101,22 +100,22 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
     course_.reset();
     const ToolWords& tool = actions.tool;
     check_offset_said(block);
-    if (turns_in_two_ways(block, tool) || has_idle_words(block, tool)) return false;
+    if (!require_one_turn(block, tool) || !require_no_idle_words(block, tool)) return kFailed;
     if (orienting_.takes_vectors && is_arc(modal_.motion)) {
         report(diag::TcpArc, block, modal_.motion);
-        return false;
+        return kFailed;
     }
-    if (!check_side_arc(block)) return false;
-    const bool is_laid = goes_straight(block, actions) ? lay_point_to_point(block, tool, target)
+    if (!require_no_side_arc(block)) return kFailed;
+    const Done is_laid = goes_straight(block, actions) ? lay_point_to_point(block, tool, target)
                                                        : lay_tool_words(block, tool, target);
-    if (!is_laid) return false;
+    if (!is_laid) return kFailed;
     settle_turn(target);
-    return true;
+    return kDone;
 }
 
 /// How the tool turns by what a block says; what depends on the block's path waits for it in
-/// `course_`. False: it was reported.
-bool Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
+/// `course_`.
+Done Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
     if (tool.says_direction() || tool.point.is_said() || (block.given & joint_axes()) != 0)
         orienting_.leans = false;
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
@@ -124,16 +123,16 @@ bool Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target&
     if (is_led || waits) course_ = tool;
     if (!is_led) {
         if (tool.says_direction()) {
-            if (lacks_axis_for_direction(block)) return false;
+            if (!require_axes_for_direction(block)) return kFailed;
             const std::optional<Vec3> to = wanted_direction(block, tool);
-            if (!to || !turn_to(block, tool, *to, target)) return false;
+            if (!to || !turn_to(block, tool, *to, target)) return kFailed;
         } else if (orienting_.has_length && !turn_by_axes(block, target)) {
-            return false;
+            return kFailed;
         }
-        if (!waits && !lay_spin(block, tool, target)) return false;
+        if (!waits && !lay_spin(block, tool, target)) return kFailed;
         orienting_.point.reset();
     }
-    return true;
+    return kDone;
 }
 
 /// What the block's end says of the tool, for the command and for the blocks behind it.
@@ -145,26 +144,26 @@ void Executor::settle_turn(const Target& target) {
 }
 
 /// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
-bool Executor::turn_by_axes(const Block& block, Target& target) {
-    if (orienting_.turning != TurnWay::Plane || (block.given & joint_axes()) == 0) return true;
+Done Executor::turn_by_axes(const Block& block, Target& target) {
+    if (orienting_.turning != TurnWay::Plane || (block.given & joint_axes()) == 0) return kDone;
     const Chain& chain = machine_.kinematics->chain;
     constexpr double kSameJoint = 1e-6;  // rad
     const Vec3 wanted = joints_of(target.base);
-    if ((wanted - joints_of(position_.base)).norm() < kSameJoint) return true;
+    if ((wanted - joints_of(position_.base)).norm() < kSameJoint) return kDone;
     Target end{position_.here, position_.base, target.moved};
-    if (!lay_turn(block, machine::tool_vector(chain, wanted), end)) return false;
+    if (!lay_turn(block, machine::tool_vector(chain, wanted), end)) return kFailed;
     const Vec3 reached = joints_of(end.base);
-    if ((reached - wanted).norm() < kSameJoint) return true;
+    if ((reached - wanted).norm() < kSameJoint) return kDone;
     const std::size_t joint =
         std::abs(reached[0] - wanted[0]) > kSameJoint ? machine::kR1 : machine::kR2;
     report(diag::OrientationNoWay, block)
         .arg(std::string(kAxisNames[index(chain.joints[joint].axis)]) + " comes to " +
              degrees(reached[static_cast<Eigen::Index>(joint)]) + "° on the great circle");
-    return false;
+    return kFailed;
 }
 
 /// To a direction, on the way that the program has chosen.
-bool Executor::turn_to(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
+Done Executor::turn_to(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
     switch (orienting_.turning) {
         case TurnWay::ConeCw:
         case TurnWay::ConeCcw:
@@ -212,13 +211,13 @@ void Executor::report_no_way(const Block& block, const machine::PathRefusal& ref
 
 /// Along a great circle, or with the axes in proportion. With three rotary axes the block's angles
 /// say how the tool turns about itself, too.
-bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
+Done Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
                         const ToolWords* angles) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 joints = joints_of(position_.base);
     const Vec3 from = machine::tool_vector(chain, joints);
     const bool fixes_spin = angles != nullptr && chain.has(machine::kPsi);
-    if ((to - from).norm() < kSameDirection && !fixes_spin) return true;
+    if ((to - from).norm() < kSameDirection && !fixes_spin) return kDone;
     machine::PathQuery query = query_to(to, angles);
     const bool is_plane =
         orienting_.turning == TurnWay::Plane || orienting_.turning == TurnWay::Surface;
@@ -226,12 +225,12 @@ bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
     const auto arc = machine::great_circle(from, to);
     if (is_plane && !arc) {
         report(diag::OrientationOpposite, block);
-        return false;
+        return kFailed;
     }
     const auto end = machine::choose_path(chain, query);
     if (!end) {
         report_no_way(block, end.error());
-        return false;
+        return kFailed;
     }
     put_joints(end->rotary, target);
     if (is_plane && end->mode == machine::PathMode::Axis)
@@ -242,7 +241,7 @@ bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
         next_turn_.axis = arc->axis;
         next_turn_.angle = arc->turn;
     }
-    return true;
+    return kDone;
 }
 
 /// From where the rotary axes stand to a direction, with three rotary axes to what angles say.
@@ -317,10 +316,10 @@ std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, con
     return refuse(diag::ConeUndefined);
 }
 
-bool Executor::lay_cone(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
+Done Executor::lay_cone(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
     const Vec3 from = machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
     const auto arc = cone_to(block, tool, from, to);
-    if (!arc) return false;
+    if (!arc) return kFailed;
     next_turn_.turning = Turning::Cone;
     next_turn_.axis = arc->axis;
     next_turn_.angle = arc->turn;
@@ -328,8 +327,8 @@ bool Executor::lay_cone(const Block& block, const ToolWords& tool, const Vec3& t
                          target);
 }
 
-/// The rotary positions at the end of a way of the tool; false: it was reported.
-bool Executor::follow_course(const Block& block, const path::Turn& turn, const path::Curve& curve,
+/// The rotary positions at the end of a way of the tool.
+Done Executor::follow_course(const Block& block, const path::Turn& turn, const path::Curve& curve,
                              Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     const machine::FollowQuery query{joints_of(position_.base), joint_limits()};
@@ -338,39 +337,39 @@ bool Executor::follow_course(const Block& block, const path::Turn& turn, const p
     });
     if (!end) {
         report_no_way(block, end.error());
-        return false;
+        return kFailed;
     }
     put_joints(end->rotary, target);
-    return true;
+    return kDone;
 }
 
 // ------------------------------------------------------------------------------ led by the path
 
 /// What waited for the path of the block: along it the tool is led, or its end says how it stands.
-/// False: it was reported.
-bool Executor::lay_course(const Block& block, const path::Curve& curve, Target& target) {
+Done Executor::lay_course(const Block& block, const path::Curve& curve, Target& target) {
     const ToolWords tool = *std::exchange(course_, std::nullopt);
     if (tool.point.is_said()) {
-        if (!lead_by_point(block, tool, curve, target)) return false;
+        if (!lead_by_point(block, tool, curve, target)) return kFailed;
     } else if (tool.lead) {
-        if (!lean_at_end(block, tool, curve, target)) return false;
+        if (!lean_at_end(block, tool, curve, target)) return kFailed;
     } else if (is_led_by_surface(tool)) {
-        if (!lead_by_surface(block, tool, curve, target)) return false;
+        if (!lead_by_surface(block, tool, curve, target)) return kFailed;
     }
-    if (!lay_spin(block, tool, target, &curve)) return false;
+    if (!lay_spin(block, tool, target, &curve)) return kFailed;
     settle_turn(target);
-    return true;
+    return kDone;
 }
 
 /// The direction that the block says, leant towards the direction of travel at its end. F 4.7 Q.
-bool Executor::lean_at_end(const Block& block, const ToolWords& tool, const path::Curve& curve,
+Done Executor::lean_at_end(const Block& block, const ToolWords& tool, const path::Curve& curve,
                            Target& target) {
     const std::optional<Vec3> normal = wanted_direction(block, tool);
-    if (!normal) return false;
+    if (!normal) return kFailed;
     const path::Lean lean{rad_from_deg(*tool.lead), 0, path::TiltAbout::Tangent};
     const std::optional<Vec3> to =
         lean_on(block, *normal, path::evaluate(curve, path::length(curve)).tangent, lean);
-    return to && turn_to(block, tool, *to, target);
+    if (!to) return kFailed;
+    return turn_to(block, tool, *to, target);
 }
 
 /// The tool as it leans on a surface; nothing if it was reported.
@@ -381,21 +380,20 @@ std::optional<Vec3> Executor::lean_on(const Block& block, const Vec3& normal, co
         report(diag::LeanWithoutTravel, block);
         return std::nullopt;
     }
-    if (rises_too_much(block, path::rise_of(normal, tangent))) return std::nullopt;
+    if (!require_small_rise(block, path::rise_of(normal, tangent))) return std::nullopt;
     return path::leaning(normal, tangent, lean);
 }
 
-/// Whether the direction of travel leads out of the surface by more than the control takes, rad;
-/// reported. S 7.4.
-bool Executor::rises_too_much(const Block& block, double rise) {
-    if (std::abs(rise) <= rad_from_deg(rules_.surface_rise)) return false;
+/// The direction of travel leads out of the surface by no more than the control takes, rad. S 7.4.
+Done Executor::require_small_rise(const Block& block, double rise) {
+    if (std::abs(rise) <= rad_from_deg(rules_.surface_rise)) return kDone;
     report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
-    return true;
+    return kFailed;
 }
 
 /// … anywhere on the way along which the surface leads the tool.
-bool Executor::rises_on_the_way(const Block& block, const path::Turn& surface,
-                                const path::Curve& curve) {
+Done Executor::require_small_rise_along(const Block& block, const path::Turn& surface,
+                                        const path::Curve& curve) {
     // At the ends of the parts; between them the rise of a full circle differs by a tenth of a
     // degree.
     constexpr int kParts = 64;
@@ -406,7 +404,7 @@ bool Executor::rises_on_the_way(const Block& block, const path::Turn& surface,
         const double here = path::rise_of(normal, path::evaluate(curve, way).tangent);
         if (std::abs(here) > std::abs(rise)) rise = here;
     }
-    return rises_too_much(block, rise);
+    return require_small_rise(block, rise);
 }
 
 /// The surface normals at start and end of the block, in the base system: nothing said is +Z, one
@@ -431,37 +429,37 @@ std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, cons
     return std::array{*start, *end};
 }
 
-bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const path::Curve& curve,
+Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const path::Curve& curve,
                                Target& target) {
     const auto normals = normals_of(block, tool);
-    if (!normals) return false;
+    if (!normals) return kFailed;
     path::Lean lean = orienting_.lean;
     if (mirrors_words()) lean.tilt = -lean.tilt;
     lean.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
     const double length = path::length(curve);
     const bool is_still_leant = length == 0 && !leans_on_surface() && !tool.says_surface();
-    if (is_still_leant) return true;
+    if (is_still_leant) return kDone;
     // Where the tip stands there is no path to be led by, and where the control only looks at the
     // block's end it is not.
     const bool is_led = length > 0 && leans_on_surface();
     const auto start = is_led
                            ? lean_on(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean)
                            : normals->front();
-    if (!start) return false;
+    if (!start) return kFailed;
     const auto end = lean_on(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
-    if (!end) return false;
+    if (!end) return kFailed;
     orienting_.normal = (*normals)[1];
     if (!is_led) return turn_to(block, tool, *end, target);
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
     if (!arc) {
         report(diag::OrientationOpposite, block);
-        return false;
+        return kFailed;
     }
     const path::Turn surface{Turning::Surface,   length, (*normals)[0], arc->axis,
                              arc->turn / length, lean};
     const bool leans = lean.lead != 0 || lean.tilt != 0;
-    if (leans && rises_on_the_way(block, surface, curve)) return false;
-    if (!turn_first(block, *start)) return false;
+    if (leans && !require_small_rise_along(block, surface, curve)) return kFailed;
+    if (!turn_first(block, *start)) return kFailed;
     next_turn_.turning = Turning::Surface;
     next_turn_.from = (*normals)[0];
     next_turn_.axis = arc->axis;
@@ -472,7 +470,7 @@ bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
 
 /// A second point of the tool's axis goes straight to the place that the block says, S 7.4
 /// ORICURVE. Where none was said before it starts as far from the tip as it will end.
-bool Executor::lead_by_point(const Block& block, const ToolWords& tool, const path::Curve& curve,
+Done Executor::lead_by_point(const Block& block, const ToolWords& tool, const path::Curve& curve,
                              Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 tip = path::start(curve);
@@ -492,9 +490,9 @@ bool Executor::lead_by_point(const Block& block, const ToolWords& tool, const pa
     constexpr double kNoReach = 1e-6;  // mm
     if (reach < kNoReach || (start - tip).norm() < kNoReach) {
         report(diag::PointAtTip, block, Function::ToolPoint);
-        return false;
+        return kFailed;
     }
-    if (!turn_first(block, (start - tip).normalized())) return false;
+    if (!turn_first(block, (start - tip).normalized())) return kFailed;
     const bool stands = path::length(curve) == 0;
     const double length = stands ? 1 : path::length(curve);
     next_turn_.turning = Turning::Point;
@@ -506,17 +504,17 @@ bool Executor::lead_by_point(const Block& block, const ToolWords& tool, const pa
 }
 
 /// Where a course begins with another direction than the tool has, the tool turns there first,
-/// along a great circle, while the tip stands. False: it was reported.
-bool Executor::turn_first(const Block& block, const Vec3& to) {
+/// along a great circle, while the tip stands.
+Done Executor::turn_first(const Block& block, const Vec3& to) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 from = machine::tool_vector(chain, joints_of(position_.base));
-    if (path::angle_between(from, to) < kSameStart) return true;
+    if (path::angle_between(from, to) < kSameStart) return kDone;
     Target here{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
                 kLinearXYZ};
     const TurnWay turning = std::exchange(orienting_.turning, TurnWay::Plane);
-    const bool is_laid = lay_turn(block, to, here);
+    const Done is_laid = lay_turn(block, to, here);
     orienting_.turning = turning;
-    if (!is_laid) return false;
+    if (!is_laid) return kFailed;
     settle_turn(here);
     Command& command = put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block);
     command.to = here.base;
@@ -524,7 +522,7 @@ bool Executor::turn_first(const Block& block, const Vec3& to) {
     command.feed = command.op == Op::Rapid ? 0 : modal_.feed;
     arrive(here);
     next_turn_ = {};
-    return true;
+    return kDone;
 }
 
 // ------------------------------------------------------------------------------ about itself
@@ -565,14 +563,14 @@ std::optional<Vec3> Executor::spin_reference(const Vec3& tool, const path::Curve
     return reference.normalized();
 }
 
-/// The angle about the tool that the block says, as the end of the joint Ψ. False: it was reported.
-bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& target,
+/// The angle about the tool that the block says, as the end of the joint Ψ.
+Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& target,
                         const path::Curve* curve) {
-    if (!tool.spin && !tool.spin_by) return true;
+    if (!tool.spin && !tool.spin_by) return kDone;
     const Chain& chain = machine_.kinematics->chain;
     if (!chain.has(machine::kPsi)) {
         if (told_.first_time(Once::Spin)) report(diag::SpinWithoutAxis, block, Function::ToolSpin);
-        return true;
+        return kDone;
     }
     Vec3 joints = joints_of(target.base);
     double& psi = joints[2];
@@ -585,7 +583,7 @@ bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
         const auto reference = spin_reference(direction, curve);
         if (!reference) {
             report(diag::SpinUndefined, block, Function::ToolSpin);
-            return false;
+            return kFailed;
         }
         // Where the tool's own X would be without Ψ, and where it is wanted.
         const Vec3 across =
@@ -603,10 +601,10 @@ bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
         refusal.configurations[0] = {machine::CandidateFault::SpinOutside, machine::kPsi, psi,
                                      limits};
         report_no_way(block, refusal);
-        return false;
+        return kFailed;
     }
     put_joints(joints, target);
-    return true;
+    return kDone;
 }
 
 /// The rotary axes of the transformation go to places of their own. S 7.4 ORIRESET.
@@ -633,7 +631,7 @@ void Executor::reset_orientation(const Block& block, const nc::Invocation& invoc
         return;
     }
     put_joints(joints, target);
-    if (!check_machine_limits(block, target.base, joint_axes())) return;
+    if (!require_within_machine(block, target.base, joint_axes())) return;
     next_turn_ = {};
     settle_turn(target);
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, false);

@@ -120,8 +120,8 @@ void Executor::take_lean(const Block& block, const nc::Invocation& invocation, T
     orienting_.leans |= surface_leads_end();
 }
 
-/// Whether words stand side by side that exclude each other; it was reported then.
-bool Executor::turns_in_two_ways(const Block& block, const ToolWords& tool) {
+/// No words stand side by side that exclude each other.
+Done Executor::require_one_turn(const Block& block, const ToolWords& tool) {
     const bool has_axes = (block.given & joint_axes()) != 0;
     const bool has_vector = tool.vector.is_said();
     const bool has_angles = tool.angles.is_said();
@@ -135,19 +135,18 @@ bool Executor::turns_in_two_ways(const Block& block, const ToolWords& tool) {
                                : (has_vector || has_angles) && is_on_surface
                                    ? &diag::OrientOnSurface
                                    : nullptr;
-    if (row == nullptr) return false;
+    if (row == nullptr) return kDone;
     report(*row, block, has_vector ? Function::ToolVector : Function::ToolAngle);
-    return true;
+    return kFailed;
 }
 
-/// Whether the machine has one rotary axis, and the control wants two for a direction of the tool;
-/// it was reported then. A 2.4.
-bool Executor::lacks_axis_for_direction(const Block& block) {
+/// For a direction of the tool some controls want two rotary axes. A 2.4.
+Done Executor::require_axes_for_direction(const Block& block) {
     const machine::Chain& chain = machine_.kinematics->chain;
     const bool has_both = chain.has(machine::kR1) && chain.has(machine::kR2);
-    if (has_both || !rules_.direction_needs_two_axes) return false;
+    if (has_both || !rules_.direction_needs_two_axes) return kDone;
     report(diag::OrientationBeyond, block).arg("it has one rotary axis");
-    return true;
+    return kFailed;
 }
 
 /// Whether the tool is led by a surface in every block.
@@ -169,7 +168,7 @@ bool Executor::surface_leads_end() const {
 }
 
 /// Words that the way on which the tool turns has no place for: nothing may be lost silently.
-bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
+Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) {
     const TurnWay turning = orienting_.turning;
     const bool is_about_axis = turning == TurnWay::ConeCw || turning == TurnWay::ConeCcw;
     const bool takes_surface =
@@ -178,12 +177,12 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
     if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == SpinFrom::Path) {
         report(diag::SpinAgainstPath, block, Function::ToolSpin)
             .arg(word_of(block, Function::ToolSpin));
-        return true;
+        return kFailed;
     }
     if (tool.lead.has_value() && !tool.vector.is_said()) {
         report(diag::OrientLeadAlone, block, Function::ToolLead)
             .arg(word_of(block, Function::ToolLead));
-        return true;
+        return kFailed;
     }
     const struct {
         bool is_idle;
@@ -204,14 +203,14 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
         report(diag::OrientWordIdle, block, check.word)
             .arg(word_of(block, check.word))
             .arg(spelling_of(function_of(turning)));
-        return true;
+        return kFailed;
     }
     if (is_on_cone(turning) && !tool.says_direction() && tool.is_any() && !tool.spin &&
         !tool.spin_by) {
         report(diag::ConeEndMissing, block);
-        return true;
+        return kFailed;
     }
-    return false;
+    return kDone;
 }
 
 /// The rotation that the block's angles say, in the system in which they are said.

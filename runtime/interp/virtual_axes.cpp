@@ -124,7 +124,7 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
         report(diag::VirtualComp, block, invocation.function);
         return;
     }
-    if (refuses_in_spline(block, invocation.function)) return;
+    if (!require_no_spline(block, invocation.function)) return;
     end_virtual(block);
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
@@ -302,14 +302,14 @@ void Executor::refuse_virtual(const Block& block, Slot slot) {
         .arg("the word " + std::string(nc::slot_name(slot)));
 }
 
-/// Whether the control takes the block there. False: it was reported.
-bool Executor::check_virtual(const Block& block) {
-    if (!rules_.virtual_is_narrow) return true;
+/// The control takes the block there.
+Done Executor::require_virtual_words(const Block& block) {
+    if (!rules_.virtual_is_narrow) return kDone;
     const VirtualKind kind = virtual_.axes.kind;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (stands_there(block.functions[i].function, kind)) continue;
         refuse_virtual(block, block.functions[i].function);
-        return false;
+        return kFailed;
     }
     const bool moves = (block.given & nc::kTargetSlots) != 0;
     const Function motion = block.motion != Function::None ? block.motion
@@ -322,25 +322,25 @@ bool Executor::check_virtual(const Block& block) {
             report(kind == VirtualKind::Face ? diag::FaceWord : diag::CylinderWord, block)
                 .arg('`' + word_of(block, motion) + '`');
         }
-        return false;
+        return kFailed;
     }
     const nc::SlotMask centers = block.given & nc::kCenterSlots;
     if (kind == VirtualKind::Cylinder && centers != 0) {
         refuse_virtual(block, static_cast<Slot>(std::countr_zero(centers)));
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// The word of the rotary axis as the one of the coordinate around.
-bool Executor::take_rotary_word(const Block& block) {
+Done Executor::take_rotary_word(const Block& block) {
     const Slot word = nc::slot_of(virtual_.axes.rotary);
     const Slot around = nc::slot_of(virtual_.axes.virtual_axis());
     if (block.has(around)) {
         refuse_virtual(block, around);
-        return false;
+        return kFailed;
     }
-    if (!block.has(word)) return true;
+    if (!block.has(word)) return kDone;
     const bool is_face = virtual_.axes.kind == VirtualKind::Face;
     const Units power_on = units_of(dialect_.power_on(nc::Group::Units));
     const bool is_inch = (units_ != Units::Unsaid ? units_ : power_on) == Units::Inch;
@@ -354,13 +354,13 @@ bool Executor::take_rotary_word(const Block& block) {
     if (is_distance) around_.incremental |= bit(around);
     if (is_place) around_.absolute |= bit(around);
     around_.rotary_ways = 0;
-    return true;
+    return kDone;
 }
 
 /// A block whose words are those of the virtual coordinates; null if it was reported.
 const Block* Executor::in_virtual(const Block& block) {
     if (!acts(block)) return &block;
-    if (!check_virtual(block)) return nullptr;
+    if (!require_virtual_words(block)) return nullptr;
     if (!virtual_.by_rotary) return &block;
     around_ = block;
     for (std::size_t i = 0; i < block.function_count; ++i) {
@@ -414,9 +414,9 @@ void Executor::follow_rotary() {
         position_.base[axis] - frames_.shift_values()[axis];
 }
 
-/// False: the control does not go through the pole, which was reported; the command is taken back.
-bool Executor::follow_leg_by_leg(const Command& command, const path::Curve& curve) {
-    if (std::holds_alternative<path::Point>(curve)) return true;
+/// Where the control does not go through the pole the command is taken back.
+Done Executor::follow_leg_by_leg(const Command& command, const path::Curve& curve) {
+    if (std::holds_alternative<path::Point>(curve)) return kDone;
     for (const path::Curve& leg : path::legs_between_poles(virtual_.axes, curve)) {
         const double leaves_at = path::rotary_to_leave(virtual_.axes, leg, rotary_.at);
         const double by = leaves_at - rotary_.at;
@@ -428,11 +428,11 @@ bool Executor::follow_leg_by_leg(const Command& command, const path::Curve& curv
             report(diag::PoleOnPath, at)
                 .arg(kAxisNames[index(virtual_.axes.rotary)])
                 .arg(round_to(deg_from_rad(by), 3));
-            return false;
+            return kFailed;
         }
         rotary_.at = path::rotary_behind(virtual_.axes, leg, leaves_at);
     }
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::interp
