@@ -41,8 +41,8 @@ std::string table_with(std::size_t columns) {
 
 }  // namespace
 
-Program::State::Done Program::State::contour(CompiledLine& line, const ControlStatement& statement,
-                                             Block& out) {
+Program::State::Outcome Program::State::contour(CompiledLine& line,
+                                                const ControlStatement& statement, Block& out) {
     switch (statement.kind) {
         case Statement::ContourBegin:
         case Statement::ContourCode: return begin_contour(line, statement);
@@ -51,9 +51,9 @@ Program::State::Done Program::State::contour(CompiledLine& line, const ControlSt
     }
 }
 
-Program::State::Done Program::State::begin_contour(CompiledLine& line,
-                                                   const ControlStatement& statement) {
-    if (given > 0) return Done::Wait;
+Program::State::Outcome Program::State::begin_contour(CompiledLine& line,
+                                                      const ControlStatement& statement) {
+    if (given > 0) return Outcome::Wait;
     if (open_contour) return fail(line, diag::ContourTwice, statement.span);
     OpenContour open;
     open.is_coded = statement.kind == Statement::ContourCode;
@@ -66,8 +66,8 @@ Program::State::Done Program::State::begin_contour(CompiledLine& line,
     }
     if (!open.is_coded) {
         Value kind;
-        Done done = evaluate(line, statement.value, kind);
-        if (done == Done::Wait || lines.failed()) return done;
+        Outcome done = evaluate(line, statement.value, kind);
+        if (done == Outcome::Wait || lines.failed()) return done;
         const std::string letter = kind.is_text() ? std::string(evaluator.text(kind))
                                    : kind.kind == Value::Kind::Char ? kind.character()
                                                                     : std::string();
@@ -90,8 +90,8 @@ Program::State::Done Program::State::begin_contour(CompiledLine& line,
     }
     if (statement.count.is_given()) {
         Value ways;
-        const Done done = evaluate(line, statement.count, ways);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, statement.count, ways);
+        if (done == Outcome::Wait || lines.failed()) return done;
         const bool is_fine =
             ways.is_number() && (ways.number == 0 || (ways.number == 1 && !open.is_coded));
         if (!is_fine)
@@ -103,19 +103,19 @@ Program::State::Done Program::State::begin_contour(CompiledLine& line,
     if (const std::string_view reason = interpreter->begin_contour(); !reason.empty())
         return fail(line, diag::ContourSurroundings, statement.span, {std::string(reason)});
     open_contour = std::move(open);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::end_contour(CompiledLine& line,
-                                                 const ControlStatement& statement) {
+Program::State::Outcome Program::State::end_contour(CompiledLine& line,
+                                                    const ControlStatement& statement) {
     if (!open_contour) return fail(line, diag::ContourMissing, statement.span);
-    if (given > 0) return Done::Wait;
+    if (given > 0) return Outcome::Wait;
     auto said = interpreter->end_contour();
     const OpenContour open = std::move(*open_contour);
     open_contour.reset();
     if (!said) {  // reported
         has_ended = true;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     variables.say_units(*said);
     const std::size_t rows = open.table.symbol->sizes[0];
@@ -153,17 +153,17 @@ Program::State::Done Program::State::end_contour(CompiledLine& line,
     return store(line, statement.variable, Value::of(0, nc::ValueType::Int));
 }
 
-Program::State::Done Program::State::run_contour_row(CompiledLine& line,
-                                                     const ControlStatement& statement,
-                                                     Block& out) {
+Program::State::Outcome Program::State::run_contour_row(CompiledLine& line,
+                                                        const ControlStatement& statement,
+                                                        Block& out) {
     if (interpreter == nullptr)
         return fail(line, diag::IsoNotSupported, statement.span, {"a contour as a table"});
-    if (given > 0) return Done::Wait;
+    if (given > 0) return Outcome::Wait;
     const nc::Reference& row = statement.table;
     std::array<std::int64_t, 4> indices{};
     switch (evaluator.indices(line.line, row, indices)) {
         case Evaluator::Outcome::Done: break;
-        case Evaluator::Outcome::Later: return Done::Wait;
+        case Evaluator::Outcome::Later: return Outcome::Wait;
         case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
     }
     const nc::Symbol& table = variables.level().symbols.at(row.load.index);
@@ -200,7 +200,7 @@ Program::State::Done Program::State::run_contour_row(CompiledLine& line,
         out.set(center, element->shape.center[k] * unit * factor);
         out.absolute |= bit(center);
     }
-    return Done::Block;
+    return Outcome::Block;
 }
 
 }  // namespace kadr::interp

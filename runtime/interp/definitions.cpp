@@ -71,14 +71,14 @@ std::string Program::State::name_of_definitions() const {
 }
 
 /// A line that defines something, or the end of the program.
-Program::State::Done Program::State::step_in_definition(Block& out) {
+Program::State::Outcome Program::State::step_in_definition(Block& out) {
     const LinePosition here = frame->here;
-    const Done done = step(out);
-    if (done != Done::Block) return done;
+    const Outcome done = step(out);
+    if (done != Outcome::Block) return done;
     // Alone it ends as a program does; one that is only read on behind a mistake returns nowhere.
     const bool is_end = out.find(Function::End) != nullptr;
     if (is_end && frames.size() == 1) return done;
-    if (is_end || frame->is_returning) return Done::Nothing;
+    if (is_end || frame->is_returning) return Outcome::Nothing;
     lines.begin(here.line);
     CompiledLine line;
     line.place = {here, here};
@@ -86,10 +86,10 @@ Program::State::Done Program::State::step_in_definition(Block& out) {
     return fail(line, diag::DefinitionsOnly, {}, {name_of_definitions()});
 }
 
-bool Program::State::may_execute(CompiledLine& line, const nc::ControlStatement& statement) {
-    if (!frame->is_definition || defines(statement)) return true;
+Done Program::State::require_definition(CompiledLine& line, const nc::ControlStatement& statement) {
+    if (!frame->is_definition || defines(statement)) return kDone;
     fail(line, diag::DefinitionsOnly, statement.span, {name_of_definitions()});
-    return false;
+    return kFailed;
 }
 
 }  // namespace kadr::interp

@@ -94,7 +94,7 @@ Evaluator::Outcome Evaluator::execute(const nc::ControlLine& line, const nc::Exp
     const std::size_t end = expression.first + expression.count;
     for (std::size_t at = expression.first; at < end; ++at) {
         const Instruction& instruction = line.code[at];
-        bool is_fine = true;
+        Done is_fine = kDone;
         if (instruction.kind == Instruction::Kind::Number) {
             push(Value::of(instruction.number, instruction.type));
         } else if (instruction.kind == Instruction::Kind::Operate) {
@@ -117,7 +117,7 @@ Evaluator::Outcome Evaluator::indices(const nc::ControlLine& line, const nc::Ref
     if (outcome != Outcome::Done) return outcome;
     for (std::size_t i = 0; i < size_ && i < out.size(); ++i) {
         if (!stack_[i].is_number() && stack_[i].kind != Value::Kind::Axis) {
-            fail(diag::IndexType, {std::string(kind_name(stack_[i]))});
+            note_fault(diag::IndexType, {std::string(kind_name(stack_[i]))});
             return Outcome::Fault;
         }
         out[i] = stack_[i].spindle().value_or(index_of(stack_[i].number));
@@ -125,26 +125,30 @@ Evaluator::Outcome Evaluator::indices(const nc::ControlLine& line, const nc::Ref
     return Outcome::Done;
 }
 
-bool Evaluator::fail(const DiagnosticRow& row, std::vector<std::string> arguments) {
+void Evaluator::note_fault(const DiagnosticRow& row, std::vector<std::string> arguments) {
     fault_ = nc::LineFault{&row, place_, std::move(arguments)};
-    return false;
+}
+
+Done Evaluator::fail(const DiagnosticRow& row, std::vector<std::string> arguments) {
+    note_fault(row, std::move(arguments));
+    return kFailed;
 }
 
 // ---------------------------------------------------------------- loads
 
-bool Evaluator::load(const nc::ControlLine& line, std::size_t at) {
+Done Evaluator::load(const nc::ControlLine& line, std::size_t at) {
     const Instruction& instruction = line.code[at];
     const auto from = [&](const Store& store) {
         Value value = store.values[instruction.index];
         if (value.is_vacant() && !rules_.has_vacant) value = Value::of(0, instruction.type);
         push(keep(value, store.content(value)));
-        return true;
+        return kDone;
     };
     switch (instruction.kind) {
         case Instruction::Kind::Global: return from(globals_);
         case Instruction::Kind::Local: return from(level_->locals);
-        case Instruction::Kind::Text: push(keep_text(line.texts[instruction.index])); return true;
-        case Instruction::Kind::Vacant: push({}); return true;
+        case Instruction::Kind::Text: push(keep_text(line.texts[instruction.index])); return kDone;
+        case Instruction::Kind::Vacant: push({}); return kDone;
         case Instruction::Kind::Family: return load_family(instruction);
         case Instruction::Kind::System: return load_system(instruction);
         case Instruction::Kind::Input: return load_input(instruction);
@@ -154,13 +158,13 @@ bool Evaluator::load(const nc::ControlLine& line, std::size_t at) {
         case Instruction::Kind::Number:
         case Instruction::Kind::Operate: break;
     }
-    return false;
+    return kFailed;
 }
 
-bool Evaluator::answer(Variables::Answer answer) {
+Done Evaluator::answer(Variables::Answer answer) {
     switch (answer) {
-        case Variables::Answer::Value: return true;
-        case Variables::Answer::Later: is_later_ = true; return false;
+        case Variables::Answer::Value: return kDone;
+        case Variables::Answer::Later: is_later_ = true; return kFailed;
         case Variables::Answer::Missing: return fail(diag::VariableNumber, {"with this index"});
         case Variables::Answer::NotReadable:
             return fail(diag::VariableWriteOnly, {"this variable"});
@@ -170,10 +174,10 @@ bool Evaluator::answer(Variables::Answer answer) {
         case Variables::Answer::Unsupported:
             return fail(diag::IsoNotSupported, {"this system variable"});
     }
-    return false;
+    return kFailed;
 }
 
-bool Evaluator::load_family(const Instruction& instruction) {
+Done Evaluator::load_family(const Instruction& instruction) {
     const double number = stack_[size_ - 1].number;
     if (!stack_[size_ - 1].is_number())
         return fail(diag::TypesDiffer, {"an index", std::string(kind_name(stack_[size_ - 1]))});
@@ -191,7 +195,7 @@ bool Evaluator::load_family(const Instruction& instruction) {
     return answer(answered);
 }
 
-bool Evaluator::load_input(const Instruction& instruction) {
+Done Evaluator::load_input(const Instruction& instruction) {
     size_ -= instruction.count;
     std::array<std::int64_t, 4> indices{};
     for (std::size_t i = 0; i < instruction.count; ++i) {
@@ -208,7 +212,7 @@ bool Evaluator::load_input(const Instruction& instruction) {
     return answer(answered);
 }
 
-bool Evaluator::load_system(const Instruction& instruction) {
+Done Evaluator::load_system(const Instruction& instruction) {
     size_ -= instruction.count;
     const auto index = [&](std::size_t i) {
         if (i >= instruction.count) return std::int64_t{0};
@@ -235,23 +239,23 @@ bool Evaluator::load_system(const Instruction& instruction) {
 }
 
 /// The frame, then its component: the axis is the last index.
-bool Evaluator::load_frame_part(const Instruction& instruction) {
+Done Evaluator::load_frame_part(const Instruction& instruction) {
     const Value axis = stack_[--size_];
     Instruction whole = instruction;
     whole.kind = instruction.kind == Instruction::Kind::SystemPart ? Instruction::Kind::System
                                                                    : Instruction::Kind::Element;
     whole.type = nc::ValueType::Frame;
     --whole.count;
-    const bool is_fine =
+    const Done is_fine =
         whole.kind == Instruction::Kind::System ? load_system(whole) : load_element(whole);
-    if (!is_fine) return false;
+    if (!is_fine) return kFailed;
     const control::ControlFrame& from = *frame(stack_[--size_]);
     const nc::FramePart part = instruction.part();
     const auto value = part_of(from, part, *axis.axis());
     if (!value) return fail(diag::IsoNotSupported, {"a component of a frame that shears"});
     const bool is_way = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
     push(Value::real(is_way ? *value / variables_.axis_unit(*axis.axis()) : *value));
-    return true;
+    return kDone;
 }
 
 std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
@@ -274,7 +278,7 @@ std::string Evaluator::wrong_index(const nc::Symbol& symbol,
     return place == 0 ? name : name + " in place " + std::to_string(place + 1);
 }
 
-bool Evaluator::load_element(const Instruction& instruction) {
+Done Evaluator::load_element(const Instruction& instruction) {
     const nc::Symbol& symbol = level_->symbols.at(instruction.index);
     std::array<std::int64_t, 4> indices{};
     size_ -= instruction.count;
@@ -289,16 +293,16 @@ bool Evaluator::load_element(const Instruction& instruction) {
     Value value = store.values[*slot];
     if (symbol.type == nc::ValueType::Frame) {
         push(keep_frame(value.is_frame() ? store.frames[value.text] : control::ControlFrame()));
-        return true;
+        return kDone;
     }
     if (symbol.type != nc::ValueType::Text) {
         push(value.is_vacant() ? Value::of(0, symbol.type) : value);
-        return true;
+        return kDone;
     }
     const std::string text = value.is_text() ? store.texts[value.text] : std::string();
     if (instruction.count == symbol.dimensions) {
         push(keep_text(text));
-        return true;
+        return kDone;
     }
     const std::int64_t place = indices[symbol.dimensions];
     if (place < 0 || place >= symbol.text_size)
@@ -307,24 +311,24 @@ bool Evaluator::load_element(const Instruction& instruction) {
     const std::string_view character = code_points(text, i, 1);
     const char32_t code = character.empty() ? 0 : first_code_point(character);
     push(Value::of(code, nc::ValueType::Char));
-    return true;
+    return kDone;
 }
 
 // ---------------------------------------------------------------- operations
 
-bool Evaluator::real(Value& out, double number) {
+Done Evaluator::real(Value& out, double number) {
     if (!std::isfinite(number)) return fail(diag::NumberTooLarge);
     out = Value::real(number);
-    return true;
+    return kDone;
 }
 
-bool Evaluator::operate(const Instruction& instruction, int decimals) {
+Done Evaluator::operate(const Instruction& instruction, int decimals) {
     const Operation operation = instruction.operation;
     operation_ = operation;
     size_ -= instruction.count;
     Value* const a = &stack_[size_];
     const Value& b = a[1];
-    bool is_fine = false;
+    Done is_fine = kFailed;
     switch (operation) {
         case Operation::Add:
         case Operation::Subtract:
@@ -397,7 +401,7 @@ bool Evaluator::operate(const Instruction& instruction, int decimals) {
     return is_fine;
 }
 
-bool Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
+Done Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
     for (const Value& value : {a, b}) {
         if (!value.is_number())
             return fail(diag::TypesDiffer, {"a calculation", std::string(kind_name(value))});
@@ -421,13 +425,13 @@ bool Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
         const bool is_cut = operation == Operation::Quotient && rules_.has_types;
         if (is_cut && std::fabs(result) <= 2147483647.0) {
             a = Value::of(result, nc::ValueType::Int);
-            return true;
+            return kDone;
         }
         return real(a, result);
     }
     if (std::fabs(result) > 2147483648.0) return fail(diag::NumberTooLarge);
     a = Value::of(result, nc::ValueType::Int);
-    return true;
+    return kDone;
 }
 
 /// A character beside a text of one character, `TXT[0]=="A"`: that is a constant of its kind.
@@ -444,7 +448,7 @@ std::optional<bool> Evaluator::is_same(Value a, const Value& b) {
     return a.number != 0;
 }
 
-bool Evaluator::compare(Operation operation, Value& a, Value b) {
+Done Evaluator::compare(Operation operation, Value& a, Value b) {
     make_character(a, b);
     make_character(b, a);
     const bool is_alike = a.is_number() ? b.is_number() : a.kind == b.kind;
@@ -473,10 +477,10 @@ bool Evaluator::compare(Operation operation, Value& a, Value b) {
         case Operation::Less: a = Value::truth(is_less); break;
         default: a = Value::truth(is_less || is_equal);
     }
-    return true;
+    return kDone;
 }
 
-bool Evaluator::bits(Operation operation, Value& a, const Value& b) {
+Done Evaluator::bits(Operation operation, Value& a, const Value& b) {
     const bool is_single = operation == Operation::Not || operation == Operation::BitNot;
     if (!a.is_number() || (!is_single && !b.is_number())) {
         return fail(diag::TypesDiffer,
@@ -485,10 +489,10 @@ bool Evaluator::bits(Operation operation, Value& a, const Value& b) {
     const bool p = a.number != 0;
     const bool q = !is_single && b.number != 0;
     switch (operation) {
-        case Operation::And: a = Value::truth(p && q); return true;
-        case Operation::Or: a = Value::truth(p || q); return true;
-        case Operation::Xor: a = Value::truth(p != q); return true;
-        case Operation::Not: a = Value::truth(!p); return true;
+        case Operation::And: a = Value::truth(p && q); return kDone;
+        case Operation::Or: a = Value::truth(p || q); return kDone;
+        case Operation::Xor: a = Value::truth(p != q); return kDone;
+        case Operation::Not: a = Value::truth(!p); return kDone;
         default: break;
     }
     std::int32_t x = 0;
@@ -500,10 +504,10 @@ bool Evaluator::bits(Operation operation, Value& a, const Value& b) {
                                 : operation == Operation::BitXor ? x ^ y
                                                                  : ~x;
     a = Value::of(result, nc::ValueType::Int);
-    return true;
+    return kDone;
 }
 
-bool Evaluator::function(Operation operation, Value* a, int decimals) {
+Done Evaluator::function(Operation operation, Value* a, int decimals) {
     if (!a->is_number())
         return fail(diag::TypesDiffer, {"a function of numbers", std::string(kind_name(*a))});
     const double x = a->number;
@@ -514,12 +518,12 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
     const auto whole_result = [&](double number) {
         if (!rules_.has_types || std::fabs(number) > 2147483647.0) return real(*a, number);
         *a = Value::of(number, nc::ValueType::Int);
-        return true;
+        return kDone;
     };
     switch (operation) {
         case Operation::Negate:
             *a = was_whole ? Value::of(-x, nc::ValueType::Int) : Value::real(-x);
-            return true;
+            return kDone;
         case Operation::Sine: look_for_radians(operation, x); return real(*a, sine(x));
         case Operation::Cosine: look_for_radians(operation, x); return real(*a, cosine(x));
         case Operation::Tangent:
@@ -536,7 +540,7 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
         case Operation::Absolute:
             *a =
                 was_whole ? Value::of(std::fabs(x), nc::ValueType::Int) : Value::real(std::fabs(x));
-            return true;
+            return kDone;
         case Operation::Round: {
             if (decimals < 0) return whole_result(rounded_away(x));
             const double power = std::pow(10.0, decimals);
@@ -554,14 +558,14 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
         }
         case Operation::Minimum:
             if (a[1].number < x) *a = a[1];
-            return true;
+            return kDone;
         case Operation::Maximum:
             if (a[1].number > x) *a = a[1];
-            return true;
+            return kDone;
         case Operation::Bound:
             // least, most, value
             *a = a[2].number < x ? *a : a[2].number > a[1].number ? a[1] : a[2];
-            return true;
+            return kDone;
         case Operation::FromBcd:
         case Operation::ToBcd: {
             if (!(x >= 0 && x <= 99999999.0 * 4096)) return out_of_range();
@@ -581,7 +585,7 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
     }
 }
 
-bool Evaluator::arc_function(Operation operation, Value* a) {
+Done Evaluator::arc_function(Operation operation, Value* a) {
     const double x = a->number;
     const bool is_outside = operation != Operation::Arctangent &&
                             operation != Operation::ArctangentOfTwo && std::fabs(x) > 1;
@@ -603,10 +607,10 @@ bool Evaluator::arc_function(Operation operation, Value* a) {
 
 // ---------------------------------------------------------------- axes and frames
 
-bool Evaluator::axis_function(Operation operation, Value* a) {
+Done Evaluator::axis_function(Operation operation, Value* a) {
     switch (operation) {
         case Operation::ToAxis:
-            return a->axis() ? true : fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            return a->axis() ? kDone : fail(diag::AxisExpected, {std::string(kind_name(*a))});
         case Operation::AxisNumber: {
             auto axis = a->axis();
             // Where no value is an axis, its name is a number below 0.
@@ -618,7 +622,7 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
             if (!number)
                 return fail(diag::AxisNameUnknown, {std::string(kAxisNames[index(*axis)])});
             *a = Value::of(static_cast<double>(*number), nc::ValueType::Int);
-            return true;
+            return kDone;
         }
         case Operation::SpindleAxis: {
             const double number = a->number;
@@ -628,7 +632,7 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
                                   variables_.has_spindle(static_cast<std::int64_t>(number));
             if (!is_there) return fail(diag::SpindleMissing, {shown(number)});
             *a = Value::spindle_of(number == 0 ? 1 : number);
-            return true;
+            return kDone;
         }
         case Operation::SpindleNumber:
             if (a->kind != Value::Kind::Axis)
@@ -638,7 +642,7 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
                             {a->axis() ? "of the axis " + std::string(kAxisNames[index(*a->axis())])
                                        : "of no axis"});
             *a = Value::of(static_cast<double>(*a->spindle()), nc::ValueType::Int);
-            return true;
+            return kDone;
         case Operation::ModuloValue: {
             const auto axis = a->axis();
             if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
@@ -652,11 +656,11 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
         case Operation::TextOfAxis:
             if (a->spindle()) {
                 *a = keep_text("S" + std::to_string(*a->spindle()));
-                return true;
+                return kDone;
             }
             if (!a->axis()) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
             *a = keep_text(std::string(kAxisNames[index(*a->axis())]));
-            return true;
+            return kDone;
         case Operation::AxisOfText: {
             if (!a->is_text())
                 return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
@@ -665,14 +669,16 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
                 return fail(diag::AxisNameUnknown, {std::string(text(*a))});
             *a = Value::of(-1.0 - static_cast<double>(found - kAxisNames.begin()),
                            nc::ValueType::Axis);
-            return true;
+            return kDone;
         }
-        default: *a = Value::truth(a->is_number() && a->number >= 1 && a->number <= 3); return true;
+        default:
+            *a = Value::truth(a->is_number() && a->number >= 1 && a->number <= 3);
+            return kDone;
     }
 }
 
 /// Axes and their values in turn; lengths in mm.
-bool Evaluator::pairs(Operation operation, const Value* a, int count,
+Done Evaluator::pairs(Operation operation, const Value* a, int count,
                       std::vector<control::AxisAndValue>& out) {
     const bool is_way = operation == Operation::FrameShift || operation == Operation::FrameFine;
     for (int i = 0; i + 1 < count; i += 2) {
@@ -688,10 +694,10 @@ bool Evaluator::pairs(Operation operation, const Value* a, int count,
                         {"a rotation or a scale of an axis besides X, Y and Z"});
         }
     }
-    return true;
+    return kDone;
 }
 
-bool Evaluator::frame_function(Operation operation, Value* a, int count) {
+Done Evaluator::frame_function(Operation operation, Value* a, int count) {
     if (operation == Operation::Chain || operation == Operation::FrameInverse) {
         for (int i = 0; i < count; ++i) {
             if (!a[i].is_frame())
@@ -699,7 +705,7 @@ bool Evaluator::frame_function(Operation operation, Value* a, int count) {
         }
         *a = keep_frame(operation == Operation::Chain ? chain(*frame(a[0]), *frame(a[1]))
                                                       : inverse(*frame(a[0])));
-        return true;
+        return kDone;
     }
     if (operation == Operation::FrameMirror) {
         AxisMask axes = 0;
@@ -708,31 +714,33 @@ bool Evaluator::frame_function(Operation operation, Value* a, int count) {
             axes = static_cast<AxisMask>(axes | bit(*a[i].axis()));
         }
         *a = keep_frame(control::mirror_frame(axes));
-        return true;
+        return kDone;
     }
     if (operation == Operation::FrameInPlane) return plane_rotation(a);
     std::vector<control::AxisAndValue> given;
-    if (!pairs(operation, a, count, given)) return false;
+    if (!pairs(operation, a, count, given)) return kFailed;
     switch (operation) {
-        case Operation::FrameShift: *a = keep_frame(control::shift_frame(given)); return true;
-        case Operation::FrameFine: *a = keep_frame(control::fine_frame(given)); return true;
-        case Operation::FrameRotation: *a = keep_frame(control::rotation_frame(given)); return true;
+        case Operation::FrameShift: *a = keep_frame(control::shift_frame(given)); return kDone;
+        case Operation::FrameFine: *a = keep_frame(control::fine_frame(given)); return kDone;
+        case Operation::FrameRotation:
+            *a = keep_frame(control::rotation_frame(given));
+            return kDone;
         case Operation::FrameSolid:
             if (given.size() > 2) return fail(diag::SolidAngles, {std::to_string(given.size())});
             if (given.size() == 2 && given[0].axis == given[1].axis)
                 return fail(diag::SolidAngles, {"of one axis"});
             *a = keep_frame(control::solid_frame(given));
-            return true;
+            return kDone;
         default: break;
     }
     for (const control::AxisAndValue& one : given)
         if (one.value == 0) return fail(diag::ScaleInvalid, {"0"});
     *a = keep_frame(control::scale_frame(given));
-    return true;
+    return kDone;
 }
 
 /// Its first operand is the axis across the plane, or the number of the plane.
-bool Evaluator::plane_rotation(Value* a) {
+Done Evaluator::plane_rotation(Value* a) {
     std::optional<Axis> across = a[0].axis();
     if (!across) {
         if (!a[0].is_number()) return fail(diag::AxisExpected, {std::string(kind_name(a[0]))});
@@ -740,7 +748,7 @@ bool Evaluator::plane_rotation(Value* a) {
         const double plane = a[0].number;
         if (plane == 0) {
             double axis = 0;
-            if (!answer(variables_.system(nc::Quantity::NormalAxis, 0, 0, axis))) return false;
+            if (!answer(variables_.system(nc::Quantity::NormalAxis, 0, 0, axis))) return kFailed;
             across = Value::of(axis, nc::ValueType::Axis).axis();
         } else if (plane == 1 || plane == 2 || plane == 3) {
             across = kAcross[static_cast<std::size_t>(plane) - 1];
@@ -754,7 +762,7 @@ bool Evaluator::plane_rotation(Value* a) {
         return fail(diag::IsoNotSupported, {"a rotation or a scale of an axis besides X, Y and Z"});
     const control::AxisAndValue angle{*across, a[1].number};
     *a = keep_frame(control::rotation_frame({&angle, 1}));
-    return true;
+    return kDone;
 }
 
 // ---------------------------------------------------------------- texts
@@ -794,7 +802,7 @@ std::size_t first_of(std::string_view text, std::string_view signs) {
 
 }  // namespace
 
-bool Evaluator::text_function(Operation operation, Value* a, int count) {
+Done Evaluator::text_function(Operation operation, Value* a, int count) {
     const bool takes_numbers =
         operation == Operation::Concatenate || operation == Operation::ToText;
     if (!(a->is_text() || (takes_numbers && a->is_number())))
@@ -807,23 +815,23 @@ bool Evaluator::text_function(Operation operation, Value* a, int count) {
         const std::string_view before = std::string_view(subject).substr(0, found);
         *a = Value::of(is_missing ? -1.0 : static_cast<double>(count_code_points(before)),
                        nc::ValueType::Int);
-        return true;
+        return kDone;
     };
     switch (operation) {
-        case Operation::ToText: *a = keep_text(subject); return true;
+        case Operation::ToText: *a = keep_text(subject); return kDone;
         case Operation::Concatenate: {
             std::string joined = subject + written(a[1]);
             if (const std::size_t length = count_code_points(joined); length > kLongestText)
                 return fail(diag::JoinedTooLong,
                             {std::to_string(length), std::to_string(kLongestText)});
             *a = keep_text(std::move(joined));
-            return true;
+            return kDone;
         }
         case Operation::TextLength:
             *a = Value::of(static_cast<double>(count_code_points(subject)), nc::ValueType::Int);
-            return true;
-        case Operation::UpperCase: *a = keep_text(upper_letters(subject)); return true;
-        case Operation::LowerCase: *a = keep_text(lower_letters(subject)); return true;
+            return kDone;
+        case Operation::UpperCase: *a = keep_text(upper_letters(subject)); return kDone;
+        case Operation::LowerCase: *a = keep_text(lower_letters(subject)); return kDone;
         case Operation::FindFirst: return place(subject.find(code_points(written(a[1]), 0, 1)));
         case Operation::FindLast: return place(subject.rfind(code_points(written(a[1]), 0, 1)));
         case Operation::FindAny: return place(first_of(subject, written(a[1])));
@@ -835,9 +843,9 @@ bool Evaluator::text_function(Operation operation, Value* a, int count) {
             const auto begin = static_cast<std::size_t>(std::min(from, 1e6));
             *a = keep_text(
                 std::string(code_points(subject, begin, static_cast<std::size_t>(length))));
-            return true;
+            return kDone;
         }
-        case Operation::IsNumber: *a = Value::truth(number_in(subject).has_value()); return true;
+        case Operation::IsNumber: *a = Value::truth(number_in(subject).has_value()); return kDone;
         default: {
             const auto number = number_in(subject);
             if (!number) return fail(diag::NoNumberText, {subject});

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/done.h"
 #include "interp/contour_table.h"
 #include "interp/control_value.h"
 #include "nc/lexer.h"
@@ -138,43 +139,44 @@ class Evaluator {
 
   private:
     Outcome execute(const nc::ControlLine& line, const nc::Expression& expression, int decimals);
-    bool load(const nc::ControlLine& line, std::size_t at);
-    bool load_family(const nc::Instruction& instruction);
-    bool load_system(const nc::Instruction& instruction);
-    bool load_input(const nc::Instruction& instruction);
-    bool load_element(const nc::Instruction& instruction);
-    bool load_frame_part(const nc::Instruction& instruction);
-    bool answer(Variables::Answer answer);
-    bool operate(const nc::Instruction& instruction, int decimals);
-    bool arithmetic(nc::Operation operation, Value& a, const Value& b);
+    Done load(const nc::ControlLine& line, std::size_t at);
+    Done load_family(const nc::Instruction& instruction);
+    Done load_system(const nc::Instruction& instruction);
+    Done load_input(const nc::Instruction& instruction);
+    Done load_element(const nc::Instruction& instruction);
+    Done load_frame_part(const nc::Instruction& instruction);
+    Done answer(Variables::Answer answer);
+    Done operate(const nc::Instruction& instruction, int decimals);
+    Done arithmetic(nc::Operation operation, Value& a, const Value& b);
     void make_character(Value& value, const Value& other) const;
-    bool compare(nc::Operation operation, Value& a, Value b);
-    bool bits(nc::Operation operation, Value& a, const Value& b);
-    bool function(nc::Operation operation, Value* a, int decimals);
-    bool text_function(nc::Operation operation, Value* a, int count);
+    Done compare(nc::Operation operation, Value& a, Value b);
+    Done bits(nc::Operation operation, Value& a, const Value& b);
+    Done function(nc::Operation operation, Value* a, int decimals);
+    Done text_function(nc::Operation operation, Value* a, int count);
     void look_for_radians(nc::Operation operation, double angle);
-    bool arc_function(nc::Operation operation, Value* a);
-    bool axis_function(nc::Operation operation, Value* a);
-    bool plane_rotation(Value* a);
-    bool question(nc::Operation operation, Value* a);
-    bool format_text(Value* a, int count);
+    Done arc_function(nc::Operation operation, Value* a);
+    Done axis_function(nc::Operation operation, Value* a);
+    Done plane_rotation(Value* a);
+    Done question(nc::Operation operation, Value* a);
+    Done format_text(Value* a, int count);
     const nc::Symbol* variable_itself(const Value& place, std::uint32_t least,
                                       const std::string& what);
     double element_of(const nc::Symbol& symbol, std::uint32_t element) const;
-    bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value);
-    bool circle_through(Value* a);
-    bool measured_frame(Value* a);
-    bool common_point(Value* a);
+    Done set_element(const nc::Symbol& symbol, std::uint32_t element, double value);
+    Done circle_through(Value* a);
+    Done measured_frame(Value* a);
+    Done common_point(Value* a);
     // Cutting edges by their numbers.
-    bool ask(nc::Quantity quantity, double first, double second, double& out);
-    bool edge_question(nc::Operation operation, Value* a, int count);
-    bool tool_of_edge(Value* a);
-    bool edges_unique(Value* a, int count);
-    bool frame_function(nc::Operation operation, Value* a, int count);
-    bool pairs(nc::Operation operation, const Value* a, int count,
+    Done ask(nc::Quantity quantity, double first, double second, double& out);
+    Done edge_question(nc::Operation operation, Value* a, int count);
+    Done tool_of_edge(Value* a);
+    Done edges_unique(Value* a, int count);
+    Done frame_function(nc::Operation operation, Value* a, int count);
+    Done pairs(nc::Operation operation, const Value* a, int count,
                std::vector<control::AxisAndValue>& out);
-    bool fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});
-    bool real(Value& out, double number);
+    void note_fault(const DiagnosticRow& row, std::vector<std::string> arguments);
+    Done fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});
+    Done real(Value& out, double number);
     void push(const Value& value) { stack_[size_++] = value; }
 
     const nc::LanguageRules& rules_;

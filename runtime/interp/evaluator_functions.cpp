@@ -27,7 +27,7 @@ void Evaluator::look_for_radians(Operation operation, double angle) {
     }
 }
 
-bool Evaluator::question(Operation operation, Value* a) {
+Done Evaluator::question(Operation operation, Value* a) {
     if (!a->is_text())
         return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
     const std::string asked(text(*a));
@@ -47,14 +47,14 @@ bool Evaluator::question(Operation operation, Value* a) {
             return 0;
         };
         *a = Value::of(type ? number(*type) : 0, nc::ValueType::Int);
-        return true;
+        return kDone;
     }
     *a = Value::truth(operation == Operation::HasName ? variables_.has_name(asked)
                                                       : variables_.has_program(asked));
-    return true;
+    return kDone;
 }
 
-bool Evaluator::format_text(Value* a, int count) {
+Done Evaluator::format_text(Value* a, int count) {
     if (!a->is_text())
         return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
     std::vector<FormatValue> values;
@@ -68,7 +68,7 @@ bool Evaluator::format_text(Value* a, int count) {
     if (const std::size_t length = count_code_points(formatted.text); length > kLongestText)
         return fail(diag::JoinedTooLong, {std::to_string(length), std::to_string(kLongestText)});
     *a = keep_text(std::move(formatted.text));
-    return true;
+    return kDone;
 }
 
 /// The variable of the program that an argument names, with as many elements at least; nullptr: it
@@ -79,9 +79,9 @@ const nc::Symbol* Evaluator::variable_itself(const Value& place, std::uint32_t l
     const bool is_number = symbol.type == nc::ValueType::Real || symbol.type == nc::ValueType::Int;
     if (is_number && symbol.count() >= least) return &symbol;
     if (is_number) {
-        fail(diag::ArrayTooSmall, {symbol.name, what});
+        note_fault(diag::ArrayTooSmall, {symbol.name, what});
     } else {
-        fail(diag::ArgumentDiffers, {what, "an array of numbers"});
+        note_fault(diag::ArgumentDiffers, {what, "an array of numbers"});
     }
     return nullptr;
 }
@@ -91,13 +91,13 @@ double Evaluator::element_of(const nc::Symbol& symbol, std::uint32_t element) co
     return store.values[symbol.slot + element].number;
 }
 
-bool Evaluator::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
-    if (variables_.set_element(symbol, element, value)) return true;
+Done Evaluator::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
+    if (variables_.set_element(symbol, element, value)) return kDone;
     return fail(diag::ValueForType, {std::to_string(value), "a whole number"});
 }
 
 /// An array of points, their number, an array that takes the centre and the radius.
-bool Evaluator::circle_through(Value* a) {
+Done Evaluator::circle_through(Value* a) {
     const double count = a[1].number;
     if (!a[1].is_number() || (count != 3 && count != 4))
         return fail(diag::ArgumentRange, {variables_.word_of(operation_), written(a[1])});
@@ -105,36 +105,36 @@ bool Evaluator::circle_through(Value* a) {
     const nc::Symbol* from = variable_itself(a[0], 2 * points, "the points");
     const nc::Symbol* to =
         from == nullptr ? nullptr : variable_itself(a[2], 3, "a centre and a radius");
-    if (to == nullptr) return false;
+    if (to == nullptr) return kFailed;
     std::array<double, 8> values{};
     for (std::uint32_t i = 0; i < 2 * points; ++i) values[i] = element_of(*from, i);
     const auto circle = interp::circle_through(std::span(values).first(2 * points));
     if (circle) {
         const std::array<double, 3> found{circle->x, circle->y, circle->radius};
         for (std::uint32_t i = 0; i < 3; ++i)
-            if (!set_element(*to, i, found[i])) return false;
+            if (!set_element(*to, i, found[i])) return kFailed;
     }
     *a = Value::truth(circle.has_value());
-    return true;
+    return kDone;
 }
 
 /// Two arrays of three points, and a variable that takes the error.
-bool Evaluator::measured_frame(Value* a) {
+Done Evaluator::measured_frame(Value* a) {
     std::array<std::array<double, 9>, 2> points{};
     for (std::size_t k = 0; k < 2; ++k) {
         const nc::Symbol* of = variable_itself(a[k], 9, "three points");
-        if (of == nullptr) return false;
+        if (of == nullptr) return kFailed;
         for (std::uint32_t i = 0; i < 9; ++i)
             points[k][i] = element_of(*of, i) * variables_.axis_unit(static_cast<Axis>(i % 3));
     }
     const nc::Symbol* error = variable_itself(a[2], 1, "the error");
-    if (error == nullptr) return false;
+    if (error == nullptr) return kFailed;
     const MeasuredFrame found = interp::measured_frame(points[0], points[1]);
     const double shown =
         found.error < 0 ? found.error : found.error / variables_.axis_unit(Axis::X);
-    if (!set_element(*error, 0, shown)) return false;
+    if (!set_element(*error, 0, shown)) return kFailed;
     *a = keep_frame(found.frame);
-    return true;
+    return kDone;
 }
 
 ContourRow Evaluator::contour_row(const nc::Symbol& table, std::int64_t row) const {
@@ -146,7 +146,7 @@ ContourRow Evaluator::contour_row(const nc::Symbol& table, std::int64_t row) con
 }
 
 /// Two tables of contours with a row each, and an array that takes the point.
-bool Evaluator::common_point(Value* a) {
+Done Evaluator::common_point(Value* a) {
     std::array<ContourElement, 2> elements;
     for (std::size_t k = 0; k < 2; ++k) {
         const Value& row = a[2 * k + 1];
@@ -162,21 +162,21 @@ bool Evaluator::common_point(Value* a) {
         elements[k] = *element;
     }
     const nc::Symbol* to = variable_itself(a[4], 2, "a point");
-    if (to == nullptr) return false;
+    if (to == nullptr) return kFailed;
     const auto point = interp::common_point(elements[0], elements[1]);
     for (std::uint32_t i = 0; point && i < 2; ++i)
-        if (!set_element(*to, i, (*point)[static_cast<Eigen::Index>(i)])) return false;
+        if (!set_element(*to, i, (*point)[static_cast<Eigen::Index>(i)])) return kFailed;
     *a = Value::truth(point.has_value());
-    return true;
+    return kDone;
 }
 
-/// A whole number of the control; false: it is not known yet, or there is none.
-bool Evaluator::ask(nc::Quantity quantity, double first, double second, double& out) {
+/// A whole number of the control, where it is known and there is one.
+Done Evaluator::ask(nc::Quantity quantity, double first, double second, double& out) {
     return answer(variables_.system(quantity, std::llround(first), std::llround(second), out));
 }
 
 /// Numbers of tools and edges.
-bool Evaluator::edge_question(Operation operation, Value* a, int count) {
+Done Evaluator::edge_question(Operation operation, Value* a, int count) {
     if (operation == Operation::ToolOfEdge) return tool_of_edge(a);
     if (operation == Operation::EdgesUnique) return edges_unique(a, count);
     for (int i = 0; i < count; ++i) {
@@ -185,41 +185,41 @@ bool Evaluator::edge_question(Operation operation, Value* a, int count) {
             return fail(diag::ArgumentRange, {variables_.word_of(operation), written(a[i])});
     }
     double edge = 0;
-    if (!ask(nc::Quantity::EdgeNumberOf, a[0].number, a[1].number, edge)) return false;
+    if (!ask(nc::Quantity::EdgeNumberOf, a[0].number, a[1].number, edge)) return kFailed;
     if (operation == Operation::EdgeNumber) {
         *a = Value::of(edge, nc::ValueType::Int);
-        return true;
+        return kDone;
     }
     const bool is_given =
         edge != 0 && variables_.set_system(nc::Quantity::EdgeNumberOf, std::llround(a[0].number),
                                            std::llround(a[1].number), a[2].number);
     *a = Value::truth(is_given);
-    return true;
+    return kDone;
 }
 
 /// A variable that takes the tool, and the number D.
-bool Evaluator::tool_of_edge(Value* a) {
+Done Evaluator::tool_of_edge(Value* a) {
     const nc::Symbol* to = variable_itself(a[0], 1, "a tool");
-    if (to == nullptr) return false;
+    if (to == nullptr) return kFailed;
     if (!a[1].is_number())
         return fail(diag::ArgumentRange, {variables_.word_of(operation_), written(a[1])});
     double tool = 0;
     double other = 0;
     if (!ask(nc::Quantity::ToolWithEdge, a[1].number, 0, tool) ||
         !ask(nc::Quantity::ToolWithEdge, a[1].number, 1, other) || !set_element(*to, 0, tool))
-        return false;
+        return kFailed;
     *a = Value::of(tool == 0 ? -1 : other == 0 ? 0 : -2, nc::ValueType::Int);
-    return true;
+    return kDone;
 }
 
 /// Variables that name a tool, another one, and a number D; those that are not there mean all.
-bool Evaluator::edges_unique(Value* a, int count) {
+Done Evaluator::edges_unique(Value* a, int count) {
     std::array<const nc::Symbol*, 3> of{};
     std::array<double, 3> wanted{};
     for (int i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         of[k] = variable_itself(a[i], 1, "a tool, or a number D");
-        if (of[k] == nullptr) return false;
+        if (of[k] == nullptr) return kFailed;
         wanted[k] = element_of(*of[k], 0);
     }
     constexpr int kMostEdges = 12;  // that a tool can have
@@ -229,7 +229,7 @@ bool Evaluator::edges_unique(Value* a, int count) {
         double tool = 0;
         do {
             if (!ask(nc::Quantity::ToolWithEdge, edge, static_cast<double>(tools.size()), tool))
-                return false;
+                return kFailed;
             if (tool != 0) tools.push_back(tool);
         } while (tool != 0);
         for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -241,14 +241,14 @@ bool Evaluator::edges_unique(Value* a, int count) {
                     continue;
                 const std::array<double, 3> found{tools[i], tools[j], static_cast<double>(edge)};
                 for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
-                    if (!set_element(*of[k], 0, found[k])) return false;
+                    if (!set_element(*of[k], 0, found[k])) return kFailed;
                 *a = Value::truth(false);
-                return true;
+                return kDone;
             }
         }
     }
     *a = Value::truth(true);
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::interp

@@ -38,12 +38,12 @@ std::string Program::State::file_name(std::string_view path) const {
 }
 
 /// Files wait for the blocks in front: what stands behind an alarm is never written.
-Program::State::Done Program::State::use_file(CompiledLine& line,
-                                              const ControlStatement& statement) {
-    if (given > 0) return Done::Wait;
+Program::State::Outcome Program::State::use_file(CompiledLine& line,
+                                                 const ControlStatement& statement) {
+    if (given > 0) return Outcome::Wait;
     Value path;
-    Done done = evaluate(line, statement.value, path);
-    if (done == Done::Wait || lines.failed()) return done;
+    Outcome done = evaluate(line, statement.value, path);
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (!path.is_text()) {
         return fail(line, diag::TypesDiffer, statement.value.span,
                     {"the name of a file", std::string(kind_name(path))});
@@ -59,11 +59,11 @@ Program::State::Done Program::State::use_file(CompiledLine& line,
         error = control_files.remove(name);
     } else if (statement.kind == Statement::ReadFile) {
         done = read_file(line, statement, name, error);
-        if (done == Done::Wait || lines.failed()) return done;
+        if (done == Outcome::Wait || lines.failed()) return done;
     } else {
         Value text;
         done = evaluate(line, statement.second, text);
-        if (done == Done::Wait || lines.failed()) return done;
+        if (done == Outcome::Wait || lines.failed()) return done;
         if (!text.is_text()) {
             return fail(line, diag::TypesDiffer, statement.second.span,
                         {"a line of a file", std::string(kind_name(text))});
@@ -78,16 +78,16 @@ Program::State::Done Program::State::use_file(CompiledLine& line,
 
 /// Elements of the array for which there is no line stay as they are, and of a line there is as
 /// much as the texts take (unsure).
-Program::State::Done Program::State::read_file(CompiledLine& line,
-                                               const ControlStatement& statement,
-                                               const std::string& name,
-                                               ControlFiles::Error& error) {
+Program::State::Outcome Program::State::read_file(CompiledLine& line,
+                                                  const ControlStatement& statement,
+                                                  const std::string& name,
+                                                  ControlFiles::Error& error) {
     Value first;
     Value count;
-    Done done = evaluate(line, statement.second, first);
-    if (done == Done::Wait || lines.failed()) return done;
+    Outcome done = evaluate(line, statement.second, first);
+    if (done == Outcome::Wait || lines.failed()) return done;
     done = evaluate(line, statement.count, count);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     const nc::Instruction& load = statement.table.load;
     const nc::Symbol* result = load.kind == nc::Instruction::Kind::Element
                                    ? &variables.level().symbols.at(load.index)
@@ -99,10 +99,10 @@ Program::State::Done Program::State::read_file(CompiledLine& line,
                     {"what takes the lines", "a text, or an array of texts"});
     ControlFiles::Lines found;
     error = control_files.read(name, std::round(first.number), std::round(count.number), found);
-    if (found.empty()) return Done::Nothing;
+    if (found.empty()) return Outcome::Nothing;
     if (found.size() > result->count()) {
         error = ControlFiles::Error::ResultTooSmall;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Value text =
@@ -112,7 +112,7 @@ Program::State::Done Program::State::read_file(CompiledLine& line,
         if (fault.row != nullptr)
             return fail(line, *fault.row, statement.table.span, fault.arguments);
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 }  // namespace kadr::interp

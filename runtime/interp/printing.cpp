@@ -48,13 +48,13 @@ std::optional<std::string> bytes_of(double value, int decimals) {
 }  // namespace
 
 /// Printing waits for the blocks before it: what stands behind an alarm is never printed.
-Program::State::Done Program::State::print(CompiledLine& line,
-                                           const nc::ControlStatement& statement) {
-    if (given > 0) return Done::Wait;
+Program::State::Outcome Program::State::print(CompiledLine& line,
+                                              const nc::ControlStatement& statement) {
+    if (given > 0) return Outcome::Wait;
     const bool is_bytes = statement.kind == nc::Statement::PrintBytes;
     if (statement.kind != nc::Statement::Print && !is_bytes) {
         is_printer_open = statement.kind == nc::Statement::PrintOpen;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     if (!is_printer_open) return fail(line, diag::PrinterClosed, statement.span);
     std::string text;
@@ -64,8 +64,8 @@ Program::State::Done Program::State::print(CompiledLine& line,
             continue;
         }
         Value value;
-        const Done done = evaluate(line, piece.value, value);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, piece.value, value);
+        if (done == Outcome::Wait || lines.failed()) return done;
         if (is_bytes) {
             const auto bytes = bytes_of(value.number, piece.decimals);
             if (!bytes) return fail(line, diag::NumberTooLarge, piece.value.span);
@@ -75,7 +75,7 @@ Program::State::Done Program::State::print(CompiledLine& line,
         }
     }
     if (options.printer != nullptr) options.printer->line(text);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 }  // namespace kadr::interp

@@ -95,7 +95,7 @@ std::size_t Program::State::pull(std::span<Block> out) {
         const bool had_fault = lines.failed();
         const bool is_program = frame->inputs == nullptr && !frame->is_definition;
         if (options.call && is_program && !frames[0]->is_called) [[unlikely]] {
-            if (given > 0 || begin_with_arguments() == Done::Wait) return given;
+            if (given > 0 || begin_with_arguments() == Outcome::Wait) return given;
             if (has_ended) {
                 is_only_checking = has_visible_fault = true;
                 return given;
@@ -105,21 +105,21 @@ std::size_t Program::State::pull(std::span<Block> out) {
             if (given > 0) return given;
             begin_event_block();
         }
-        const Done done = frame->is_definition       ? step_in_definition(block)
-                          : frame->inputs != nullptr ? step_in_input(block)
-                                                     : step(block);
-        if (done == Done::Block) ++given;
+        const Outcome done = frame->is_definition       ? step_in_definition(block)
+                             : frame->inputs != nullptr ? step_in_input(block)
+                                                        : step(block);
+        if (done == Outcome::Block) ++given;
         // The interpreter goes to a place before the program does there what it does.
         if (frame->at_places && given > 0) return given;
         variables.set_in_step(given == 0);
-        if (done == Done::Wait) return given;
+        if (done == Outcome::Wait) return given;
         if (lines.failed() && !had_fault) {
             is_only_checking = true;
             if (given > 0) return given;
             has_visible_fault = true;
         }
-        if (done == Done::Block && runs_flat()) take_flat(out);
-        if (is_only_checking && done == Done::Block && !has_visible_fault) return given;
+        if (done == Outcome::Block && runs_flat()) take_flat(out);
+        if (is_only_checking && done == Outcome::Block && !has_visible_fault) return given;
     }
     return given;
 }
@@ -164,7 +164,7 @@ void Program::State::take_flat(std::span<Block> out) {
         const LinePosition next{from.offset(), number + 1};
         if (block.function_count != 0) {  // it may end the program, or call a cycle
             frame->goes_on = next;
-            finish_first(Done::Block, ahead.line, next, block);
+            finish_first(Outcome::Block, ahead.line, next, block);
             return;
         }
         frontier() = next;
@@ -198,7 +198,7 @@ bool Program::State::shows(std::string_view text) {
     return false;
 }
 
-Program::State::Done Program::State::step(Block& out) {
+Program::State::Outcome Program::State::step(Block& out) {
     if (!written_data.empty() && given == 0) tell_data();
     if (due) return begin_due();
     if (frame->at_places && !is_only_checking) return go_on_at_places(out);
@@ -206,7 +206,7 @@ Program::State::Done Program::State::step(Block& out) {
     if (frame->is_returning) return finish_return(out);
     if (skipped_end && frame->here.offset >= *skipped_end) {
         has_ended = true;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     if (lines.has_ended()) return end_of_text();
     if (frame->here.offset >= frontier().offset) return first_time(out);
@@ -214,14 +214,14 @@ Program::State::Done Program::State::step(Block& out) {
         frame->next_line != nullptr ? frame->next_line : line_at(frame->here);
     if (line == nullptr) {  // said; there is no way on
         has_ended = true;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     if (watch != nullptr && !shows(line->as_written.empty() ? line->text : line->as_written))
-        return Done::Nothing;
+        return Outcome::Nothing;
     lines.begin(frame->here.line);
     frame->goes_on = line->place.next;
-    const Done done = run(*line, out);
-    if (done == Done::Wait) return done;
+    const Outcome done = run(*line, out);
+    if (done == Outcome::Wait) return done;
     frame->resume = 0;
     const bool is_straight = frame->goes_on == line->place.next;
     frame->here = frame->goes_on;
@@ -232,7 +232,7 @@ Program::State::Done Program::State::step(Block& out) {
         frame->next_line = nullptr;
     }
     if (!frame->repeats.empty()) advance();
-    if (done == Done::Block) {
+    if (done == Outcome::Block) {
         deliver(out, line->text, line->place.line.line, true);
         if (out.function_count != 0) follow_shape(out, line->text, Place(line->place));
         if (modal_shape) follow_modal_shape(out);
@@ -242,7 +242,7 @@ Program::State::Done Program::State::step(Block& out) {
 }
 
 /// The line that nobody has executed yet: most are plain words, and go straight out.
-Program::State::Done Program::State::first_time(Block& out) {
+Program::State::Outcome Program::State::first_time(Block& out) {
     if (is_waiting) {
         frame->goes_on = scratch.place.next;
         lines.begin(frame->here.line);
@@ -253,14 +253,14 @@ Program::State::Done Program::State::first_time(Block& out) {
         scratch.text.clear();
         scratch.place = {frame->here, frame->here};
         has_ended = true;
-        if (lines.failed()) return Done::Nothing;  // said at the jump
+        if (lines.failed()) return Outcome::Nothing;  // said at the jump
         return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(frame->here.line)});
     }
     if (frame->here.offset != frontier().offset) note_skipped();
     std::string_view text;
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
-    if (watch != nullptr && !shows(text)) return Done::Nothing;
+    if (watch != nullptr && !shows(text)) return Outcome::Nothing;
     text = with_macros(text);
     const LinePosition next{source().offset(), frame->here.line + 1};
     frame->goes_on = next;
@@ -268,25 +268,26 @@ Program::State::Done Program::State::first_time(Block& out) {
     if (is_too_long) {
         lines.report_too_long(text, frame->here.line);
         frame->here = frontier() = next;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     lines.begin(frame->here.line);
     text = lines.without_head(text);
     const bool is_plain = modal_calls.empty() || !takes_blocks();
-    if (is_plain && lines.read_plain(text, out)) return finish_first(Done::Block, text, next, out);
+    if (is_plain && lines.read_plain(text, out))
+        return finish_first(Outcome::Block, text, next, out);
     scratch.text = text;
     scratch.place = {frame->here, next};
     compile(scratch, out);
     const bool is_readable = scratch.kind != CompiledLine::Kind::New;
-    const Done done = is_readable ? run(scratch, out) : Done::Nothing;
+    const Outcome done = is_readable ? run(scratch, out) : Outcome::Nothing;
     return finish_first(done, scratch.text, next, out);
 }
 
 /// next  where the line behind it begins. By value: a place that was stored in parts a moment ago
 ///       would be waited for by a copy of the whole.
-Program::State::Done Program::State::finish_first(Done done, std::string_view text,
-                                                  LinePosition next, Block& out) {
-    is_waiting = done == Done::Wait;
+Program::State::Outcome Program::State::finish_first(Outcome done, std::string_view text,
+                                                     LinePosition next, Block& out) {
+    is_waiting = done == Outcome::Wait;
     if (is_waiting) return done;
     frame->resume = 0;
     const std::uint64_t offset = frame->here.offset;
@@ -295,7 +296,7 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
     frame->here = next;
     if (frame->goes_on != next) frame->here = frame->goes_on;
     if (!frame->repeats.empty()) advance();
-    if (done == Done::Block) {
+    if (done == Outcome::Block) {
         deliver(out, lines.shown(text, number), number, false);
         if (out.function_count != 0) follow_shape(out, text, {{offset, number}, next});
         if (modal_shape) follow_modal_shape(out);
@@ -305,11 +306,11 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
 }
 
 /// Behind the last line of the program that runs.
-Program::State::Done Program::State::end_of_text() {
+Program::State::Outcome Program::State::end_of_text() {
     if (frames.size() > 1 && !is_only_checking) {
         if (language.rules.text_end_returns) {
             frame->is_returning = true;
-            return Done::Nothing;
+            return Outcome::Nothing;
         }
         lines.begin(std::max<std::uint64_t>(frame->here.line, 2) - 1);
         scratch.text.clear();
@@ -321,7 +322,7 @@ Program::State::Done Program::State::end_of_text() {
     const bool is_at_head = lines.has_ended() && !language.calls.headers.empty();
     if (!is_only_checking || !is_at_head || !source().seek(frame->here.offset)) {
         has_ended = true;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     // Where a sign ends the text its head follows; `%_N_SUB_SPF` is both.
     const bool is_head =
@@ -342,7 +343,7 @@ Program::State::Done Program::State::end_of_text() {
     frame->has_executed = false;
     resume_frame(*frame);
     if (!is_more) has_ended = true;
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 void Program::State::note_skipped() {
@@ -520,7 +521,7 @@ void Program::State::advance() {
 
 // ------------------------------------------------------------------------------ a line
 
-Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
+Program::State::Outcome Program::State::run(CompiledLine& line, Block& out) {
     using Kind = CompiledLine::Kind;
     if (line.kind != Kind::New && !(line.context == context())) line.kind = Kind::New;
     if (line.kind == Kind::New || line.kind == Kind::Plain) {
@@ -528,23 +529,23 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
         if (is_plain && lines.read_plain(line.text, out)) {
             line.kind = Kind::Plain;
             line.context = context();
-            return Done::Block;
+            return Outcome::Block;
         }
         compile(line, out);
     }
     if (line.kind == Kind::End) frame->text.has_ended = true;
     if (line.kind == Kind::Nothing || line.kind == Kind::New || line.kind == Kind::End)
-        return Done::Nothing;
+        return Outcome::Nothing;
     if (line.kind == Kind::Known)
-        return lines.read_known(line.text, out) ? Done::Block : Done::Nothing;
+        return lines.read_known(line.text, out) ? Outcome::Block : Outcome::Nothing;
     // The time of an event is known behind what was executed.
     if (!pending_events.empty() && frame->resume == 0 && frame->inputs == nullptr) [[unlikely]] {
-        if (given > 0) return Done::Wait;
+        if (given > 0) return Outcome::Wait;
         act_events();
-        if (has_ended) return Done::Nothing;
+        if (has_ended) return Outcome::Nothing;
     }
     const nc::LexedLine& words = line.line.words;
-    if (words.skip >= 0 && (options.skip_levels >> words.skip & 1u) != 0) return Done::Nothing;
+    if (words.skip >= 0 && (options.skip_levels >> words.skip & 1u) != 0) return Outcome::Nothing;
     if (!words.passed.empty()) {
         lines.note_content();
         lines.say_passed(words, line.text);
@@ -563,8 +564,8 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
         const bool is_return = !statements.empty() && statements[0].kind == Statement::Return;
         if (!language.rules.calls_beside_words_in_cycle && !is_return && is_in_cycle_mode())
             return fail(line, diag::CallInCycleBlock, line.line.calls[0].span);
-        const Done done = read_words(line, out);
-        if (done != Done::Block || is_only_checking) return done;
+        const Outcome done = read_words(line, out);
+        if (done != Outcome::Block || is_only_checking) return done;
         frame->has_given_words = true;
         frame->goes_on = line.place.line;
         return done;
@@ -584,9 +585,9 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
                 return fail(line, diag::TooManyLines, statements[frame->resume].span,
                             {std::to_string(executed + blocks), std::to_string(executed)});
             ++executed;
-            const Done done = execute(line, statements[frame->resume], out);
-            if (done != Done::Nothing || has_ended) return done;
-            if (lines.failed() || frame->goes_on != line.place.next) return Done::Nothing;
+            const Outcome done = execute(line, statements[frame->resume], out);
+            if (done != Outcome::Nothing || has_ended) return done;
+            if (lines.failed() || frame->goes_on != line.place.next) return Outcome::Nothing;
             ++frame->resume;
         }
     }
@@ -594,12 +595,12 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
     if (is_call) {
         if (is_only_checking) check_call(line, statements[0]);
         frame->has_given_words = false;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     // A number, a label or a comment alone is no block: nothing is executed, and nothing counts it.
     if (!has_words) {
         if (words.number >= 0 && statements.empty()) variables.set_block_number(words.number);
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     return read_words(line, out);
 }
@@ -660,27 +661,27 @@ bool Program::State::is_lost(const CompiledLine& line, const LineFault& fault) c
     return lost_names.contains(words.normal(words.word_at(fault.span.begin).text));
 }
 
-Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) {
+Program::State::Outcome Program::State::read_words(CompiledLine& line, Block& out) {
     const nc::ControlLine& code = line.line;
     const bool is_computed = !code.computed.empty() || !code.axes.empty() || !code.codes.empty();
-    if (is_only_checking && is_computed) return Done::Nothing;
+    if (is_only_checking && is_computed) return Outcome::Nothing;
     values.clear();
     evaluator.forget();
     const nc::ComputedValue* axis_argument = nullptr;
     if (!code.axes.empty()) {
-        const Done done = set_axes(line);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = set_axes(line);
+        if (done == Outcome::Wait || lines.failed()) return done;
     }
     if (!code.codes.empty()) {
-        const Done done = set_codes(line);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = set_codes(line);
+        if (done == Outcome::Wait || lines.failed()) return done;
     }
     for (std::size_t i = 0; i < code.computed.size(); ++i) {
         const bool is_fine_round = language.rules.round_in_word && code.computed[i].argument < 0;
         Value value;
-        const Done done = evaluate(line, code.computed[i].value, value,
-                                   is_fine_round ? lines.value_decimals(code, i) : -1);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, code.computed[i].value, value,
+                                      is_fine_round ? lines.value_decimals(code, i) : -1);
+        if (done == Outcome::Wait || lines.failed()) return done;
         // An axis among the arguments of a call is said by its number, X by -1.
         const bool is_axis_argument = value.axis() && code.computed[i].argument >= 0;
         if (is_axis_argument && axis_argument == nullptr) axis_argument = &code.computed[i];
@@ -697,18 +698,18 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
     }
     const bool is_kept = &line != &scratch && code.axes.empty() && code.codes.empty();
     nc::MatchedLine* const known = is_kept ? &line.matched : nullptr;
-    if (!lines.read_words(line.text, line.line, values, out, known)) return Done::Nothing;
+    if (!lines.read_words(line.text, line.line, values, out, known)) return Outcome::Nothing;
     if (axis_argument != nullptr && takes_no_axis(out))
         return fail(line, diag::TypesDiffer, axis_argument->value.span,
                     {"an argument of this call", "an axis"});
     const bool has_lone = std::ranges::any_of(code.axes, &nc::ComputedAxis::is_alone);
-    return has_lone ? let_axis_move_alone(line, out) : Done::Block;
+    return has_lone ? let_axis_move_alone(line, out) : Outcome::Block;
 }
 
 /// An axis that moves by itself goes straight to its place and arrives before the next block. Of
 /// several each goes as fast as it can, so they do not stay on a line; where they come to is the
 /// same.
-Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Block& out) {
+Program::State::Outcome Program::State::let_axis_move_alone(CompiledLine& line, Block& out) {
     const nc::SlotMask targets = out.given & nc::kTargetSlots;
     const auto count = static_cast<std::size_t>(std::popcount(targets));
     const auto alone = std::ranges::count_if(line.line.axes, &nc::ComputedAxis::is_alone);
@@ -723,7 +724,7 @@ Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Blo
     }
     if (out.find(Function::RapidOnce) == nullptr) out.add(Function::RapidOnce, 0);
     moves_alone = true;
-    return Done::Block;
+    return Outcome::Block;
 }
 
 /// The axis that a value is, or that it counts where no value is an axis; nothing: there is none.
@@ -742,11 +743,11 @@ static std::optional<Axis> axis_of(const ControlVariables& variables, const Valu
 
 /// Words whose axis or spindle is a value get the address of that: `AX[AXA]=10` that of X,
 /// `ACC[AXA]=50` that of `ACC[X]`, `S[R1]=500` that of `S2`, or S where it is the first spindle.
-Program::State::Done Program::State::set_axes(CompiledLine& line) {
+Program::State::Outcome Program::State::set_axes(CompiledLine& line) {
     for (const nc::ComputedAxis& computed : line.line.axes) {
         Value value;
-        const Done done = evaluate(line, computed.axis, value);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, computed.axis, value);
+        if (done == Outcome::Wait || lines.failed()) return done;
         nc::GivenWord& word = line.line.words.words[computed.word];
         const std::size_t begin = line.line.words.spans[computed.word].begin;
         const nc::ControlWords words(tables, line.text);
@@ -772,18 +773,18 @@ Program::State::Done Program::State::set_axes(CompiledLine& line) {
         if (word.address == nc::kNoAddress)
             return fail(line, diag::IsoUnknownWord, computed.axis.span, {name});
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// Words that name a code by its group and its place there become that code.
-Program::State::Done Program::State::set_codes(CompiledLine& line) {
+Program::State::Outcome Program::State::set_codes(CompiledLine& line) {
     for (const nc::ComputedCode& computed : line.line.codes) {
         Value group;
         Value number;
-        Done done = evaluate(line, computed.group, group);
-        if (done == Done::Wait || lines.failed()) return done;
+        Outcome done = evaluate(line, computed.group, group);
+        if (done == Outcome::Wait || lines.failed()) return done;
         done = evaluate(line, computed.number, number);
-        if (done == Done::Wait || lines.failed()) return done;
+        if (done == Outcome::Wait || lines.failed()) return done;
         if (!group.is_number())
             return fail(line, diag::IndexType, computed.group.span,
                         {std::string(kind_name(group))});
@@ -804,7 +805,7 @@ Program::State::Done Program::State::set_codes(CompiledLine& line) {
                         computed.number.span, {known.empty() ? code : known});
         }
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// `G54` as its letter and number, `BRISK` as a word; false: the dialect has no such code.
@@ -826,16 +827,16 @@ bool Program::State::set_code(nc::LexedLine& words, std::size_t place,
 
 // ------------------------------------------------------------------------------ faults
 
-Program::State::Done Program::State::fail(CompiledLine& line, const LineFault& fault) {
+Program::State::Outcome Program::State::fail(CompiledLine& line, const LineFault& fault) {
     lines.report_event(line.text, fault);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::fail(CompiledLine& line, ProgramMap::Fault fault,
-                                          const DiagnosticRow& missing, const Span& span,
-                                          const std::string& what) {
+Program::State::Outcome Program::State::fail(CompiledLine& line, ProgramMap::Fault fault,
+                                             const DiagnosticRow& missing, const Span& span,
+                                             const std::string& what) {
     switch (fault) {
-        case ProgramMap::Fault::None: return Done::Nothing;
+        case ProgramMap::Fault::None: return Outcome::Nothing;
         case ProgramMap::Fault::Missing: return fail(line, missing, span, {what});
         case ProgramMap::Fault::LoopNumber: return fail(line, diag::LoopNumber, span, {what});
         case ProgramMap::Fault::TextGone: break;
@@ -843,19 +844,20 @@ Program::State::Done Program::State::fail(CompiledLine& line, ProgramMap::Fault 
     return fail(line, diag::TextGone, span, {"this line"});
 }
 
-Program::State::Done Program::State::evaluate(CompiledLine& line, const nc::Expression& expression,
-                                              Value& out, int decimals) {
+Program::State::Outcome Program::State::evaluate(CompiledLine& line,
+                                                 const nc::Expression& expression, Value& out,
+                                                 int decimals) {
     const Evaluator::Outcome outcome = evaluator.run(line.line, expression, out, decimals);
     if (!missing_inputs.empty()) tell_missing(line);
     switch (outcome) {
         case Evaluator::Outcome::Done:
             if (evaluator.has_radians()) [[unlikely]]
                 warn_of_radians(line);
-            return Done::Nothing;
-        case Evaluator::Outcome::Later: return Done::Wait;
+            return Outcome::Nothing;
+        case Evaluator::Outcome::Later: return Outcome::Wait;
         case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// Said once a run: what thinks in radians does so everywhere.
@@ -868,17 +870,17 @@ void Program::State::warn_of_radians(const CompiledLine& line) {
         .arg(round_to(found->angle, 6));
 }
 
-Program::State::Done Program::State::truth(CompiledLine& line, const nc::Expression& expression,
-                                           bool& out) {
+Program::State::Outcome Program::State::truth(CompiledLine& line, const nc::Expression& expression,
+                                              bool& out) {
     Value value;
-    const Done done = evaluate(line, expression, value);
-    if (done == Done::Wait || lines.failed()) return done;
+    const Outcome done = evaluate(line, expression, value);
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (!value.is_number()) {
         return fail(line, diag::TypesDiffer, expression.span,
                     {"a condition", std::string(kind_name(value))});
     }
     out = value.number != 0;
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 // ------------------------------------------------------------------------------ the program

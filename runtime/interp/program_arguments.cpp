@@ -47,7 +47,7 @@ std::string_view called_name(std::string_view arguments) {
 
 }  // namespace
 
-Program::State::Done Program::State::begin_with_arguments() {
+Program::State::Outcome Program::State::begin_with_arguments() {
     CompiledLine line;
     line.text = call_line(language.calls, *options.call);
     line.place = {frame->here, frame->here};
@@ -57,7 +57,7 @@ Program::State::Done Program::State::begin_with_arguments() {
     lines.begin(1);
     DiagnosticList heard;
     ear.listen(&heard);
-    const Done done = prepare_arguments(line);
+    const Outcome done = prepare_arguments(line);
     ear.listen(nullptr);
     if (lines.failed() || line.text.empty()) {
         lines.forget_fault();
@@ -70,15 +70,15 @@ Program::State::Done Program::State::begin_with_arguments() {
         has_ended = true;
     }
     lines.enter(frame->text);
-    if (done != Done::Wait) frames[0]->is_called = true;
+    if (done != Outcome::Wait) frames[0]->is_called = true;
     return done;
 }
 
-Program::State::Done Program::State::prepare_arguments(CompiledLine& line) {
-    if (line.text.empty()) return Done::Nothing;
+Program::State::Outcome Program::State::prepare_arguments(CompiledLine& line) {
+    if (line.text.empty()) return Outcome::Nothing;
     line.context = context();
     compile_language(line);
-    if (lines.failed()) return Done::Nothing;
+    if (lines.failed()) return Outcome::Nothing;
     if (line.line.calls.size() != 1)
         return fail(line, diag::CallIncomplete, {0, 1}, {*options.call});
     const nc::Call& words = line.line.calls[0];
@@ -86,12 +86,12 @@ Program::State::Done Program::State::prepare_arguments(CompiledLine& line) {
     call.unit = &units.main();
     if (words.form >= 0) call.form = &language.calls.calls[static_cast<std::size_t>(words.form)];
     if (call.is_macro()) {
-        const Done done = prepare_letters(line, words, call);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = prepare_letters(line, words, call);
+        if (done == Outcome::Wait || lines.failed()) return done;
         frame->own_level = call.level;
         frame->level = call.level.get();
         resume_frame(*frame);
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     units.look_for_main_head();
     const nc::ControlStatement* const head = units.main().procedure();
@@ -99,8 +99,8 @@ Program::State::Done Program::State::prepare_arguments(CompiledLine& line) {
     const bool is_same =
         name.empty() || head == nullptr || nc::ControlWords(tables, name).is_same(name, head->name);
     if (!is_same) return fail(line, diag::ProgramMissing, {0, 1}, {'`' + name + '`'});
-    const Done done = prepare_list(line, words, call);
-    if (done == Done::Wait || lines.failed()) return done;
+    const Outcome done = prepare_list(line, words, call);
+    if (done == Outcome::Wait || lines.failed()) return done;
     return bind_parameters(line, call, *frame);
 }
 

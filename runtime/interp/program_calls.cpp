@@ -56,8 +56,9 @@ std::string quoted(std::string_view name) { return '`' + std::string(name) + '`'
 
 }  // namespace
 
-Program::State::Done Program::State::execute_call(CompiledLine& line,
-                                                  const ControlStatement& statement, Block& out) {
+Program::State::Outcome Program::State::execute_call(CompiledLine& line,
+                                                     const ControlStatement& statement,
+                                                     Block& out) {
     switch (statement.kind) {
         case Statement::Call:
         case Statement::CallByText: return call(line, statement);
@@ -66,38 +67,38 @@ Program::State::Done Program::State::execute_call(CompiledLine& line,
         case Statement::Return: return leave_program(line, statement, out);
         case Statement::Procedure: return declare_procedure(line, statement);
         case Statement::External: return check_external(line, statement);
-        default: return Done::Nothing;
+        default: return Outcome::Nothing;
     }
 }
 
 // ------------------------------------------------------------------------------ what is called
 
-Program::State::Done Program::State::number_of(CompiledLine& line, const nc::CallValue& value,
-                                               std::optional<double>& out) {
+Program::State::Outcome Program::State::number_of(CompiledLine& line, const nc::CallValue& value,
+                                                  std::optional<double>& out) {
     out.reset();
-    if (!value.is_given) return Done::Nothing;
+    if (!value.is_given) return Outcome::Nothing;
     if (value.is_plain) {
         out = value.decimal.value;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     Value found;
-    const Done done = evaluate(line, value.value, found);
-    if (done == Done::Wait || lines.failed()) return done;
+    const Outcome done = evaluate(line, value.value, found);
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (found.is_text()) return fail(line, diag::TypesDiffer, value.span, {"a count", "a text"});
     if (!found.is_vacant()) out = std::round(found.number);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// The name of the program, and the passes that its number may hold: 30012 is 3 times 12.
-Program::State::Done Program::State::program_name(CompiledLine& line,
-                                                  const ControlStatement& statement,
-                                                  const CallForm* form, PreparedCall& out,
-                                                  ProgramName& found) {
+Program::State::Outcome Program::State::program_name(CompiledLine& line,
+                                                     const ControlStatement& statement,
+                                                     const CallForm* form, PreparedCall& out,
+                                                     ProgramName& found) {
     std::string& name = found.name;
     if (statement.kind == Statement::CallByText) {
         Value text;
-        const Done done = evaluate(line, statement.second, text);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, statement.second, text);
+        if (done == Outcome::Wait || lines.failed()) return done;
         if (!text.is_text())
             return fail(line, diag::TypesDiffer, statement.second.span,
                         {"the name of a program", "a number"});
@@ -108,15 +109,15 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
             return fail(line, diag::CallIncomplete, statement.second.span,
                         {std::string(evaluator.text(text))});
         }
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     const nc::Call& words = line.line.calls[statement.call];
     name = form != nullptr && !form->fixed.empty() ? form->fixed : words.name;
     found.kind = words.kind;
-    if (!name.empty()) return Done::Nothing;
+    if (!name.empty()) return Outcome::Nothing;
     std::optional<double> number;
-    const Done done = number_of(line, words.program, number);
-    if (done == Done::Wait || lines.failed()) return done;
+    const Outcome done = number_of(line, words.program, number);
+    if (done == Outcome::Wait || lines.failed()) return done;
     const auto written = [&](const nc::Span& span) {
         return std::vector{line.text.substr(span.begin, span.end - span.begin)};
     };
@@ -125,7 +126,7 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
         if (words.start.is_given) {
             name = frame->unit->name;
             out.unit = frame->unit;
-            return Done::Nothing;
+            return Outcome::Nothing;
         }
         return fail(line, diag::CallIncomplete, words.span, written(words.span));
     }
@@ -138,24 +139,24 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
         whole %= power_of_ten(digits);
     }
     name = std::to_string(whole);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::find_program(CompiledLine& line,
-                                                  const ControlStatement& statement,
-                                                  const CallForm* form, PreparedCall& out) {
+Program::State::Outcome Program::State::find_program(CompiledLine& line,
+                                                     const ControlStatement& statement,
+                                                     const CallForm* form, PreparedCall& out) {
     ProgramName wanted;
-    const Done done = program_name(line, statement, form, out, wanted);
-    if (done == Done::Wait || lines.failed()) return done;
+    const Outcome done = program_name(line, statement, form, out, wanted);
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (out.unit == nullptr) out.unit = units.find(wanted.name, text(), wanted.kind);
-    if (out.unit != nullptr) return Done::Nothing;
+    if (out.unit != nullptr) return Outcome::Nothing;
     return missing_program(line, statement, wanted.name);
 }
 
 /// A word that could be a name of a program, and is none, is an unknown word.
-Program::State::Done Program::State::missing_program(CompiledLine& line,
-                                                     const ControlStatement& statement,
-                                                     const std::string& name) {
+Program::State::Outcome Program::State::missing_program(CompiledLine& line,
+                                                        const ControlStatement& statement,
+                                                        const std::string& name) {
     const bool is_by_text = statement.kind == Statement::CallByText;
     const nc::Call* const words = is_by_text ? nullptr : &line.line.calls[statement.call];
     const nc::Span span = is_by_text                     ? statement.second.span
@@ -190,50 +191,51 @@ void Program::State::check_call(CompiledLine& line, const ControlStatement& stat
     missing_program(line, statement, name);
 }
 
-Program::State::Done Program::State::prepare_passes(CompiledLine& line, const nc::CallValue& passes,
-                                                    PreparedCall& out) {
+Program::State::Outcome Program::State::prepare_passes(CompiledLine& line,
+                                                       const nc::CallValue& passes,
+                                                       PreparedCall& out) {
     std::optional<double> count;
-    const Done done = number_of(line, passes, count);
-    if (done == Done::Wait || lines.failed() || !count) return done;
+    const Outcome done = number_of(line, passes, count);
+    if (done == Outcome::Wait || lines.failed() || !count) return done;
     if (!(*count >= 1 && *count <= language.rules.most_passes))
         return fail(line, diag::RepeatCount, passes.span, {evaluator.written(Value::real(*count))});
     out.passes = static_cast<std::int64_t>(*count);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// Labels between which a program runs.
-Program::State::Done Program::State::prepare_section(CompiledLine& line,
-                                                     const ControlStatement& statement,
-                                                     PreparedCall& out) {
-    if (statement.from.kind == nc::JumpTarget::Kind::None) return Done::Nothing;
+Program::State::Outcome Program::State::prepare_section(CompiledLine& line,
+                                                        const ControlStatement& statement,
+                                                        PreparedCall& out) {
+    if (statement.from.kind == nc::JumpTarget::Kind::None) return Outcome::Nothing;
     const Place head{out.unit->begin, out.unit->begin};
     Place begin;
     Place end;
     const auto find = [&](const nc::JumpTarget& wanted, const Place& from, Place& found) {
-        LineTarget target;
-        Done done = Done::Nothing;
-        if (!resolve(line, wanted, target, done)) return done;
-        const auto fault = out.unit->map.find(target, Direction::Forward, from, found);
+        const auto target = resolve(line, wanted);
+        if (!target) return target.error();
+        const auto fault = out.unit->map.find(*target, Direction::Forward, from, found);
         return fail(line, fault, diag::JumpTargetMissing, wanted.span, quoted(wanted.label));
     };
-    Done done = find(statement.from, head, begin);
-    if (done == Done::Wait || lines.failed()) return done;
+    Outcome done = find(statement.from, head, begin);
+    if (done == Outcome::Wait || lines.failed()) return done;
     done = find(statement.to, begin, end);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     out.from = begin;
     out.to = end.next;
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// Everything that a call needs, worked out where it stands.
-Program::State::Done Program::State::prepare(CompiledLine& line, const ControlStatement& statement,
-                                             PreparedCall& out) {
+Program::State::Outcome Program::State::prepare(CompiledLine& line,
+                                                const ControlStatement& statement,
+                                                PreparedCall& out) {
     const bool is_by_text = statement.kind == Statement::CallByText;
     const nc::Call* const words = is_by_text ? nullptr : &line.line.calls[statement.call];
     if (words != nullptr && words->form >= 0)
         out.form = &language.calls.calls[static_cast<std::size_t>(words->form)];
-    Done done = find_program(line, statement, out.form, out);
-    const auto is_over = [&] { return done == Done::Wait || lines.failed(); };
+    Outcome done = find_program(line, statement, out.form, out);
+    const auto is_over = [&] { return done == Outcome::Wait || lines.failed(); };
     if (is_over()) return done;
     const nc::Span span = is_by_text ? statement.second.span : words->span;
     out.site = std::make_shared<nc::CallSite>(
@@ -262,8 +264,8 @@ Program::State::Done Program::State::prepare(CompiledLine& line, const ControlSt
 }
 
 /// Arguments by letters set variables of the level that the macro gets.
-Program::State::Done Program::State::prepare_letters(CompiledLine& line, const nc::Call& words,
-                                                     PreparedCall& out) {
+Program::State::Outcome Program::State::prepare_letters(CompiledLine& line, const nc::Call& words,
+                                                        PreparedCall& out) {
     out.level = variables.new_level();
     for (const nc::CallArgument& argument : words.arguments) {
         if (argument.is_plain) {
@@ -277,15 +279,15 @@ Program::State::Done Program::State::prepare_letters(CompiledLine& line, const n
             continue;
         }
         Value value;
-        const Done done = evaluate(line, argument.value, value);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, argument.value, value);
+        if (done == Outcome::Wait || lines.failed()) return done;
         variables.set_argument(*out.level, argument.slot, value);
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::prepare_list(CompiledLine& line, const nc::Call& words,
-                                                  PreparedCall& out) {
+Program::State::Outcome Program::State::prepare_list(CompiledLine& line, const nc::Call& words,
+                                                     PreparedCall& out) {
     for (const nc::CallArgument& argument : words.arguments) {
         GivenValue& given_value = out.arguments.emplace_back();
         given_value.is_given = argument.is_given;
@@ -296,66 +298,67 @@ Program::State::Done Program::State::prepare_list(CompiledLine& line, const nc::
             std::array<std::int64_t, 4> indices{};
             if (argument.variable.indices.is_given() && !argument.is_array) {
                 const auto outcome = evaluator.indices(line.line, argument.variable, indices);
-                if (outcome == Evaluator::Outcome::Later) return Done::Wait;
+                if (outcome == Evaluator::Outcome::Later) return Outcome::Wait;
                 if (outcome == Evaluator::Outcome::Fault) return fail(line, evaluator.fault());
             }
             given_value.place = variables.place_of(argument.variable.load, indices);
         }
         if (argument.is_array) continue;
-        const Done done = evaluate(line, argument.value, given_value.value);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, argument.value, given_value.value);
+        if (done == Outcome::Wait || lines.failed()) return done;
         given_value.text = evaluator.text(given_value.value);
         if (given_value.value.is_frame()) given_value.frame = *evaluator.frame(given_value.value);
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 // ------------------------------------------------------------------------------ calls
 
-Program::State::Done Program::State::call(CompiledLine& line, const ControlStatement& statement) {
+Program::State::Outcome Program::State::call(CompiledLine& line,
+                                             const ControlStatement& statement) {
     const bool is_words_of_block = statement.kind == Statement::Call &&
                                    line.line.calls[statement.call].form < 0 &&
                                    line.line.calls[statement.call].name.empty();
     if (is_words_of_block) return call_with_block(line);
-    Done done = Done::Nothing;
+    Outcome done = Outcome::Nothing;
     if (statement.kind == Statement::Call) {
         const nc::CallValue& code = line.line.calls[statement.call].code;
         std::optional<double> number;
         done = number_of(line, code, number);
-        if (done == Done::Wait || lines.failed()) return done;
+        if (done == Outcome::Wait || lines.failed()) return done;
         // `T#1`: a word without a value is not there.
-        if (code.is_given && !number) return Done::Nothing;
+        if (code.is_given && !number) return Outcome::Nothing;
     }
     PreparedCall prepared;
     done = prepare(line, statement, prepared);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     return begin(line, prepared);
 }
 
 /// A section of this program by its label; with a count it is repeated instead.
-Program::State::Done Program::State::call_section(CompiledLine& line,
-                                                  const ControlStatement& statement) {
+Program::State::Outcome Program::State::call_section(CompiledLine& line,
+                                                     const ControlStatement& statement) {
     Value count = Value::real(0);
-    Done done = Done::Nothing;
+    Outcome done = Outcome::Nothing;
     if (statement.count.is_given()) done = evaluate(line, statement.count, count);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (count.number != 0) return repeat_section(line, statement);
-    LineTarget target;
-    if (!resolve(line, statement.from, target, done)) return done;
+    const auto target = resolve(line, statement.from);
+    if (!target) return target.error();
     const Place head{frame->unit->begin, frame->unit->begin};
     PreparedCall prepared;
     prepared.unit = frame->unit;
-    const auto fault = map().find(target, Direction::Forward, head, prepared.from.emplace());
+    const auto fault = map().find(*target, Direction::Forward, head, prepared.from.emplace());
     if (fault != ProgramMap::Fault::None)
         return fail(line, fault, diag::RepeatLabelMissing, statement.from.span,
-                    quoted(target.label));
+                    quoted(target->label));
     prepared.site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(line.text, line.place.line.line, statement.span), frame->site});
     return begin(line, prepared);
 }
 
-Program::State::Done Program::State::check_depth(CompiledLine& line, const PreparedCall& call,
-                                                 const nc::Span& span) {
+Program::State::Outcome Program::State::check_depth(CompiledLine& line, const PreparedCall& call,
+                                                    const nc::Span& span) {
     const nc::LanguageRules& rules = language.rules;
     int macros = 0;
     int subprograms = 0;
@@ -370,19 +373,19 @@ Program::State::Done Program::State::check_depth(CompiledLine& line, const Prepa
         const int most = is_full ? rules.most_calls : rules.most_subprograms;
         return fail(line, diag::CallsTooDeep, span, {std::to_string(most)});
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// Sets the call up as the program that runs next; `line` is where it is called.
-Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCall& call) {
+Program::State::Outcome Program::State::begin(CompiledLine& line, const PreparedCall& call) {
     const nc::Span span = line.line.calls.empty() ? nc::Span{0, 1} : line.line.calls[0].span;
-    Done done = check_depth(line, call, span);
-    if (done == Done::Wait || lines.failed()) return done;
+    Outcome done = check_depth(line, call, span);
+    if (done == Outcome::Wait || lines.failed()) return done;
     const bool is_external = call.form != nullptr && call.form->is_external;
     if (is_external && frame->is_external) return fail(line, diag::ExternalNested, span);
     const ControlStatement* const head = call.unit->procedure();
     const bool saves = head != nullptr && head->saves && interpreter != nullptr;
-    if (saves && given > 0) return Done::Wait;
+    if (saves && given > 0) return Outcome::Wait;
     // Programs that only call each other would take for ever as well.
     if (++turns > options.max_turns)
         return fail(line, diag::EndlessLoop, span, {std::to_string(options.max_turns)});
@@ -411,7 +414,7 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
     references.clear();
     done = bind_parameters(line, call, *callee);
     callee->references = std::move(references);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (call.start >= 0) {
         Place found;
         const auto fault = call.unit->map.find({{}, call.start}, Direction::Forward,
@@ -426,7 +429,7 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
     if (saves || call.is_shape) callee->modal_before = lines.modal();
     if (saves) interpreter->keep_frames();
     begins = std::move(callee);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 void Program::State::perform_call() {
@@ -445,14 +448,14 @@ void Program::State::resume_frame(Frame& next) {
 
 // ------------------------------------------------------------------------------ parameters
 
-Program::State::Done Program::State::bind_parameters(CompiledLine& line, const PreparedCall& call,
-                                                     Frame& callee) {
+Program::State::Outcome Program::State::bind_parameters(CompiledLine& line,
+                                                        const PreparedCall& call, Frame& callee) {
     const ControlStatement* const head = call.unit->procedure();
     const std::size_t count = head == nullptr ? 0 : head->parameters.size();
     // The main program of a text without a head has the name of its file.
     const std::string name =
         quoted(call.unit->name.empty() ? call.unit->text->name : call.unit->name);
-    if (call.unit->has_wrong_head) return Done::Nothing;
+    if (call.unit->has_wrong_head) return Outcome::Nothing;
     if (call.arguments.size() > count) {
         if (head == nullptr) {
             return fail(line, diag::ProcedureMissing, call.arguments[0].span, {name});
@@ -460,21 +463,21 @@ Program::State::Done Program::State::bind_parameters(CompiledLine& line, const P
         return fail(line, diag::CallArguments, call.arguments[count].span,
                     {name, std::to_string(count), std::to_string(call.arguments.size())});
     }
-    if (count == 0) return Done::Nothing;
+    if (count == 0) return Outcome::Nothing;
     variables.enter(*callee.level);
     evaluator.enter(*callee.level);
-    Done done = Done::Nothing;
+    Outcome done = Outcome::Nothing;
     for (std::size_t i = 0; i < count; ++i) {
         done = bind_parameter(line, call, i);
-        if (done == Done::Wait || lines.failed()) break;
+        if (done == Outcome::Wait || lines.failed()) break;
     }
     variables.enter(*frame->level);
     evaluator.enter(*frame->level);
     return done;
 }
 
-Program::State::Done Program::State::bind_parameter(CompiledLine& line, const PreparedCall& call,
-                                                    std::size_t index) {
+Program::State::Outcome Program::State::bind_parameter(CompiledLine& line, const PreparedCall& call,
+                                                       std::size_t index) {
     static const GivenValue kNothing;
     const nc::ControlLine& head = *call.unit->head;
     const nc::ProcedureParameter& parameter = head.statements[0].parameters[index];
@@ -517,7 +520,7 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
     const nc::Span span = given_value.is_given ? given_value.span : nc::Span{0, 1};
     const auto set = [&](std::uint32_t place, const Value& value, const Content& content) {
         const auto fault = variables.store_element(added, added.slot + place, value, content);
-        if (fault.row == nullptr) return Done::Nothing;
+        if (fault.row == nullptr) return Outcome::Nothing;
         if (given_value.is_given && fault.row == &diag::TypesDiffer) {
             const auto type = std::ranges::find(language.types, added.type, &nc::TypeName::type);
             const std::string wanted =
@@ -533,7 +536,7 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
             const Value& value = from.values[given_value.place.slot + i];
             if (!value.is_vacant()) set(i, value, from.content(value));
         }
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     if (given_value.is_given) {
         const Content content{given_value.text, &given_value.frame};
@@ -545,14 +548,14 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
         if (!defaults[i].is_given() || !work_out(defaults[i], value)) continue;
         set(static_cast<std::uint32_t>(i), value, evaluator.content(value));
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// The parameter is the caller's variable: of the same type, an array of the same dimensions.
-Program::State::Done Program::State::bind_reference(CompiledLine& line,
-                                                    const nc::ProcedureParameter& parameter,
-                                                    const GivenValue& given_value,
-                                                    nc::Symbol symbol) {
+Program::State::Outcome Program::State::bind_reference(CompiledLine& line,
+                                                       const nc::ProcedureParameter& parameter,
+                                                       const GivenValue& given_value,
+                                                       nc::Symbol symbol) {
     const ControlVariables::VariablePlace& place = given_value.place;
     const nc::Span span = given_value.is_given      ? given_value.span
                           : line.line.calls.empty() ? nc::Span{0, 1}
@@ -573,7 +576,7 @@ Program::State::Done Program::State::bind_reference(CompiledLine& line,
     }
     note_reference(symbol, place);
     ControlVariables::bind(variables.level(), std::move(symbol), *place.store);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// For who looks on: the parameter has the value of the caller's variable, and what the variable
@@ -603,29 +606,29 @@ void Program::State::note_returned(const Frame& left) {
 }
 
 /// The head of a procedure that was not called: the main program, or one that is only read.
-Program::State::Done Program::State::declare_procedure(CompiledLine& line,
-                                                       const ControlStatement& statement) {
+Program::State::Outcome Program::State::declare_procedure(CompiledLine& line,
+                                                          const ControlStatement& statement) {
     if (frame->has_executed) return fail(line, diag::DeclarationMisplaced, statement.span);
     const bool was_called = (frames.size() > 1 || frame->is_called) && !is_only_checking;
     const bool had_failed = lines.failed();
-    Done done = Done::Nothing;
+    Outcome done = Outcome::Nothing;
     for (const nc::ProcedureParameter& parameter : statement.parameters) {
-        if (was_called || done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        if (was_called || done == Outcome::Wait || (lines.failed() && !had_failed)) return done;
         std::uint32_t characters = 0;
         done = text_size(line, parameter.type_size, characters);
-        if (done == Done::Nothing)
+        if (done == Outcome::Nothing)
             done = declare_one(line, parameter.declaration, parameter.type, characters);
     }
     return done;
 }
 
 /// A line that says the parameters of another program must say what its head says.
-Program::State::Done Program::State::check_external(CompiledLine& line,
-                                                    const ControlStatement& statement) {
+Program::State::Outcome Program::State::check_external(CompiledLine& line,
+                                                       const ControlStatement& statement) {
     externals.insert(statement.name);
     const ProgramUnit* const unit = units.find(statement.name, text());
     // Told where it is called.
-    if (unit == nullptr || unit->has_wrong_head) return Done::Nothing;
+    if (unit == nullptr || unit->has_wrong_head) return Outcome::Nothing;
     static const std::vector<nc::ProcedureParameter> kNone;
     const auto& wanted = unit->procedure() != nullptr ? unit->procedure()->parameters : kNone;
     const bool is_same =
@@ -634,17 +637,17 @@ Program::State::Done Program::State::check_external(CompiledLine& line,
                                return a.type == b.type && a.is_reference == b.is_reference &&
                                       a.declaration.dimensions == b.declaration.dimensions;
                            });
-    if (is_same) return Done::Nothing;
+    if (is_same) return Outcome::Nothing;
     return fail(line, diag::ExternalDiffers, statement.span, {quoted(statement.name)});
 }
 
 // ------------------------------------------------------------------------------ modal calls
 
-Program::State::Done Program::State::call_modal(CompiledLine& line,
-                                                const ControlStatement& statement, Block& out) {
+Program::State::Outcome Program::State::call_modal(CompiledLine& line,
+                                                   const ControlStatement& statement, Block& out) {
     auto prepared = std::make_shared<PreparedCall>();
-    const Done done = prepare(line, statement, *prepared);
-    if (done == Done::Wait || lines.failed()) return done;
+    const Outcome done = prepare(line, statement, *prepared);
+    if (done == Outcome::Wait || lines.failed()) return done;
     prepared->is_modal = true;
     const int most = language.rules.most_modal_calls;
     if (most == 1) modal_calls.clear();
@@ -652,17 +655,17 @@ Program::State::Done Program::State::call_modal(CompiledLine& line,
         return fail(line, diag::ModalCallsTooDeep, statement.span, {std::to_string(most)});
     modal_calls.push_back(std::move(prepared));
     // Where a cycle can be called so as well, this call takes its place.
-    if (most != 1 || !out.add(Function::CycleModal)) return Done::Nothing;
+    if (most != 1 || !out.add(Function::CycleModal)) return Outcome::Nothing;
     keeps_modal_calls = true;
-    return Done::Block;
+    return Outcome::Block;
 }
 
-Program::State::Done Program::State::end_modal(CompiledLine& line,
-                                               const ControlStatement& statement) {
+Program::State::Outcome Program::State::end_modal(CompiledLine& line,
+                                                  const ControlStatement& statement) {
     if (modal_calls.empty() && !language.rules.end_modal_alone)
         return fail(line, diag::ModalCallMissing, statement.span);
     if (!modal_calls.empty()) modal_calls.pop_back();
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// The modal call that a block of the program which runs makes; null: none.
@@ -735,11 +738,11 @@ void Program::State::call_behind(const Block& block, std::string_view text_of_li
 }
 
 /// The modal call that the block before has made.
-Program::State::Done Program::State::begin_due() {
+Program::State::Outcome Program::State::begin_due() {
     CompiledLine here;
     here.text = due->site->place.text;
-    const Done done = begin(here, *due);
-    if (done == Done::Wait) return done;
+    const Outcome done = begin(here, *due);
+    if (done == Outcome::Wait) return done;
     due.reset();
     if (!begins) return done;
     begins->modal_limit =
@@ -749,13 +752,13 @@ Program::State::Done Program::State::begin_due() {
 }
 
 /// The words of the block are the arguments of the modal call.
-Program::State::Done Program::State::call_with_block(CompiledLine& line) {
+Program::State::Outcome Program::State::call_with_block(CompiledLine& line) {
     const PreparedCall* const active = active_modal_call();
-    if (active == nullptr) return Done::Nothing;
+    if (active == nullptr) return Outcome::Nothing;
     PreparedCall call = *active;
     const nc::Call& words = line.line.calls[0];
-    Done done = prepare_letters(line, words, call);
-    if (done == Done::Wait || lines.failed()) return done;
+    Outcome done = prepare_letters(line, words, call);
+    if (done == Outcome::Wait || lines.failed()) return done;
     call.site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(line.text, line.place.line.line, words.span), frame->site});
     done = begin(line, call);
@@ -872,23 +875,23 @@ void Program::State::follow_named_shape(const Block& block, std::string_view tex
 
 // ------------------------------------------------------------------------------ returns
 
-Program::State::Done Program::State::leave_program(CompiledLine& line,
-                                                   const ControlStatement& statement, Block& out) {
+Program::State::Outcome Program::State::leave_program(CompiledLine& line,
+                                                      const ControlStatement& statement,
+                                                      Block& out) {
     const nc::Call* const words =
         line.line.calls.empty() ? nullptr : &line.line.calls[statement.call];
     std::optional<LineTarget> target;
     if (statement.target.kind != nc::JumpTarget::Kind::None) {
-        LineTarget wanted;
-        Done done = Done::Nothing;
-        if (!resolve(line, statement.target, wanted, done)) return done;
-        if (!wanted.label.empty() || wanted.number >= 0) target = wanted;
+        const auto wanted = resolve(line, statement.target);
+        if (!wanted) return wanted.error();
+        if (!wanted->label.empty() || wanted->number >= 0) target = *wanted;
     }
     std::optional<double> number;
-    Done done = Done::Nothing;
+    Outcome done = Outcome::Nothing;
     if (words != nullptr) done = number_of(line, words->target, number);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (number) target = LineTarget{{}, static_cast<std::int64_t>(*number)};
-    if (!target && cancel_repeat()) return Done::Nothing;
+    if (!target && cancel_repeat()) return Outcome::Nothing;
     if (frames.size() == 1) return return_in_main(line, statement, target, out);
     if (frame->call.is_modal && !line.line.words.words.empty()) {
         return fail(
@@ -899,9 +902,9 @@ Program::State::Done Program::State::leave_program(CompiledLine& line,
     Value behind;
     Value levels = Value::real(1);
     if (statement.value.is_given()) done = evaluate(line, statement.value, behind);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (statement.count.is_given()) done = evaluate(line, statement.count, levels);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     const auto most = static_cast<double>(frames.size() - 1);
     frame->levels = static_cast<int>(std::clamp(std::round(levels.number), 1.0, most));
     if (target) {
@@ -918,11 +921,11 @@ Program::State::Done Program::State::leave_program(CompiledLine& line,
     }
     std::optional<double> left;
     if (words != nullptr) done = number_of(line, words->repeats, left);
-    if (done == Done::Wait || lines.failed()) return done;
+    if (done == Outcome::Wait || lines.failed()) return done;
     // The pass that ends is counted off.
     if (left) frame->left = static_cast<std::int64_t>(std::clamp(*left, 0.0, 1e9)) + 1;
     frame->is_returning = true;
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 namespace {
@@ -965,13 +968,13 @@ bool has_exit_behind(const nc::Dialect& dialect, nc::LineSource& source, const L
 /// itself, so it is executed as often as was asked for, which is once.
 ///
 /// source  F 6.8
-Program::State::Done Program::State::return_in_main(CompiledLine& line,
-                                                    const ControlStatement& statement,
-                                                    const std::optional<LineTarget>& target,
-                                                    Block& out) {
+Program::State::Outcome Program::State::return_in_main(CompiledLine& line,
+                                                       const ControlStatement& statement,
+                                                       const std::optional<LineTarget>& target,
+                                                       Block& out) {
     if (!language.rules.return_restarts_main || frame->is_called) {
         out.add(Function::End);
-        return Done::Block;
+        return Outcome::Block;
     }
     Place found{frame->unit->begin, frame->unit->begin};
     if (target) {
@@ -1001,7 +1004,7 @@ Program::State::Done Program::State::return_in_main(CompiledLine& line,
             .arg(line.text.substr(span.begin, span.end - span.begin));
     }
     out.add(Function::End);
-    return Done::Block;
+    return Outcome::Block;
 }
 
 /// A return inside of a section that is repeated ends only that: on behind the repetition.
@@ -1015,8 +1018,8 @@ bool Program::State::cancel_repeat() {
 }
 
 /// The program that runs is through: once more, or back to where it was called.
-Program::State::Done Program::State::finish_return(Block& out) {
-    if (frame->saves && given > 0) return Done::Wait;
+Program::State::Outcome Program::State::finish_return(Block& out) {
+    if (frame->saves && given > 0) return Outcome::Wait;
     const bool is_jump = frame->returns_to.has_value() || frame->levels > 1;
     if (!is_jump && --frame->left > 0) {
         if (++turns > options.max_turns) {
@@ -1025,12 +1028,12 @@ Program::State::Done Program::State::finish_return(Block& out) {
             return fail(nowhere, diag::EndlessLoop, {}, {std::to_string(options.max_turns)});
         }
         restart(*frame);
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     const std::optional<Place> target = frame->returns_to;
     const LinePosition from = frame->here;
     ProgramText& left_text = text();
-    Done done = Done::Nothing;
+    Outcome done = Outcome::Nothing;
     for (int levels = frame->levels; levels > 0 && frames.size() > 1; --levels) {
         const std::unique_ptr<Frame> left = std::move(frames.back());
         frames.pop_back();
@@ -1052,7 +1055,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
     if (out.function_count > 0 || out.motion != Function::None) {
         out.line = units.line_id(left_text, std::max<std::uint64_t>(from.line, 2) - 1);
         kept.add(out.line, std::max<std::uint64_t>(from.line, 2) - 1, "", &left_text.name, nullptr);
-        done = Done::Block;
+        done = Outcome::Block;
     }
     if (target) {
         ++turns;

@@ -94,7 +94,7 @@ void Program::State::leave_inputs() {
     has_ended = true;
 }
 
-Program::State::Done Program::State::step_in_input(Block& out) {
+Program::State::Outcome Program::State::step_in_input(Block& out) {
     std::string_view text;
     bool is_too_long = false;
     if (!source().seek(frame->here.offset) || !source().next(text, is_too_long)) {
@@ -110,30 +110,30 @@ Program::State::Done Program::State::step_in_input(Block& out) {
     DiagnosticList heard;
     ear.listen(&heard);
     variables.let_machine_write(true);
-    Done done = run_input(scratch, out);
+    Outcome done = run_input(scratch, out);
     variables.let_machine_write(false);
     ear.listen(nullptr);
-    if (done == Done::Wait) return done;
+    if (done == Outcome::Wait) return done;
     if (lines.failed()) {
         tell_wrong_input(scratch.text, heard.all(), frame->inputs->is_said);
         lines.forget_fault();
         out.reset();
-        done = Done::Nothing;
+        done = Outcome::Nothing;
     }
     frame->here = next;
-    if (done == Done::Block) deliver(out, scratch.text, next.line - 1, false);
+    if (done == Outcome::Block) deliver(out, scratch.text, next.line - 1, false);
     return done;
 }
 
 /// One line: assignments, or a block that writes data.
-Program::State::Done Program::State::run_input(CompiledLine& line, Block& out) {
+Program::State::Outcome Program::State::run_input(CompiledLine& line, Block& out) {
     const nc::Span whole{0, static_cast<std::uint32_t>(line.text.size())};
-    if (!lines.has_words(line.text)) return Done::Nothing;
-    Done done = Done::Block;
+    if (!lines.has_words(line.text)) return Outcome::Nothing;
+    Outcome done = Outcome::Block;
     if (!lines.read_plain(line.text, out)) {
         line.context = context();
         compile_language(line);
-        if (lines.failed()) return Done::Nothing;
+        if (lines.failed()) return Outcome::Nothing;
         for (const nc::ControlStatement& statement : line.line.statements) {
             const bool is_assignment =
                 statement.kind == Statement::Assign || statement.kind == Statement::NameVariables;
@@ -149,7 +149,7 @@ Program::State::Done Program::State::run_input(CompiledLine& line, Block& out) {
         if (!line.line.calls.empty()) return fail(line, diag::InputNoValue, whole);
         done = run(line, out);
     }
-    if (done != Done::Block || lines.failed()) return done;
+    if (done != Outcome::Block || lines.failed()) return done;
     return writes_data(out) ? done : fail(line, diag::InputNoValue, whole);
 }
 
@@ -260,7 +260,7 @@ void Program::State::act_event(const InputEvent& event) {
     variables.set_in_step(true);
     Block none;
     none.reset();
-    if (run_input(line, none) == Done::Block) fail(line, diag::InputNoValue, {0, 1});
+    if (run_input(line, none) == Outcome::Block) fail(line, diag::InputNoValue, {0, 1});
     variables.let_machine_write(false);
     ear.listen(nullptr);
     if (lines.failed()) {

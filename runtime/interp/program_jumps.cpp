@@ -21,41 +21,40 @@ constexpr double kMostPasses = 9999;  // of a section that is repeated; S 8.7
 
 }  // namespace
 
-/// False: `done` says why.
-bool Program::State::resolve(CompiledLine& line, const JumpTarget& target, LineTarget& out,
-                             Done& done) {
-    done = Done::Nothing;
-    out = {target.label, target.number};
+/// Which line a target means, or what this line comes to where that is not known.
+Result<LineTarget, Program::State::Outcome> Program::State::resolve(CompiledLine& line,
+                                                                    const JumpTarget& target) {
+    LineTarget out{target.label, target.number};
     if (target.kind == JumpTarget::Kind::Number) out.label.clear();
-    if (target.kind != JumpTarget::Kind::Computed) return true;
+    if (target.kind != JumpTarget::Kind::Computed) return out;
     Value value;
-    done = evaluate(line, target.value, value);
-    if (done == Done::Wait || lines.failed()) return false;
+    const Outcome done = evaluate(line, target.value, value);
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (value.is_text()) {
         const nc::ControlWords words(tables, line.text);
         out.label = words.normal(evaluator.text(value));
         out.number = words.block_number(out.label);
         if (out.number >= 0) out.label.clear();
-        return true;
+        return out;
     }
     const double number = value.number;
     if (number != std::floor(number) || number < 1 ||
-        number > static_cast<double>(tables.block_numbers.most)) {
-        done = fail(line, diag::JumpTargetInvalid, target.span, {evaluator.written(value)});
-        return false;
-    }
+        number > static_cast<double>(tables.block_numbers.most))
+        return fail(line, diag::JumpTargetInvalid, target.span, {evaluator.written(value)});
     out.label.clear();
     out.number = static_cast<std::int64_t>(number);
-    return true;
+    return out;
 }
 
 /// Where a jump goes to. An alarm where there is no such place, but for a jump that may have none:
 /// nothing is found then.
-Program::State::Done Program::State::find_target(CompiledLine& line,
-                                                 const ControlStatement& statement,
-                                                 LineTarget& target, std::optional<Place>& found) {
-    Done done = Done::Nothing;
-    if (!resolve(line, statement.target, target, done)) return done;
+Program::State::Outcome Program::State::find_target(CompiledLine& line,
+                                                    const ControlStatement& statement,
+                                                    LineTarget& target,
+                                                    std::optional<Place>& found) {
+    const auto wanted = resolve(line, statement.target);
+    if (!wanted) return wanted.error();
+    target = *wanted;
     const Direction direction = statement.kind == Statement::JumpForward    ? Direction::Forward
                                 : statement.kind == Statement::JumpBackward ? Direction::Backward
                                                                             : Direction::Both;
@@ -63,7 +62,7 @@ Program::State::Done Program::State::find_target(CompiledLine& line,
     const ProgramMap::Fault fault = map().find(target, direction, line.place, place);
     if (fault == ProgramMap::Fault::None) found = place;
     if (found || (fault == ProgramMap::Fault::Missing && statement.kind == Statement::JumpIfThere))
-        return Done::Nothing;
+        return Outcome::Nothing;
     const std::string what =
         target.label.empty() ? "N" + std::to_string(target.number) : target.label;
     const char* const where = direction == Direction::Forward    ? " behind this block"
@@ -73,11 +72,12 @@ Program::State::Done Program::State::find_target(CompiledLine& line,
                 '`' + what + '`' + where);
 }
 
-Program::State::Done Program::State::jump(CompiledLine& line, const ControlStatement& statement) {
+Program::State::Outcome Program::State::jump(CompiledLine& line,
+                                             const ControlStatement& statement) {
     LineTarget target;
     std::optional<Place> found;
-    const Done done = find_target(line, statement, target, found);
-    if (done == Done::Wait || lines.failed() || !found) return done;
+    const Outcome done = find_target(line, statement, target, found);
+    if (done == Outcome::Wait || lines.failed() || !found) return done;
     warn_of_twin(line, statement.target.span, target, *found);
     return go(line, *found, statement.span);
 }
@@ -120,13 +120,14 @@ void Program::State::warn_of_twin(const CompiledLine& line, const Span& span,
         .arg(static_cast<std::size_t>(found.line.line));
 }
 
-Program::State::Done Program::State::go(CompiledLine& line, const Place& target, const Span& span) {
+Program::State::Outcome Program::State::go(CompiledLine& line, const Place& target,
+                                           const Span& span) {
     const std::uint64_t to = target.line.offset;
     leave_open(target.line);
     frame->goes_on = target.line;
     if (to <= line.place.line.offset && ++turns > options.max_turns)
         return fail(line, diag::EndlessLoop, span, {std::to_string(options.max_turns)});
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// A jump leaves structures and sections that the target does not stand in.
@@ -141,43 +142,44 @@ void Program::State::leave_open(const LinePosition& target) {
         frame->repeats.pop_back();
 }
 
-Program::State::Done Program::State::choose(CompiledLine& line, const ControlStatement& statement,
-                                            Block& out) {
+Program::State::Outcome Program::State::choose(CompiledLine& line,
+                                               const ControlStatement& statement, Block& out) {
     bool is_true = false;
-    const Done done = truth(line, statement.value, is_true);
-    if (done == Done::Wait || lines.failed() || !is_true) return done;
+    const Outcome done = truth(line, statement.value, is_true);
+    if (done == Outcome::Wait || lines.failed() || !is_true) return done;
     return execute(line, statement.inner[0], out);
 }
 
-Program::State::Done Program::State::choose_case(CompiledLine& line,
-                                                 const ControlStatement& statement) {
+Program::State::Outcome Program::State::choose_case(CompiledLine& line,
+                                                    const ControlStatement& statement) {
     Value value;
-    Done done = evaluate(line, statement.value, value);
-    if (done == Done::Wait || lines.failed()) return done;
+    Outcome done = evaluate(line, statement.value, value);
+    if (done == Outcome::Wait || lines.failed()) return done;
     for (std::size_t i = 0; i < statement.inner.size(); ++i) {
         if (i < statement.list.size()) {
             Value wanted;
             done = evaluate(line, statement.list[i], wanted);
-            if (done == Done::Wait || lines.failed()) return done;
+            if (done == Outcome::Wait || lines.failed()) return done;
             const std::optional<bool> is_same = evaluator.is_same(value, wanted);
             if (!is_same) return fail(line, evaluator.fault());
             if (!*is_same) continue;
         }
         return jump(line, statement.inner[i]);
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 // ------------------------------------------------------------------------------ structures
 
-Program::State::Done Program::State::enter(CompiledLine& line, const ControlStatement& statement) {
+Program::State::Outcome Program::State::enter(CompiledLine& line,
+                                              const ControlStatement& statement) {
     const bool is_known = !frame->structures.empty() &&
                           frame->structures.back().head.line == line.place.line &&
                           statement.kind == Statement::While;
     bool is_true = true;
     if (statement.kind == Statement::If || statement.kind == Statement::While) {
-        const Done done = truth(line, statement.value, is_true);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = truth(line, statement.value, is_true);
+        if (done == Outcome::Wait || lines.failed()) return done;
     }
     if (!is_known) {
         nc::LineFront front;
@@ -200,31 +202,31 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
     if (statement.kind == Statement::For) {
         Value first;
         Value last;
-        Done done = evaluate(line, statement.value, first);
-        if (done != Done::Wait && !lines.failed()) done = evaluate(line, statement.second, last);
-        if (done != Done::Wait && !lines.failed()) {
+        Outcome done = evaluate(line, statement.value, first);
+        if (done != Outcome::Wait && !lines.failed()) done = evaluate(line, statement.second, last);
+        if (done != Outcome::Wait && !lines.failed()) {
             first.number = std::round(first.number);
             done = store(line, statement.variable, first);
         }
-        if (done == Done::Wait) frame->structures.pop_back();
-        if (done == Done::Wait || lines.failed()) return done;
+        if (done == Outcome::Wait) frame->structures.pop_back();
+        if (done == Outcome::Wait || lines.failed()) return done;
         open.last = last.number;
         is_true = first.number <= last.number;
     }
-    if (is_true) return Done::Nothing;
+    if (is_true) return Outcome::Nothing;
     if (statement.kind == Statement::If && open.otherwise) {
         frame->goes_on = open.otherwise->next;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     frame->goes_on = open.end.next;
     frame->structures.pop_back();
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// The end of a structure cannot be found: what is in the way is told with it.
-Program::State::Done Program::State::fail(CompiledLine& line, const ControlStatement& statement,
-                                          ProgramMap::Fault fault,
-                                          const ProgramMap::Crossing& crossing) {
+Program::State::Outcome Program::State::fail(CompiledLine& line, const ControlStatement& statement,
+                                             ProgramMap::Fault fault,
+                                             const ProgramMap::Crossing& crossing) {
     const auto end = static_cast<std::uint32_t>(crossing.text.size());
     if (fault == ProgramMap::Fault::LoopNumber) {
         // Wrong is the loop inside.
@@ -234,7 +236,7 @@ Program::State::Done Program::State::fail(CompiledLine& line, const ControlState
             .note(lines.place(line.text, line.place.line.line, statement.span),
                   "it lies in this loop, which has it");
         lines.begin(line.place.line.line);
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     if (crossing.line == 0 || fault != ProgramMap::Fault::Missing)
         return fail(line, fault, diag::StructureEndMissing, statement.span, "");
@@ -245,23 +247,24 @@ Program::State::Done Program::State::fail(CompiledLine& line, const ControlState
                                          std::to_string(crossing.inside) + " is open";
     lines.report_event(line.text, {&diag::StructureEndMissing, statement.span, {}})
         .note(lines.place(crossing.text, crossing.line, {0, end}), std::move(why));
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// `ENDIF` that ends no condition, as behind `IF … GOTOF …`, or behind a jump into one: there is
 /// nothing to do. Said once for each.
-Program::State::Done Program::State::pass_end(const CompiledLine& line,
-                                              const ControlStatement& statement) {
-    if (!said_ends.emplace(frame->unit, line.place.line.offset).second) return Done::Nothing;
+Program::State::Outcome Program::State::pass_end(const CompiledLine& line,
+                                                 const ControlStatement& statement) {
+    if (!said_ends.emplace(frame->unit, line.place.line.offset).second) return Outcome::Nothing;
     DiagnosticBuilder message = sink.report(
         diag::EndOfNothing, lines.place(line.text, line.place.line.line, statement.span));
     message.arg(line.text.substr(statement.span.begin, statement.span.end - statement.span.begin));
     lines.write_notes(message);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// The end of a structure, or of one pass.
-Program::State::Done Program::State::leave(CompiledLine& line, const ControlStatement& statement) {
+Program::State::Outcome Program::State::leave(CompiledLine& line,
+                                              const ControlStatement& statement) {
     const auto is_own = [&](const OpenStructure& open) { return open.end.line == line.place.line; };
     const bool is_of_none = std::ranges::none_of(frame->structures, is_own);
     if (is_of_none && statement.kind == Statement::EndIf) return pass_end(line, statement);
@@ -274,33 +277,33 @@ Program::State::Done Program::State::leave(CompiledLine& line, const ControlStat
         case Statement::While: frame->goes_on = open.head.line; break;
         case Statement::Loop: frame->goes_on = open.head.next; break;
         case Statement::For: {
-            const Done done = count_on(line, open, once_more);
-            if (done == Done::Wait || lines.failed()) return done;
+            const Outcome done = count_on(line, open, once_more);
+            if (done == Outcome::Wait || lines.failed()) return done;
             break;
         }
         case Statement::Repeat: {
-            const Done done = truth(line, statement.value, once_more);
-            if (done == Done::Wait || lines.failed()) return done;
+            const Outcome done = truth(line, statement.value, once_more);
+            if (done == Outcome::Wait || lines.failed()) return done;
             once_more = !once_more;
             break;
         }
-        default: frame->structures.pop_back(); return Done::Nothing;
+        default: frame->structures.pop_back(); return Outcome::Nothing;
     }
     if (open.kind == Statement::For || open.kind == Statement::Repeat) {
         if (!once_more) {
             frame->structures.pop_back();
-            return Done::Nothing;
+            return Outcome::Nothing;
         }
         frame->goes_on = open.head.next;
     }
     if (++turns > options.max_turns)
         return fail(line, diag::EndlessLoop, statement.span, {std::to_string(options.max_turns)});
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// The counter of a For takes its next value.
-Program::State::Done Program::State::count_on(CompiledLine& line, OpenStructure& loop,
-                                              bool& goes_on_looping) {
+Program::State::Outcome Program::State::count_on(CompiledLine& line, OpenStructure& loop,
+                                                 bool& goes_on_looping) {
     const nc::ControlLine& code = *loop.counts;
     const nc::Reference& counter = code.statements[0].variable;
     std::array<std::int64_t, 4> indices{};
@@ -314,11 +317,11 @@ Program::State::Done Program::State::count_on(CompiledLine& line, OpenStructure&
     goes_on_looping = value.number <= loop.last;
     const auto fault = variables.store(counter.load, indices, value, {});
     if (fault.row != nullptr) return fail(line, *fault.row, counter.span, fault.arguments);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::otherwise(CompiledLine& line,
-                                               const ControlStatement& statement) {
+Program::State::Outcome Program::State::otherwise(CompiledLine& line,
+                                                  const ControlStatement& statement) {
     const auto is_own = [&](const OpenStructure& open) {
         return open.otherwise && open.otherwise->line == line.place.line;
     };
@@ -327,42 +330,41 @@ Program::State::Done Program::State::otherwise(CompiledLine& line,
     if (frame->structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
     frame->goes_on = frame->structures.back().end.next;
     frame->structures.pop_back();
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::repeat_section(CompiledLine& line,
-                                                    const ControlStatement& statement) {
+Program::State::Outcome Program::State::repeat_section(CompiledLine& line,
+                                                       const ControlStatement& statement) {
     std::int64_t passes = 1;
     if (statement.count.is_given()) {
         Value count;
-        const Done done = evaluate(line, statement.count, count);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, statement.count, count);
+        if (done == Outcome::Wait || lines.failed()) return done;
         const double wanted = std::round(count.number);
         if (!(wanted >= 0 && wanted <= kMostPasses))
             return fail(line, diag::RepeatCount, statement.count.span, {evaluator.written(count)});
         passes = static_cast<std::int64_t>(wanted);
     }
-    LineTarget target;
-    Done done = Done::Nothing;
-    if (!resolve(line, statement.from, target, done)) return done;
+    const auto target = resolve(line, statement.from);
+    if (!target) return target.error();
     const auto missing = [&](ProgramMap::Fault fault, const JumpTarget& which) {
         return fail(line, fault, diag::RepeatLabelMissing, which.span, '`' + which.label + '`');
     };
     Place begin;
     // Toward the head first, then forward.
-    ProgramMap::Fault fault = map().find(target, Direction::Backward, line.place, begin);
+    ProgramMap::Fault fault = map().find(*target, Direction::Backward, line.place, begin);
     if (fault == ProgramMap::Fault::Missing)
-        fault = map().find(target, Direction::Forward, line.place, begin);
+        fault = map().find(*target, Direction::Forward, line.place, begin);
     if (fault != ProgramMap::Fault::None) return missing(fault, statement.from);
     OpenRepeat repeat{begin.line, line.place.line, line.place.next, passes, false};
     const bool is_behind = begin.line.offset > line.place.line.offset;
     if (statement.kind == Statement::RepeatBlock) {
         repeat.end = begin.next;
     } else if (statement.to.kind != JumpTarget::Kind::None) {
-        LineTarget last;
-        if (!resolve(line, statement.to, last, done)) return done;
+        const auto last = resolve(line, statement.to);
+        if (!last) return last.error();
         Place end;
-        fault = map().find(last, Direction::Forward, begin, end);
+        fault = map().find(*last, Direction::Forward, begin, end);
         const bool is_before_end = fault == ProgramMap::Fault::None &&
                                    (is_behind || end.line.offset < line.place.line.offset);
         if (is_before_end) repeat.end = end.next;
@@ -374,14 +376,14 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
         if (fault == ProgramMap::Fault::None) repeat.end = end.next;
         if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.from);
     }
-    if (passes == 0) return Done::Nothing;
+    if (passes == 0) return Outcome::Nothing;
     // Behind the frontier nothing was executed yet: those lines run for the first time here, and
     // once more later.
     if (++turns > options.max_turns)
         return fail(line, diag::EndlessLoop, statement.span, {std::to_string(options.max_turns)});
     frame->repeats.push_back(repeat);
     frame->goes_on = begin.line;
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 }  // namespace kadr::interp

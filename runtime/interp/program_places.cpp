@@ -43,8 +43,8 @@ void Program::State::call_at_places(const Block& block, const PreparedCall& acti
 /// The tool stands at a place: the call; behind it on to the next one, which the interpreter does
 /// behind a block that takes back the codes of the program that was called. Behind the last place
 /// those act again that acted before the pattern.
-Program::State::Done Program::State::go_on_at_places(Block& out) {
-    if (given > 0) return Done::Wait;
+Program::State::Outcome Program::State::go_on_at_places(Block& out) {
+    if (given > 0) return Outcome::Wait;
     CallsAtPlaces& calls = *frame->at_places;
     const bool is_at_place = interpreter->is_at_place();
     if (is_at_place && !calls.has_called) {
@@ -61,10 +61,10 @@ Program::State::Done Program::State::go_on_at_places(Block& out) {
         calls.has_called = false;
         interpreter->leave_place();
         if (!says_something) out.kind = Block::Kind::Comment;
-        return Done::Block;
+        return Outcome::Block;
     }
     frame->at_places.reset();
-    return says_something ? Done::Block : Done::Nothing;
+    return says_something ? Outcome::Block : Outcome::Nothing;
 }
 
 /// A return that goes elsewhere leaves the places that are left.

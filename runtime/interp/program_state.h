@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "base/done.h"
+#include "base/result.h"
 #include "interp/code_list.h"
 #include "interp/control_files.h"
 #include "interp/control_variables.h"
@@ -159,7 +161,8 @@ struct Program::State {
     State(const nc::Dialect& dialect_, nc::TextSource& text, std::string name,
           const ProgramOptions& options_, DiagnosticSink& sink_);
 
-    enum class Done : std::uint8_t {
+    /// What a line has come to.
+    enum class Outcome : std::uint8_t {
         Block,    // `out` holds one
         Nothing,  // go on
         Wait,     // the line is run again when the blocks before are executed
@@ -287,18 +290,18 @@ struct Program::State {
 
     // lines
     std::size_t pull(std::span<nc::Block> out);
-    Done step(nc::Block& out);
+    Outcome step(nc::Block& out);
     bool runs_flat();
     void take_flat(std::span<nc::Block> out);
     void begin_main();
     void begin_definitions();
     void leave_definition(const Frame& left);
     std::string name_of_definitions() const;
-    Done step_in_definition(nc::Block& out);
+    Outcome step_in_definition(nc::Block& out);
     // program_inputs.cpp
     void begin_inputs();
-    Done step_in_input(nc::Block& out);
-    Done run_input(CompiledLine& line, nc::Block& out);
+    Outcome step_in_input(nc::Block& out);
+    Outcome run_input(CompiledLine& line, nc::Block& out);
     void tell_wrong_input(const std::string& text, const std::vector<Diagnostic>& heard,
                           bool is_said);
     void leave_inputs();
@@ -308,9 +311,9 @@ struct Program::State {
     void begin_event_block();
     void act_events();
     void act_event(const InputEvent& event);
-    Done begin_with_arguments();
-    Done prepare_arguments(CompiledLine& line);
-    bool may_execute(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome begin_with_arguments();
+    Outcome prepare_arguments(CompiledLine& line);
+    Done require_definition(CompiledLine& line, const nc::ControlStatement& statement);
     bool may_go_on();
     bool is_in_cycle_mode() const {
         return lines.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle;
@@ -319,9 +322,9 @@ struct Program::State {
         return options.max_blocks != 0 && executed + blocks >= options.max_blocks;
     }
     bool shows(std::string_view text);
-    Done first_time(nc::Block& out);
-    Done finish_first(Done done, std::string_view text, LinePosition next, nc::Block& out);
-    Done run(CompiledLine& line, nc::Block& out);
+    Outcome first_time(nc::Block& out);
+    Outcome finish_first(Outcome done, std::string_view text, LinePosition next, nc::Block& out);
+    Outcome run(CompiledLine& line, nc::Block& out);
     CompiledLine* line_at(const LinePosition& position);
     void compile(CompiledLine& line, nc::Block& out);
     void compile_language(CompiledLine& line);
@@ -337,111 +340,112 @@ struct Program::State {
     void keep_contour(const nc::Block& block, std::int64_t kind);
     NamedContour contour_of(const nc::Block& block) const;
     void follow_named_shape(const nc::Block& block, std::string_view text, const Place& place);
-    Done end_of_text();
+    Outcome end_of_text();
     void note_skipped();
     bool check_skipped();
     void advance();
-    Done read_words(CompiledLine& line, nc::Block& out);
-    Done set_axes(CompiledLine& line);
-    Done set_codes(CompiledLine& line);
+    Outcome read_words(CompiledLine& line, nc::Block& out);
+    Outcome set_axes(CompiledLine& line);
+    Outcome set_codes(CompiledLine& line);
     bool set_code(nc::LexedLine& words, std::size_t place, const std::string& code) const;
-    Done let_axis_move_alone(CompiledLine& line, nc::Block& out);
+    Outcome let_axis_move_alone(CompiledLine& line, nc::Block& out);
 
     // statements
-    Done execute(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    Done execute_call(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    Done assign(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    Done fit_text(CompiledLine& line, const nc::ControlStatement& statement, Value& value);
-    Done assign_list(CompiledLine& line, const nc::ControlStatement& statement);
-    Done fill_count(CompiledLine& line, std::span<const nc::Expression> said, std::size_t most,
-                    std::size_t& out);
-    Done list_place(CompiledLine& line, const nc::Reference& reference, ListPlace& out);
+    Outcome execute(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Outcome execute_call(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Outcome assign(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Outcome fit_text(CompiledLine& line, const nc::ControlStatement& statement, Value& value);
+    Outcome assign_list(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome fill_count(CompiledLine& line, std::span<const nc::Expression> said, std::size_t most,
+                       std::size_t& out);
+    Outcome list_place(CompiledLine& line, const nc::Reference& reference, ListPlace& out);
     ControlVariables::Fault store_at(const ListPlace& place, std::uint32_t i, const Value& value);
-    Done declare(CompiledLine& line, const nc::ControlStatement& statement);
-    Done declare_one(CompiledLine& line, const nc::Declaration& declaration, nc::ValueType type,
-                     std::uint32_t text_size);
-    Done text_size(CompiledLine& line, const nc::Expression& expression, std::uint32_t& out);
-    Done limit(CompiledLine& line, const nc::ControlStatement& statement);
-    Done jump(CompiledLine& line, const nc::ControlStatement& statement);
-    Done choose(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    Done choose_case(CompiledLine& line, const nc::ControlStatement& statement);
-    Done enter(CompiledLine& line, const nc::ControlStatement& statement);
-    Done pass_end(const CompiledLine& line, const nc::ControlStatement& statement);
-    Done leave(CompiledLine& line, const nc::ControlStatement& statement);
-    Done otherwise(CompiledLine& line, const nc::ControlStatement& statement);
-    Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
-    Done call_section(CompiledLine& line, const nc::ControlStatement& statement);
-    Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
-    Done print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
+    Outcome declare(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome declare_one(CompiledLine& line, const nc::Declaration& declaration, nc::ValueType type,
+                        std::uint32_t text_size);
+    Outcome text_size(CompiledLine& line, const nc::Expression& expression, std::uint32_t& out);
+    Outcome limit(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome jump(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome choose(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Outcome choose_case(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome enter(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome pass_end(const CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome leave(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome otherwise(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome call_section(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
+    Outcome print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
     // contour_statements.cpp
-    Done contour(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    Done begin_contour(CompiledLine& line, const nc::ControlStatement& statement);
-    Done end_contour(CompiledLine& line, const nc::ControlStatement& statement);
-    Done run_contour_row(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Outcome contour(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Outcome begin_contour(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome end_contour(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome run_contour_row(CompiledLine& line, const nc::ControlStatement& statement,
+                            nc::Block& out);
     // file_statements.cpp
-    Done use_file(CompiledLine& line, const nc::ControlStatement& statement);
-    Done read_file(CompiledLine& line, const nc::ControlStatement& statement,
-                   const std::string& name, ControlFiles::Error& error);
+    Outcome use_file(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome read_file(CompiledLine& line, const nc::ControlStatement& statement,
+                      const std::string& name, ControlFiles::Error& error);
     std::string file_name(std::string_view path) const;
-    Done run_text(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    Done name_variables(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome run_text(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Outcome name_variables(CompiledLine& line, const nc::ControlStatement& statement);
     std::string_view with_names(std::string_view text);
-    Done define_macro(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome define_macro(CompiledLine& line, const nc::ControlStatement& statement);
     std::string_view with_macros(std::string_view text);
-    Done pass_synchronous(CompiledLine& line, const nc::ControlStatement& statement);
-    Done stop_with_message(std::string_view text, nc::Block& out);
+    Outcome pass_synchronous(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome stop_with_message(std::string_view text, nc::Block& out);
 
     // parts
-    Done evaluate(CompiledLine& line, const nc::Expression& expression, Value& out,
-                  int decimals = -1);
-    Done truth(CompiledLine& line, const nc::Expression& expression, bool& out);
-    Done store(CompiledLine& line, const nc::Reference& reference, const Value& value);
+    Outcome evaluate(CompiledLine& line, const nc::Expression& expression, Value& out,
+                     int decimals = -1);
+    Outcome truth(CompiledLine& line, const nc::Expression& expression, bool& out);
+    Outcome store(CompiledLine& line, const nc::Reference& reference, const Value& value);
     void note_data(const nc::Block& block);
     void tell_data();
     ControlVariables::Fault store_noted(const CompiledLine& line, const nc::Reference& reference,
                                         std::span<const std::int64_t> indices, const Value& value);
-    Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
-    bool resolve(CompiledLine& line, const nc::JumpTarget& target, LineTarget& out, Done& done);
+    Outcome count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
+    Result<LineTarget, Outcome> resolve(CompiledLine& line, const nc::JumpTarget& target);
     void warn_of_radians(const CompiledLine& line);
     void warn_of_twin(const CompiledLine& line, const nc::Span& span, const LineTarget& target,
                       const Place& found);
-    Done go(CompiledLine& line, const Place& target, const nc::Span& span);
+    Outcome go(CompiledLine& line, const Place& target, const nc::Span& span);
     void leave_open(const LinePosition& target);
-    Done fail(CompiledLine& line, const nc::LineFault& fault);
-    Done fail(CompiledLine& line, const DiagnosticRow& row, const nc::Span& span,
-              std::vector<std::string> arguments = {}) {
+    Outcome fail(CompiledLine& line, const nc::LineFault& fault);
+    Outcome fail(CompiledLine& line, const DiagnosticRow& row, const nc::Span& span,
+                 std::vector<std::string> arguments = {}) {
         return fail(line, nc::LineFault{&row, span, std::move(arguments)});
     }
-    Done fail(CompiledLine& line, const nc::ControlStatement& statement, ProgramMap::Fault fault,
-              const ProgramMap::Crossing& crossing);
-    Done fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
-              const nc::Span& span, const std::string& what);
+    Outcome fail(CompiledLine& line, const nc::ControlStatement& statement, ProgramMap::Fault fault,
+                 const ProgramMap::Crossing& crossing);
+    Outcome fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
+                 const nc::Span& span, const std::string& what);
 
     // program_calls.cpp: calls
-    Done call(CompiledLine& line, const nc::ControlStatement& statement);
-    Done call_modal(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    Done end_modal(CompiledLine& line, const nc::ControlStatement& statement);
-    Done prepare(CompiledLine& line, const nc::ControlStatement& statement, PreparedCall& out);
-    Done prepare_passes(CompiledLine& line, const nc::CallValue& passes, PreparedCall& out);
-    Done prepare_section(CompiledLine& line, const nc::ControlStatement& statement,
-                         PreparedCall& out);
-    Done prepare_letters(CompiledLine& line, const nc::Call& call, PreparedCall& out);
-    Done prepare_list(CompiledLine& line, const nc::Call& call, PreparedCall& out);
-    Done find_program(CompiledLine& line, const nc::ControlStatement& statement,
-                      const nc::CallForm* form, PreparedCall& out);
-    Done program_name(CompiledLine& line, const nc::ControlStatement& statement,
-                      const nc::CallForm* form, PreparedCall& out, ProgramName& name);
-    Done missing_program(CompiledLine& line, const nc::ControlStatement& statement,
-                         const std::string& name);
-    Done number_of(CompiledLine& line, const nc::CallValue& value, std::optional<double>& out);
-    Done check_depth(CompiledLine& line, const PreparedCall& call, const nc::Span& span);
-    Done bind_parameters(CompiledLine& line, const PreparedCall& call, Frame& callee);
-    Done bind_parameter(CompiledLine& line, const PreparedCall& call, std::size_t index);
+    Outcome call(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome call_modal(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Outcome end_modal(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome prepare(CompiledLine& line, const nc::ControlStatement& statement, PreparedCall& out);
+    Outcome prepare_passes(CompiledLine& line, const nc::CallValue& passes, PreparedCall& out);
+    Outcome prepare_section(CompiledLine& line, const nc::ControlStatement& statement,
+                            PreparedCall& out);
+    Outcome prepare_letters(CompiledLine& line, const nc::Call& call, PreparedCall& out);
+    Outcome prepare_list(CompiledLine& line, const nc::Call& call, PreparedCall& out);
+    Outcome find_program(CompiledLine& line, const nc::ControlStatement& statement,
+                         const nc::CallForm* form, PreparedCall& out);
+    Outcome program_name(CompiledLine& line, const nc::ControlStatement& statement,
+                         const nc::CallForm* form, PreparedCall& out, ProgramName& name);
+    Outcome missing_program(CompiledLine& line, const nc::ControlStatement& statement,
+                            const std::string& name);
+    Outcome number_of(CompiledLine& line, const nc::CallValue& value, std::optional<double>& out);
+    Outcome check_depth(CompiledLine& line, const PreparedCall& call, const nc::Span& span);
+    Outcome bind_parameters(CompiledLine& line, const PreparedCall& call, Frame& callee);
+    Outcome bind_parameter(CompiledLine& line, const PreparedCall& call, std::size_t index);
     void note_reference(const nc::Symbol& symbol, const ControlVariables::VariablePlace& place);
     void note_returned(const Frame& left);
-    Done bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
-                        const GivenValue& given, nc::Symbol symbol);
-    Done begin(CompiledLine& line, const PreparedCall& call);
+    Outcome bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
+                           const GivenValue& given, nc::Symbol symbol);
+    Outcome begin(CompiledLine& line, const PreparedCall& call);
     void perform_call();
     const PreparedCall* active_modal_call() const;
     bool takes_blocks() const;
@@ -451,25 +455,26 @@ struct Program::State {
     bool has_program(std::string_view name);
     nc::LineContext context() const;
     void call_behind(const nc::Block& block, std::string_view text, std::uint64_t number);
-    Done begin_due();
+    Outcome begin_due();
     void call_at_places(const nc::Block& block, const PreparedCall& active, std::string_view text,
                         std::uint64_t number);
-    Done go_on_at_places(nc::Block& out);
+    Outcome go_on_at_places(nc::Block& out);
     void leave_places(Frame& of);
-    Done call_with_block(CompiledLine& line);
+    Outcome call_with_block(CompiledLine& line);
     void check_call(CompiledLine& line, const nc::ControlStatement& statement);
     void check_jumps(CompiledLine& line, const std::vector<nc::ControlStatement>& statements);
-    Done find_target(CompiledLine& line, const nc::ControlStatement& statement, LineTarget& target,
-                     std::optional<Place>& found);
-    Done check_external(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome find_target(CompiledLine& line, const nc::ControlStatement& statement,
+                        LineTarget& target, std::optional<Place>& found);
+    Outcome check_external(CompiledLine& line, const nc::ControlStatement& statement);
 
     // … returns
-    Done declare_procedure(CompiledLine& line, const nc::ControlStatement& statement);
-    Done leave_program(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    Done return_in_main(CompiledLine& line, const nc::ControlStatement& statement,
-                        const std::optional<LineTarget>& target, nc::Block& out);
+    Outcome declare_procedure(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome leave_program(CompiledLine& line, const nc::ControlStatement& statement,
+                          nc::Block& out);
+    Outcome return_in_main(CompiledLine& line, const nc::ControlStatement& statement,
+                           const std::optional<LineTarget>& target, nc::Block& out);
     bool cancel_repeat();
-    Done finish_return(nc::Block& out);
+    Outcome finish_return(nc::Block& out);
     void restart(Frame& again);
     void resume_frame(Frame& next);
 };

@@ -17,15 +17,15 @@ using nc::Function;
 using nc::Span;
 using nc::Statement;
 
-Program::State::Done Program::State::execute(CompiledLine& line, const ControlStatement& statement,
-                                             Block& out) {
-    if (!may_execute(line, statement)) return Done::Nothing;
+Program::State::Outcome Program::State::execute(CompiledLine& line,
+                                                const ControlStatement& statement, Block& out) {
+    if (!require_definition(line, statement)) return Outcome::Nothing;
     switch (statement.kind) {
         case Statement::None:
         case Statement::JumpToStart:
         case Statement::EndIf:
             if (statement.kind == Statement::EndIf) return leave(line, statement);
-            return Done::Nothing;
+            return Outcome::Nothing;
         case Statement::Assign: return assign(line, statement, out);
         case Statement::Jump:
         case Statement::JumpForward:
@@ -43,10 +43,10 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::Until: return leave(line, statement);
         case Statement::RepeatSection:
         case Statement::RepeatBlock: return repeat_section(line, statement);
-        case Statement::Label: return Done::Nothing;
+        case Statement::Label: return Outcome::Nothing;
         case Statement::CallSection: return call_section(line, statement);
         case Statement::EndSection: {
-            if (frames.size() == 1) return Done::Nothing;
+            if (frames.size() == 1) return Outcome::Nothing;
             ControlStatement end;
             end.kind = Statement::Return;
             end.span = statement.span;
@@ -78,22 +78,22 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::Alarm: {
             Value number;
             Value text;
-            Done done = evaluate(line, statement.value, number);
-            if (done == Done::Wait || lines.failed()) return done;
+            Outcome done = evaluate(line, statement.value, number);
+            if (done == Outcome::Wait || lines.failed()) return done;
             if (statement.second.is_given()) done = evaluate(line, statement.second, text);
-            if (done == Done::Wait || lines.failed()) return done;
+            if (done == Outcome::Wait || lines.failed()) return done;
             return raise(line, statement.span, number.number, std::string(evaluator.text(text)));
         }
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::assign(CompiledLine& line, const ControlStatement& statement,
-                                            Block& out) {
+Program::State::Outcome Program::State::assign(CompiledLine& line,
+                                               const ControlStatement& statement, Block& out) {
     if (!statement.list.empty()) return assign_list(line, statement);
     Value value;
-    Done done = evaluate(line, statement.value, value);
-    if (done == Done::Wait || lines.failed()) return done;
+    Outcome done = evaluate(line, statement.value, value);
+    if (done == Outcome::Wait || lines.failed()) return done;
     // Writing some variables acts: an alarm, a stop.
     const nc::Instruction& load = statement.variable.load;
     nc::Quantity quantity = nc::Quantity::None;
@@ -109,44 +109,45 @@ Program::State::Done Program::State::assign(CompiledLine& line, const ControlSta
     if (quantity == nc::Quantity::Alarm) return raise(line, statement.span, value.number, comment);
     if (quantity == nc::Quantity::MessageStop) return stop_with_message(comment, out);
     done = fit_text(line, statement, value);
-    return done == Done::Nothing && !lines.failed() ? store(line, statement.variable, value) : done;
+    return done == Outcome::Nothing && !lines.failed() ? store(line, statement.variable, value)
+                                                       : done;
 }
 
 /// A text that is too long for its variable is cut off. That of a constant is not, which is told
 /// where it is stored, and one that is put together is told as such. S 8.2.
-Program::State::Done Program::State::fit_text(CompiledLine& line, const ControlStatement& statement,
-                                              Value& value) {
+Program::State::Outcome Program::State::fit_text(CompiledLine& line,
+                                                 const ControlStatement& statement, Value& value) {
     using Kind = nc::Instruction::Kind;
-    if (!value.is_text() || statement.variable.load.kind != Kind::Element) return Done::Nothing;
+    if (!value.is_text() || statement.variable.load.kind != Kind::Element) return Outcome::Nothing;
     const nc::Symbol& symbol = variables.level().symbols.at(statement.variable.load.index);
     const std::string text(evaluator.text(value));
     const nc::Expression& said = statement.value;
     const nc::Instruction& last = line.line.code[said.first + said.count - 1];
     const std::size_t length = count_code_points(text);
     const bool fits = symbol.type != nc::ValueType::Text || length <= symbol.text_size;
-    if (fits || last.kind == Kind::Text) return Done::Nothing;
+    if (fits || last.kind == Kind::Text) return Outcome::Nothing;
     if (last.kind == Kind::Operate && last.operation == nc::Operation::Concatenate)
         return fail(line, diag::JoinedTooLong, said.span,
                     {std::to_string(length), std::to_string(symbol.text_size)});
     value = evaluator.keep_text(std::string(code_points(text, 0, symbol.text_size)));
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::store(CompiledLine& line, const nc::Reference& reference,
-                                           const Value& value) {
+Program::State::Outcome Program::State::store(CompiledLine& line, const nc::Reference& reference,
+                                              const Value& value) {
     std::array<std::int64_t, 4> indices{};
     if (reference.indices.is_given()) {
         const Evaluator::Outcome outcome = evaluator.indices(line.line, reference, indices);
         if (!missing_inputs.empty()) tell_missing(line);
         switch (outcome) {
             case Evaluator::Outcome::Done: break;
-            case Evaluator::Outcome::Later: return Done::Wait;
+            case Evaluator::Outcome::Later: return Outcome::Wait;
             case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
         }
     }
-    if (variables.must_wait(reference.load, indices)) return Done::Wait;
+    if (variables.must_wait(reference.load, indices)) return Outcome::Wait;
     ControlVariables::Fault fault = store_noted(line, reference, indices, value);
-    if (fault.row == nullptr) return Done::Nothing;
+    if (fault.row == nullptr) return Outcome::Nothing;
     // The control's own state has the name that the program says.
     const bool is_family = reference.load.kind == nc::Instruction::Kind::Family;
     const bool is_state = is_family || reference.load.kind == nc::Instruction::Kind::System;
@@ -160,15 +161,15 @@ Program::State::Done Program::State::store(CompiledLine& line, const nc::Referen
 }
 
 /// `SET(1,,3)`, `REP(0)`, `REP(0,3)`: for elements of an array, or for variables with numbers.
-Program::State::Done Program::State::assign_list(CompiledLine& line,
-                                                 const ControlStatement& statement) {
+Program::State::Outcome Program::State::assign_list(CompiledLine& line,
+                                                    const ControlStatement& statement) {
     ListPlace place;
-    Done done = list_place(line, statement.variable, place);
-    if (done == Done::Wait || lines.failed()) return done;
+    Outcome done = list_place(line, statement.variable, place);
+    if (done == Outcome::Wait || lines.failed()) return done;
     std::size_t count = statement.list.size();
     if (statement.fills) {
         done = fill_count(line, statement.list, place.left, count);
-        if (done == Done::Wait || lines.failed()) return done;
+        if (done == Outcome::Wait || lines.failed()) return done;
     } else if (count > place.left) {
         return fail(line, diag::TooManyInitialValues, statement.span, {place.name});
     }
@@ -177,38 +178,38 @@ Program::State::Done Program::State::assign_list(CompiledLine& line,
         if (!expression.is_given()) continue;
         Value value;
         done = evaluate(line, expression, value);
-        if (done == Done::Wait || lines.failed()) return done;
+        if (done == Outcome::Wait || lines.failed()) return done;
         const auto fault = store_at(place, static_cast<std::uint32_t>(i), value);
         if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// How many variables get the value of a filling: so many as its second number says, else all.
-Program::State::Done Program::State::fill_count(CompiledLine& line,
-                                                std::span<const nc::Expression> said,
-                                                std::size_t most, std::size_t& out) {
+Program::State::Outcome Program::State::fill_count(CompiledLine& line,
+                                                   std::span<const nc::Expression> said,
+                                                   std::size_t most, std::size_t& out) {
     out = most;
-    if (said.size() < 2 || !said[1].is_given()) return Done::Nothing;
+    if (said.size() < 2 || !said[1].is_given()) return Outcome::Nothing;
     Value number;
-    const Done done = evaluate(line, said[1], number);
-    if (done == Done::Wait || lines.failed()) return done;
+    const Outcome done = evaluate(line, said[1], number);
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (!(number.number >= 1) || number.number > static_cast<double>(most))
         return fail(line, diag::TooManyInitialValues, said[1].span, {"this"});
     out = static_cast<std::size_t>(number.number);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// Where the values of a list go: from this element on, or from the variable of this number on.
-Program::State::Done Program::State::list_place(CompiledLine& line, const nc::Reference& reference,
-                                                ListPlace& out) {
+Program::State::Outcome Program::State::list_place(CompiledLine& line,
+                                                   const nc::Reference& reference, ListPlace& out) {
     using Kind = nc::Instruction::Kind;
     out.load = reference.load;
     out.name = line.text.substr(reference.span.begin, reference.span.end - reference.span.begin);
     std::array<std::int64_t, 4> indices{};
     switch (evaluator.indices(line.line, reference, indices)) {
         case Evaluator::Outcome::Done: break;
-        case Evaluator::Outcome::Later: return Done::Wait;
+        case Evaluator::Outcome::Later: return Outcome::Wait;
         case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
     }
     if (out.load.kind == Kind::Element) {
@@ -221,7 +222,7 @@ Program::State::Done Program::State::list_place(CompiledLine& line, const nc::Re
         out.first = *first;
         out.left = symbol.slot + symbol.count() - *first;
         out.name = symbol.name;
-        return Done::Nothing;
+        return Outcome::Nothing;
     }
     const bool is_family = out.load.kind == Kind::Family;
     if (!is_family && out.load.kind != Kind::Global)
@@ -238,7 +239,7 @@ Program::State::Done Program::State::list_place(CompiledLine& line, const nc::Re
     out.load.type = range->type;
     out.first = range->slot + behind_first;
     out.left = static_cast<std::uint32_t>(range->last - range->first) + 1 - behind_first;
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 ControlVariables::Fault Program::State::store_at(const ListPlace& place, std::uint32_t i,
@@ -253,56 +254,58 @@ ControlVariables::Fault Program::State::store_at(const ListPlace& place, std::ui
     return variables.store(load, {}, value, content);
 }
 
-Program::State::Done Program::State::declare(CompiledLine& line,
-                                             const ControlStatement& statement) {
+Program::State::Outcome Program::State::declare(CompiledLine& line,
+                                                const ControlStatement& statement) {
     if (statement.scope.begin != statement.scope.end && !frame->is_definition)
         return fail(line, diag::ScopeMisplaced, statement.scope);
     if (frame->has_executed) return fail(line, diag::DeclarationMisplaced, statement.span);
     // Behind a mistake names are declared for the sake of the lines that are only read.
     const bool had_failed = lines.failed();
     std::uint32_t characters = 0;
-    Done done = text_size(line, statement.type_size, characters);
-    if (done != Done::Wait && frame->is_definition) done = limit(line, statement);
+    Outcome done = text_size(line, statement.type_size, characters);
+    if (done != Outcome::Wait && frame->is_definition) done = limit(line, statement);
     for (const nc::Declaration& declaration : statement.declarations) {
-        if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        if (done == Outcome::Wait || (lines.failed() && !had_failed)) return done;
         done = declare_one(line, declaration, statement.type, characters);
     }
     return done;
 }
 
 /// The least and the greatest value that variables may hold, `LLI 0 ULI 100`.
-Program::State::Done Program::State::limit(CompiledLine& line, const ControlStatement& statement) {
+Program::State::Outcome Program::State::limit(CompiledLine& line,
+                                              const ControlStatement& statement) {
     ControlVariables::Limits limits;
     Value bound;
     for (const bool is_least : {true, false}) {
         const nc::Expression& said = is_least ? statement.value : statement.second;
         if (!said.is_given()) continue;
-        const Done done = evaluate(line, said, bound);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, said, bound);
+        if (done == Outcome::Wait || lines.failed()) return done;
         (is_least ? limits.least : limits.most) = bound.number;
     }
-    if (!statement.value.is_given() && !statement.second.is_given()) return Done::Nothing;
+    if (!statement.value.is_given() && !statement.second.is_given()) return Outcome::Nothing;
     for (const nc::Declaration& declaration : statement.declarations)
         variables.limit(declaration.name, limits);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// Characters of a text variable.
-Program::State::Done Program::State::text_size(CompiledLine& line, const nc::Expression& expression,
-                                               std::uint32_t& out) {
-    if (!expression.is_given()) return Done::Nothing;
+Program::State::Outcome Program::State::text_size(CompiledLine& line,
+                                                  const nc::Expression& expression,
+                                                  std::uint32_t& out) {
+    if (!expression.is_given()) return Outcome::Nothing;
     Value size;
-    const Done done = evaluate(line, expression, size);
-    if (done == Done::Wait || lines.failed()) return done;
+    const Outcome done = evaluate(line, expression, size);
+    if (done == Outcome::Wait || lines.failed()) return done;
     if (size.number < 1 || size.number > language.rules.most_text)
         return fail(line, diag::SizeWrong, expression.span, {evaluator.written(size)});
     out = static_cast<std::uint32_t>(size.number);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::declare_one(CompiledLine& line,
-                                                 const nc::Declaration& declaration,
-                                                 nc::ValueType type, std::uint32_t characters) {
+Program::State::Outcome Program::State::declare_one(CompiledLine& line,
+                                                    const nc::Declaration& declaration,
+                                                    nc::ValueType type, std::uint32_t characters) {
     nc::Symbol symbol;
     symbol.name = declaration.name;
     symbol.type = type;
@@ -312,9 +315,9 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
     const bool had_failed = lines.failed();
     for (std::size_t i = 0; i < declaration.dimensions; ++i) {
         Value length = Value::real(1);  // of a parameter whose size the caller's array says
-        Done done = Done::Nothing;
+        Outcome done = Outcome::Nothing;
         if (declaration.sizes[i].is_given()) done = evaluate(line, declaration.sizes[i], length);
-        if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        if (done == Outcome::Wait || (lines.failed() && !had_failed)) return done;
         // Where lines are only read nobody has given the parameters a value.
         if (is_only_checking && !(length.number >= 1)) length = Value::real(1);
         count *= length.number;
@@ -336,8 +339,8 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
     const nc::Symbol& added = variables.declare(std::move(symbol));
     std::size_t filled = declaration.values.size();
     if (declaration.fills) {
-        const Done done = fill_count(line, declaration.values, added.count(), filled);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = fill_count(line, declaration.values, added.count(), filled);
+        if (done == Outcome::Wait || lines.failed()) return done;
     } else if (filled > added.count()) {
         return fail(line, diag::TooManyInitialValues, declaration.span, {added.name});
     }
@@ -345,8 +348,8 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
         const nc::Expression& expression = declaration.values[declaration.fills ? 0 : i];
         if (!expression.is_given()) continue;
         Value value;
-        const Done done = evaluate(line, expression, value);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, expression, value);
+        if (done == Outcome::Wait || lines.failed()) return done;
         const auto fault = variables.store_element(
             added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.content(value));
         if (fault.row == nullptr) continue;
@@ -354,17 +357,17 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
         return fail(line, is_of_type ? diag::InitialType : *fault.row, expression.span,
                     fault.arguments);
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// The program's own alarm.
-Program::State::Done Program::State::raise(CompiledLine& line, const Span& span, double number,
-                                           const std::string& text) {
+Program::State::Outcome Program::State::raise(CompiledLine& line, const Span& span, double number,
+                                              const std::string& text) {
     const nc::LanguageRules& rules = language.rules;
     const double rounded = std::round(number);
     if (!(rounded >= rules.least_alarm && rounded <= rules.most_alarm))
         return fail(line, diag::AlarmNumber, span, {evaluator.written(Value::real(number))});
-    if (given > 0) return Done::Wait;
+    if (given > 0) return Outcome::Wait;
     const std::string shown = std::to_string(std::llround(rounded) + rules.alarm_base);
     const LinePlace place = lines.place(line.text, line.place.line.line, span);
     const auto own = dialect.alarm(diag::ProgramAlarm);
@@ -372,11 +375,11 @@ Program::State::Done Program::State::raise(CompiledLine& line, const Span& span,
     message.arg(shown).alarm((own ? own->number : std::string()) + shown, text);
     lines.write_notes(message);
     lines.note_fault();
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::define_macro(CompiledLine& line,
-                                                  const ControlStatement& statement) {
+Program::State::Outcome Program::State::define_macro(CompiledLine& line,
+                                                     const ControlStatement& statement) {
     switch (frame->macros.define(tables, statement.name)) {
         case TextMacros::Fault::None: break;
         case TextMacros::Fault::Form: return fail(line, diag::MacroForm, statement.span);
@@ -386,7 +389,7 @@ Program::State::Done Program::State::define_macro(CompiledLine& line,
         case TextMacros::Fault::Nested:
             return fail(line, diag::MacroNested, statement.span, {statement.name});
     }
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
 /// A line with the words that stand for text put in; one that defines such a word stays as it is.
@@ -402,12 +405,12 @@ std::string_view Program::State::with_macros(std::string_view text) {
 
 /// A text as a block of its own. What of it was executed before it had to wait for other blocks is
 /// not executed again.
-Program::State::Done Program::State::run_text(CompiledLine& line, const ControlStatement& statement,
-                                              Block& out) {
+Program::State::Outcome Program::State::run_text(CompiledLine& line,
+                                                 const ControlStatement& statement, Block& out) {
     if (!running_text) {
         Value text;
-        const Done done = evaluate(line, statement.second, text);
-        if (done == Done::Wait || lines.failed()) return done;
+        const Outcome done = evaluate(line, statement.second, text);
+        if (done == Outcome::Wait || lines.failed()) return done;
         if (!text.is_text()) {
             return fail(line, diag::TypesDiffer, statement.span,
                         {"a block", std::string(kind_name(text))});
@@ -425,17 +428,17 @@ Program::State::Done Program::State::run_text(CompiledLine& line, const ControlS
     }
     const std::size_t outer = std::exchange(frame->resume, running_text->resume);
     CompiledLine& block = *running_text->line;
-    const Done done = run(block, out);
+    const Outcome done = run(block, out);
     running_text->resume = std::exchange(frame->resume, outer);
-    if (done == Done::Wait) return done;
+    if (done == Outcome::Wait) return done;
     running_text.reset();
     return done;
 }
 
 /// `500[WIDTH,DEPTH]`: the names stand for #500, #501 … from here on.
 /// source: F 6.6
-Program::State::Done Program::State::name_variables(CompiledLine& line,
-                                                    const ControlStatement& statement) {
+Program::State::Outcome Program::State::name_variables(CompiledLine& line,
+                                                       const ControlStatement& statement) {
     constexpr std::size_t kLongest = 8;
     constexpr std::int64_t kFirst = 500;
     constexpr std::int64_t kLast = 549;
@@ -466,7 +469,7 @@ Program::State::Done Program::State::name_variables(CompiledLine& line,
         if (number < kFirst || number > kLast)
             return wrong(diag::NamesRange, std::to_string(number));
         variable_names[name] = number;
-        if (comma == rest.size()) return Done::Nothing;
+        if (comma == rest.size()) return Outcome::Nothing;
         rest.remove_prefix(comma + 1);
     }
 }
@@ -506,10 +509,10 @@ std::string_view Program::State::with_names(std::string_view text) {
 }
 
 /// What happens beside the motion is not executed; each such action is said once.
-Program::State::Done Program::State::pass_synchronous(CompiledLine& line,
-                                                      const ControlStatement& statement) {
+Program::State::Outcome Program::State::pass_synchronous(CompiledLine& line,
+                                                         const ControlStatement& statement) {
     if (!said_synchronous.insert({frame->unit, line.place.line.offset}).second)
-        return Done::Nothing;
+        return Outcome::Nothing;
     const nc::ControlWords words(tables, line.text);
     std::size_t end = statement.span.begin;
     while (end < line.text.size() && !words.is_comment(end)) ++end;
@@ -519,14 +522,14 @@ Program::State::Done Program::State::pass_synchronous(CompiledLine& line,
         sink.report(diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
     message.arg(line.text.substr(whole.begin, whole.end - whole.begin));
     lines.write_notes(message);
-    return Done::Nothing;
+    return Outcome::Nothing;
 }
 
-Program::State::Done Program::State::stop_with_message(std::string_view text, Block& out) {
+Program::State::Outcome Program::State::stop_with_message(std::string_view text, Block& out) {
     if (!text.empty()) out.add(Function::Message, 1);
     out.add(Function::Stop);
     out.text = text;
-    return Done::Block;
+    return Outcome::Block;
 }
 
 }  // namespace kadr::interp
