@@ -3,6 +3,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,53 @@ TEST(Interp, NoStateIsAnyFunction) {
             found.insert(entry.path().filename().string() + ": " + (*at)[1].str());
     }
     EXPECT_EQ(found, motions);
+}
+
+/// A function of the sources, as far as its head and its end can be told by the layout.
+struct Definition {
+    std::string file;
+    std::string name;
+    std::string body;
+};
+
+/// All functions that return the type, in the sources and in classes of the headers.
+std::vector<Definition> definitions_of(const std::string& type) {
+    const std::regex head(R"(\n( *)(?:static |inline |constexpr )*)" + type +
+                          R"( ((?:\w+::)*\w+)\([^;{}]*\)[^;{}]*\{)");
+    std::vector<Definition> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(kInterp)) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".h" && extension != ".cpp") continue;
+        const std::string text = kadr::read_file(entry.path()).value_or("");
+        for (std::sregex_iterator at(text.begin(), text.end(), head), end; at != end; ++at) {
+            const auto begin = static_cast<std::size_t>(at->position() + at->length());
+            const std::size_t line = text.find('\n', begin);
+            const bool is_one_line = text[line - 1] == '}';
+            const std::size_t last =
+                is_one_line ? line : text.find('\n' + (*at)[1].str() + '}', begin);
+            found.push_back({entry.path().filename(), (*at)[2], text.substr(begin, last - begin)});
+        }
+    }
+    return found;
+}
+
+/// What may refuse says Done: a bool would leave open which of its values is which.
+TEST(Interp, NoBoolTellsOfAMistake) {
+    static const std::regex tells(R"(\b(?:report|fail|require_\w+|refuse_\w+)\()");
+    const std::vector<Definition> questions = definitions_of("bool");
+    EXPECT_GT(questions.size(), 100u);
+    for (const Definition& question : questions)
+        EXPECT_FALSE(std::regex_search(question.body, tells))
+            << question.file << ": " << question.name;
+}
+
+/// … and is named by what it does, not as a question.
+TEST(Interp, NoQuestionIsDone) {
+    static const std::regex question(R"((?:.*::)?(?:is|has|needs|can|may|refuses)_\w+)");
+    const std::vector<Definition> verbs = definitions_of("Done");
+    EXPECT_GT(verbs.size(), 50u);
+    for (const Definition& verb : verbs)
+        EXPECT_FALSE(std::regex_match(verb.name, question)) << verb.file << ": " << verb.name;
 }
 
 }  // namespace
