@@ -48,20 +48,20 @@ std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at)
     return at;
 }
 
-bool Expander::State::is_block_limit(std::uint32_t at) {
+Done Expander::State::require_room(std::uint32_t at) {
     if (is_in_curve) [[unlikely]] {
         fault(diag::CurveBlock, at);
-        return true;
+        return kFailed;
     }
     if (blocks_left > 0) {
         --blocks_left;
-        return false;
+        return kDone;
     }
     fault(diag::BlockLimit, at)
         .arg(static_cast<std::int64_t>(options.limits.blocks))
         .fix("if it is to make more, raise the limit: `--max-blocks " +
              std::to_string(10 * options.limits.blocks) + '`');
-    return true;
+    return kFailed;
 }
 
 Block& Expander::State::next_block(SourceId source) {
@@ -85,15 +85,17 @@ void Expander::State::drop_block(const Block& block) {
     else --batch_count;
 }
 
-bool Expander::State::emit(const Instruction& instruction, const sema::Slot* registers,
+Done Expander::State::emit(const Instruction& instruction, const sema::Slot* registers,
                            std::uint32_t at) {
     const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
-    if (!recordings.empty()) [[unlikely]]
-        return !is_block_limit(at) && keep_plan(plan, instruction, registers, at);
+    if (!recordings.empty()) [[unlikely]] {
+        if (!require_room(at)) return kFailed;
+        return keep_plan(plan, instruction, registers, at);
+    }
     if (is_between_places() && !may_stand_between(plan, instruction, at)) [[unlikely]]
-        return false;
+        return kFailed;
     if (!plan.functions.empty() || modal.tcp != ModalState::Tcp::Off) {
-        if (const std::optional<bool> is_done = take_tool(plan, instruction, at)) return *is_done;
+        if (const std::optional<Done> taken = take_tool(plan, instruction, at)) return *taken;
     }
     if (!plan.functions.empty() && is_about_tilt(plan)) [[unlikely]]
         return emit_tilt(plan, instruction, registers, at);
@@ -102,9 +104,9 @@ bool Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
     return emit_block(plan, instruction, registers, at);
 }
 
-bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& instruction,
+Done Expander::State::emit_block(const sema::Plan& plan, const Instruction& instruction,
                                  const sema::Slot* registers, std::uint32_t at) {
-    if (is_block_limit(at)) return false;
+    if (!require_room(at)) return kFailed;
     if (modal.due_offset != 0) [[unlikely]]
         say_offset(plan, instruction, at);
     if (modal.diameter_due != Function::None && plan.skip >= 0) [[unlikely]] {
@@ -115,31 +117,31 @@ bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
         say_place(plan, instruction, at);
     if (modal.unplaced != 0 && instruction.b == 0 && is_whole_circle(plan)) [[unlikely]] {
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-        if (!say_places(source, at, instruction.c)) return false;
+        if (!say_places(source, at, instruction.c)) return kFailed;
     }
     const std::size_t in_batch = batch_count;
     if (fill_plan(plan, instruction, registers, at)) {
         if (plan.customs == 0) [[likely]]
-            return true;
+            return kDone;
         if ((plan.customs & sema::custom::kReference) != 0)
             go_over_place(SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
         const Block& block = batch_count > in_batch ? batch[batch_count - 1] : waiting.back();
         const bool is_empty =
             block.function_count == 0 && block.given == 0 && block.motion == Function::None;
-        if (!is_empty) return true;
+        if (!is_empty) return kDone;
         // All that it said the target does by itself.
         if (batch_count > in_batch) --batch_count;
         else waiting.pop_back();
         if (options.trace) traces.pop_back();
-        return true;
+        return kDone;
     }
     // A block that could not be finished is not delivered.
     if (batch_count > in_batch) batch_count = in_batch;
     else waiting.pop_back();
-    return false;
+    return kFailed;
 }
 
-bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instruction,
+Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instruction,
                                 const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
@@ -172,11 +174,11 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     if (has_functions) {
         for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
             if (plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
-                return false;
+                return kFailed;
         }
         if (plan.customs != 0 && !adapt(block, plan, at)) [[unlikely]]
-            return false;
-        if (!check_mirror(block, plan, at) || !settle_frame(block, at)) return false;
+            return kFailed;
+        if (!check_mirror(block, plan, at) || !settle_frame(block, at)) return kFailed;
         if (options.warns_of_cuts) warn_of_plane(block, at);
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block, target.rules());
@@ -187,7 +189,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
                 .arg(target.name())
                 .arg(nc::info(motion).name)
                 .fix("write `G0` in the block");
-            return false;
+            return kFailed;
         }
         if (target.rules().shift_in_diameter) scale_frame_x(block, 2);
         if (modal[Group::Diameter] == Function::None && options.warns_of_cuts &&
@@ -206,11 +208,11 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             .arg("the control of this source")
             .arg("in hundredths of mm/rev")
             .fix("write the point");
-        return false;
+        return kFailed;
     }
     for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
         if (!plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
-            return false;
+            return kFailed;
     }
     if (instruction.b != 0) {
         const sema::Slot* point = registers + (instruction.b - 1);
@@ -218,18 +220,18 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             if (point[i].number != point[i].number) continue;
             if (!is_sane(point[i].number)) {
                 math_fault(sema::MathFault::Overflow, at);
-                return false;
+                return kFailed;
             }
             block.set(static_cast<nc::Slot>(i), point[i].number);
         }
         if ((block.given & kPointSlots) == 0) {
             not_given("the target", at);
-            return false;
+            return kFailed;
         }
     }
     if ((plan.customs & kOfCycles) != 0 && recordings.empty() && !take_place(block, plan, at))
         [[unlikely]] {
-        return false;
+        return kFailed;
     }
     if (modal.restate_motion && block.motion == Function::None &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0) {
@@ -237,60 +239,60 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         modal.restate_motion = false;
     }
     if (recordings.empty()) {
-        if ((modal.is_edge_off || modal.is_feed_deleted) && !may_move(block, at)) [[unlikely]]
-            return false;
+        if ((modal.is_edge_off || modal.is_feed_deleted) && !check_move(block, at)) [[unlikely]]
+            return kFailed;
         const bool owes_incremental = modal.owes_incremental;
         if (((modal.has_drift | modal.lost_drift | modal.unplaced) & block.given) != 0 &&
             !adapt_increments(block, plan, at)) [[unlikely]]
-            return false;
+            return kFailed;
         if (owes_incremental && block.find(Function::Absolute) == nullptr) [[unlikely]]
             return_to_increments(block);
     }
     if (has_functions && !(check_cutting_speed(block, at) && check_tool_change(block, at)))
-        return false;
+        return kFailed;
     if (modal.comp_choice != ModalState::kNoChoice && recordings.empty() &&
         !knows_compensation(block, at)) [[unlikely]]
-        return false;
+        return kFailed;
     if (modal.is_compensation_due() && !check_lead(block, at)) [[unlikely]]
-        return false;
+        return kFailed;
     if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
     if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 &&
         modal.frame.is_stretched(modal[Group::Plane])) {
         fault(diag::ArcUnderScale, at);
-        return false;
+        return kFailed;
     }
     if ((modal.lost | modal.restate) != 0 && !settle_unknown(block, at)) [[unlikely]]
-        return false;
+        return kFailed;
     if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !has_radius(block, at))
-        return false;
-    if (modal.tcp != ModalState::Tcp::Off && !may_lead(block, at)) return false;
+        return kFailed;
+    if (modal.tcp != ModalState::Tcp::Off && !check_leading(block, at)) return kFailed;
     if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
         say_diameter(block);
     if (options.warns_of_cuts && !modal.warned_of_rapid && recordings.empty())
         check_rapid(block, at);
     modal.take_words(block);
     if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
-        return false;
+        return kFailed;
     // Nobody knows here whether the operator lets the block run.
     if (plan.skip >= 0) [[unlikely]]
         modal.join(*without, source);
     if (options.trace) keep_trace(at, instruction.c, source);
-    return true;
+    return kDone;
 }
 
-bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot value,
+Done Expander::State::fill(Block& block, const Filling& filling, sema::Slot value,
                            std::uint32_t at) {
     double number = value.number;
     switch (filling.form) {
         case Filling::Form::Text:
             block.text = heap.text(value.integer);
             block.functions[filling.invocation].given |= 1u << filling.parameter;
-            return true;
+            return kDone;
         case Filling::Form::Count:
             if (value.integer == sema::kNotGivenInteger) {
                 not_given({}, word_of(filling, at));
-                return false;
+                return kFailed;
             }
             number = static_cast<double>(value.integer);
             break;
@@ -311,7 +313,7 @@ bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
     if (!is_sane(number)) {
         if (number != number) not_given({}, word_of(filling, at));
         else math_fault(sema::MathFault::Overflow, at);
-        return false;
+        return kFailed;
     }
     if (filling.is_argument) {
         block.arguments[filling.place] = number;
@@ -319,17 +321,17 @@ bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
     } else {
         block.set(static_cast<nc::Slot>(filling.place), number);
     }
-    return true;
+    return kDone;
 }
 
-bool Expander::State::fill_feed(Block& block, const Filling& filling, double value,
+Done Expander::State::fill_feed(Block& block, const Filling& filling, double value,
                                 std::uint32_t at) {
     if (value != value) {
         not_given("F", word_of(filling, at));
-        return false;
+        return kFailed;
     }
     if (modal.lost != 0 && !knows_feed_mode(word_of(filling, at))) [[unlikely]]
-        return false;
+        return kFailed;
     const Function mode = modal[Group::FeedMode];
     Filling::Form form = filling.form;
     if (form == Filling::Form::Feed) {
@@ -360,11 +362,11 @@ bool Expander::State::fill_feed(Block& block, const Filling& filling, double val
             builder.note(code.statements[by.index], "the feed mode was set here");
         builder.fix(std::string("say `") + feed_code(needed) + "` before it, or give the feed in " +
                     feed_unit(mode));
-        return false;
+        return kFailed;
     }
     if (!is_sane(value)) {
         math_fault(sema::MathFault::Overflow, at);
-        return false;
+        return kFailed;
     }
     if (!(value > 0)) {
         const std::string feed = mode == Function::FeedInverseTime ? readable(value)
@@ -372,20 +374,20 @@ bool Expander::State::fill_feed(Block& block, const Filling& filling, double val
                                      ? quantity_text(value, sema::kFeedPerTurn)
                                      : quantity_text(value / kMinute, sema::kFeedPerTime);
         fault(diag::FeedZero, word_of(filling, at)).arg(feed);
-        return false;
+        return kFailed;
     }
     block.set(nc::Slot::Feed, neat(value));
-    return true;
+    return kDone;
 }
 
-bool Expander::State::fill_speed(Block& block, const Filling& filling, double value,
+Done Expander::State::fill_speed(Block& block, const Filling& filling, double value,
                                  std::uint32_t at) {
     if (value != value) {
         not_given("S", word_of(filling, at));
-        return false;
+        return kFailed;
     }
     if (modal.lost != 0 && !knows_speed_mode(word_of(filling, at))) [[unlikely]]
-        return false;
+        return kFailed;
     const bool is_cutting = modal[Group::SpeedMode] == Function::CuttingSpeedOn;
     Filling::Form form = filling.form;
     if (form == Filling::Form::Speed) {
@@ -399,20 +401,20 @@ bool Expander::State::fill_speed(Block& block, const Filling& filling, double va
         fault(diag::SpeedMode, word_of(filling, at))
             .arg(is_cutting ? "a spindle speed" : "a cutting speed")
             .arg(is_cutting ? "on" : "off");
-        return false;
+        return kFailed;
     } else {
         value *= is_cutting ? kMinute / kMmPerMeter : kMinute;
     }
     if (!is_sane(value)) {
         math_fault(sema::MathFault::Overflow, at);
-        return false;
+        return kFailed;
     }
     if (is_cutting && value == 0) {
         fault(diag::CuttingSpeedZero, word_of(filling, at));
-        return false;
+        return kFailed;
     }
     block.set(nc::Slot::Speed, neat(value));
-    return true;
+    return kDone;
 }
 
 double Expander::State::state_value(sema::StateValue which) const {
@@ -441,10 +443,10 @@ std::int64_t Expander::State::spindle_code() const {
     }
 }
 
-bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
+Done Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
                                 std::uint32_t at) {
-    if (!recordings.empty()) return refuse_block("a text", at);
-    if (is_between_places() && instruction.b == 1) return cycle_active("raw text", at);
+    if (!recordings.empty()) return refuse_in_contour("a text", at);
+    if (is_between_places() && instruction.b == 1) return Done(cycle_active("raw text", at));
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     // A copy: making blocks does not move texts, but nothing should depend on that.
     const std::string text = heap.text(registers[instruction.a].integer);
@@ -453,7 +455,7 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
         say_diameter_alone(source, at, instruction.c);
     std::string_view rest = text;
     do {
-        if (is_block_limit(at)) return false;
+        if (!require_room(at)) return kFailed;
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         std::string_view line = rest.substr(0, end);
         rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -464,12 +466,12 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
         else block.comment = line;
         if (options.trace) keep_trace(at, instruction.c, source);
     } while (!rest.empty());
-    if (!is_raw) return true;
+    if (!is_raw) return kDone;
     modal.forget(source);
     // No word of this control says what X is, so no text changes it.
     if (target.tables().forms_of[static_cast<std::size_t>(Function::DiameterOff)].empty())
         modal.lost &= ~sema::group_bit(Group::Diameter);
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::expand

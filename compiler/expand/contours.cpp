@@ -147,7 +147,7 @@ std::int64_t Expander::State::make_contour(const PlaneContour& contour, std::uin
     return array;
 }
 
-bool Expander::State::contour_value(const Instruction& instruction, Slot* registers,
+Done Expander::State::contour_value(const Instruction& instruction, Slot* registers,
                                     std::uint32_t where) {
     const auto function = static_cast<ContourFunction>(instruction.immediate.pair.first);
     const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
@@ -181,51 +181,51 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             heap.append(list, slots.data());
         }
         result.integer = list;
-        return true;
+        return kDone;
     };
     const auto needs_elements = [&] {
-        if (!contour.elements.empty()) return true;
+        if (!contour.elements.empty()) return kDone;
         fault(diag::ContourEmpty, where);
-        return false;
+        return kFailed;
     };
     const auto needs_closed = [&](std::string_view what) {
-        if (path::is_closed(contour.elements)) return true;
+        if (path::is_closed(contour.elements)) return kDone;
         fault(diag::ContourOpen, where).arg(what);
-        return false;
+        return kFailed;
     };
     const auto put_made = [&](Contour elements) {
         contour.elements = std::move(elements);
         result.integer = make_contour(contour, layout);
-        return true;
+        return kDone;
     };
     switch (function) {
-        case ContourFunction::Length: result.number = path::length(contour.elements); return true;
+        case ContourFunction::Length: result.number = path::length(contour.elements); return kDone;
         case ContourFunction::Area:
-            if (!needs_closed("the area")) return false;
+            if (!needs_closed("the area")) return kFailed;
             result.number = std::fabs(path::signed_area(contour.elements));
-            return true;
+            return kDone;
         case ContourFunction::IsClosed:
             result.integer = path::is_closed(contour.elements);
-            return true;
+            return kDone;
         case ContourFunction::IsClockwise:
-            if (!needs_closed("the sense of rotation")) return false;
+            if (!needs_closed("the sense of rotation")) return kFailed;
             result.integer = path::signed_area(contour.elements) < 0;
-            return true;
-        case ContourFunction::IsDiameter: result.integer = contour.is_diameter; return true;
+            return kDone;
+        case ContourFunction::IsDiameter: result.integer = contour.is_diameter; return kDone;
         case ContourFunction::Start:
         case ContourFunction::End: {
-            if (!needs_elements()) return false;
+            if (!needs_elements()) return kFailed;
             const bool is_start = function == ContourFunction::Start;
             put_point(&result, wording,
                       is_start ? contour.elements.front().from : contour.elements.back().to);
-            return true;
+            return kDone;
         }
         case ContourFunction::Min:
         case ContourFunction::Max: {
-            if (!needs_elements()) return false;
+            if (!needs_elements()) return kFailed;
             const path::Rectangle box = path::bounds(contour.elements);
             put_point(&result, wording, function == ContourFunction::Min ? box.lower : box.upper);
-            return true;
+            return kDone;
         }
         case ContourFunction::Reverse: return put_made(path::reversed(contour.elements));
         case ContourFunction::Offset: {
@@ -234,10 +234,10 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
                 path::offset(contour.elements, distance, [this] { return is_to_end(); });
             if (!pieces) {
                 offset_fault(pieces.error(), distance, where);
-                return false;
+                return kFailed;
             }
             result.integer = make_contours(*pieces, contour, layout);
-            return true;
+            return kDone;
         }
         case ContourFunction::Shift:
             return put_made(path::shifted(contour.elements, vector_argument(arguments + 1)));
@@ -251,26 +251,26 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             return put_made(path::mirrored(contour.elements, arguments[1 + axes.first].integer != 0,
                                            arguments[1 + axes.second].integer != 0));
         case ContourFunction::IsInside: {
-            if (!needs_closed("the inside")) return false;
+            if (!needs_closed("the inside")) return kFailed;
             const std::optional<Vec2> point = point_argument(arguments);
-            if (!point) return false;
+            if (!point) return kFailed;
             result.integer = path::is_inside(contour.elements, *point);
-            return true;
+            return kDone;
         }
         case ContourFunction::Nearest: {
-            if (!needs_elements()) return false;
+            if (!needs_elements()) return kFailed;
             const std::optional<Vec2> point = point_argument(arguments + 1);
-            if (!point) return false;
+            if (!point) return kFailed;
             put_point(&result, wording, path::nearest(contour.elements, *point).point);
-            return true;
+            return kDone;
         }
         case ContourFunction::BegunNear: {
-            if (!needs_elements() || !needs_closed("another beginning")) return false;
+            if (!needs_elements() || !needs_closed("another beginning")) return kFailed;
             const std::optional<Vec2> point = point_argument(arguments + 1);
-            if (!point) return false;
+            if (!point) return kFailed;
             return put_made(path::begun_near(contour.elements, *point));
         }
-        case ContourFunction::OffsetAll: return false;  // above
+        case ContourFunction::OffsetAll: return kFailed;  // above
         case ContourFunction::Intersections: {
             const PlaneContour other = read_contour(arguments[1]);
             const bool both = !contour.elements.empty() && !other.elements.empty();
@@ -281,7 +281,7 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
                     .arg(axes_text(wording))
                     .arg("another one")
                     .arg(axes_text(wording_of(other)));
-                return false;
+                return kFailed;
             }
             return put_points(path::intersections(contour.elements, other.elements));
         }
@@ -290,14 +290,14 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             const bool is_first = is_given(words[axes.first]);
             if (is_first == is_given(words[axes.second]) || is_given(words[axes.across])) {
                 fault(diag::CrossingLine, where).arg(axes_text(wording));
-                return false;
+                return kFailed;
             }
             const Vec2 value = vector_argument(words);
             return put_points(path::crossings(contour.elements, is_first ? 0 : 1,
                                               is_first ? value.x() : value.y()));
         }
     }
-    return true;
+    return kDone;
 }
 
 std::int64_t Expander::State::make_contours(const std::vector<Contour>& contours,
@@ -318,7 +318,7 @@ void Expander::State::offset_fault(path::OffsetFault why, double distance, std::
 }
 
 /// Beside several contours together.
-bool Expander::State::offset_all(const Instruction& instruction, Slot* registers,
+Done Expander::State::offset_all(const Instruction& instruction, Slot* registers,
                                  std::uint32_t where) {
     const Slot* arguments = registers + instruction.b;
     std::vector<Contour> contours;
@@ -329,7 +329,7 @@ bool Expander::State::offset_all(const Instruction& instruction, Slot* registers
         if (one.elements.empty()) continue;
         if (!path::is_closed(one.elements)) {
             fault(diag::ContourOpen, where).arg("the offset of several contours, one");
-            return false;
+            return kFailed;
         }
         if (!contours.empty() && (one.plane != like.plane || one.is_diameter != like.is_diameter)) {
             fault(diag::ContourPlane, where)
@@ -337,7 +337,7 @@ bool Expander::State::offset_all(const Instruction& instruction, Slot* registers
                 .arg(axes_text(wording_of(like)))
                 .arg("another one")
                 .arg(axes_text(wording_of(one)));
-            return false;
+            return kFailed;
         }
         contours.push_back(std::move(one.elements));
         like.plane = one.plane;
@@ -347,11 +347,11 @@ bool Expander::State::offset_all(const Instruction& instruction, Slot* registers
     const auto pieces = path::offset(contours, distance, [this] { return is_to_end(); });
     if (!pieces) {
         offset_fault(pieces.error(), distance, where);
-        return false;
+        return kFailed;
     }
     const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
     registers[instruction.a].integer = make_contours(*pieces, like, layout);
-    return true;
+    return kDone;
 }
 
 // ---------------------------------------------------------------- blocks that are kept
@@ -375,22 +375,22 @@ std::int64_t Expander::State::end_contour(std::uint32_t layout) {
     return make_contour({recording.elements, recording.plane, recording.is_diameter}, layout);
 }
 
-bool Expander::State::close_contour(std::uint32_t where) {
-    if (recordings.empty()) return true;  // in a function that is called from elsewhere
+Done Expander::State::close_contour(std::uint32_t where) {
+    if (recordings.empty()) return kDone;  // in a function that is called from elsewhere
     Recording& recording = recordings.back();
     if (!recording.has_start || recording.is_closed) {
         if (recording.is_closed) fault(diag::ContourComplete, where);
         else fault(diag::ContourEmpty, where);
-        return false;
+        return kFailed;
     }
     if (recording.at != recording.start)
         recording.elements.push_back(path::line_element(recording.at, recording.start));
     recording.at = recording.start;
     recording.is_closed = true;
-    return true;
+    return kDone;
 }
 
-bool Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instruction,
+Done Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instruction,
                                 const Slot* registers, std::uint32_t where) {
     for (const nc::Invocation& invocation : plan.functions) {
         switch (nc::info(invocation.function).group) {
@@ -398,20 +398,21 @@ bool Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instr
             case Group::Distance:
             case Group::Diameter: continue;
             default:
-                return refuse_block("`" + std::string(nc::info(invocation.function).name) + "`",
-                                    where);
+                return refuse_in_contour(
+                    "`" + std::string(nc::info(invocation.function).name) + "`", where);
         }
     }
-    return fill_plan(plan, instruction, registers, where) && keep(kept_block, where);
+    if (!fill_plan(plan, instruction, registers, where)) return kFailed;
+    return keep(kept_block, where);
 }
 
-bool Expander::State::refuse_block(std::string_view what, std::uint32_t where) {
+Done Expander::State::refuse_in_contour(std::string_view what, std::uint32_t where) {
     fault(diag::ContourBlock, where).arg(what);
-    return false;
+    return kFailed;
 }
 
 /// One block more: its motion becomes an element.
-bool Expander::State::keep(const Block& block, std::uint32_t where) {
+Done Expander::State::keep(const Block& block, std::uint32_t where) {
     Recording& recording = recordings.back();
     const path::Plane plane = plane_of(modal[Group::Plane]);
     const PlaneIndices axes = indices_of(plane);
@@ -419,28 +420,28 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
         recording.plane = plane;
         recording.is_diameter = modal.is_diameter;
     } else if (recording.plane != plane) {
-        return refuse_block("another plane", where);
+        return refuse_in_contour("another plane", where);
     } else if (recording.is_diameter != modal.is_diameter) {
-        return refuse_block("a change between diameter and radius", where);
+        return refuse_in_contour("a change between diameter and radius", where);
     }
-    if (block.has(nc::Slot::Feed)) return refuse_block("a feed", where);
-    if (block.has(nc::Slot::Speed)) return refuse_block("a speed", where);
-    if (block.has(nc::Slot::Turns)) return refuse_block("a helix", where);
+    if (block.has(nc::Slot::Feed)) return refuse_in_contour("a feed", where);
+    if (block.has(nc::Slot::Speed)) return refuse_in_contour("a speed", where);
+    if (block.has(nc::Slot::Turns)) return refuse_in_contour("a helix", where);
     const nc::SlotMask in_plane = nc::SlotMask{1} << axes.first | nc::SlotMask{1} << axes.second;
     const nc::SlotMask others = block.given & nc::kTargetSlots & ~in_plane;
     if (others != 0) {
         const auto axis = static_cast<std::size_t>(std::countr_zero(others));
-        return refuse_block("a motion of " + std::string(kAxisNames[axis]), where);
+        return refuse_in_contour("a motion of " + std::string(kAxisNames[axis]), where);
     }
     const Function motion = modal[Group::Motion];
     const bool is_arc = nc::is_arc(motion);
     const bool has_center = (block.given & nc::kCenterSlots) != 0;
     const bool has_radius = block.has(nc::Slot::Radius);
     const bool moves = (block.given & in_plane) != 0 || (is_arc && has_center);
-    if (!moves) return true;
+    if (!moves) return kDone;
     if (recording.is_closed) {
         fault(diag::ContourComplete, where);
-        return false;
+        return kFailed;
     }
     const Wording wording = wording_of(recording);
     const Vec2 to = wording.place({modal.position[axes.first], modal.position[axes.second]});
@@ -451,21 +452,21 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
             fault(diag::ContourStart, where)
                 .arg(kAxisNames[axes.first])
                 .arg(kAxisNames[axes.second]);
-            return false;
+            return kFailed;
         }
         recording.has_start = true;
         recording.start = recording.at = to;
         // `G0 X… Y…` may say where it begins; from here on it is cut.
         if (motion == Function::Rapid)
             modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Line;
-        return true;
+        return kDone;
     }
-    if (motion == Function::Rapid) return refuse_block("a rapid motion", where);
+    if (motion == Function::Rapid) return refuse_in_contour("a rapid motion", where);
     if (!is_arc) {
-        if (has_center || has_radius) return refuse_block("a centre without G2 or G3", where);
+        if (has_center || has_radius) return refuse_in_contour("a centre without G2 or G3", where);
         if (to != recording.at) recording.elements.push_back(path::line_element(recording.at, to));
         recording.at = to;
-        return true;
+        return kDone;
     }
     // Arcs are made as the interpreter makes them, in space with the plane's axes.
     const auto in_space = [&](const Vec2& v) {
@@ -488,7 +489,7 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
             const auto slot =
                 static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + i);
             if (!block.has(slot)) continue;
-            if (i == axes.across) return refuse_block("a centre across the plane", where);
+            if (i == axes.across) return refuse_in_contour("a centre across the plane", where);
             // Of the part as it is: I is no diameter.
             double& value = center[static_cast<Eigen::Index>(i)];
             if ((block.absolute & nc::bit(slot)) != 0) value = block.at(slot);
@@ -502,7 +503,7 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
     }
     if (!arc) {
         fault(diag::ContourArc, where).arg(describe(arc.error()));
-        return false;
+        return kFailed;
     }
     Element element;
     element.from = recording.at;
@@ -512,7 +513,7 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
     element.sweep = is_clockwise ? -arc->sweep : arc->sweep;
     recording.elements.push_back(element);
     recording.at = to;
-    return true;
+    return kDone;
 }
 
 // ---------------------------------------------------------------- follow
@@ -577,20 +578,20 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     return contour;
 }
 
-bool Expander::State::follow_start(const Instruction& instruction, Slot* registers,
+Done Expander::State::follow_start(const Instruction& instruction, Slot* registers,
                                    std::uint32_t where) {
     const auto contour = followed(registers + instruction.b, where);
-    if (!contour) return false;
+    if (!contour) return kFailed;
     put_point(registers + instruction.a, wording_of(*contour), contour->elements.front().from);
-    return true;
+    return kDone;
 }
 
-bool Expander::State::follow_contour(const Instruction& instruction, const Slot* registers,
+Done Expander::State::follow_contour(const Instruction& instruction, const Slot* registers,
                                      std::uint32_t where) {
-    if (is_between_places()) return cycle_active("a contour", where);
+    if (is_between_places()) return Done(cycle_active("a contour", where));
     const Slot* arguments = registers + instruction.a;
     const auto contour = followed(arguments, where);
-    if (!contour) return false;
+    if (!contour) return kFailed;
     const path::Plane plane = plane_of(modal[Group::Plane]);
     if (contour->plane != plane) {
         fault(diag::ContourPlane, where)
@@ -598,7 +599,7 @@ bool Expander::State::follow_contour(const Instruction& instruction, const Slot*
             .arg(axes_text({contour->plane}))
             .arg("the program")
             .arg(axes_text({plane}));
-        return false;
+        return kFailed;
     }
     FollowedBlock next;
     next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
@@ -616,20 +617,20 @@ bool Expander::State::follow_contour(const Instruction& instruction, const Slot*
     const Vec2 here = wording.place({modal.position[axes.first], modal.position[axes.second]});
     const bool is_there = is_known && (here - begin).norm() <= path::kSamePoint;
     if (!is_there) {
-        if (!emit_element(path::line_element(here, begin), next, where)) return false;
+        if (!emit_element(path::line_element(here, begin), next, where)) return kFailed;
         next.feed = sema::kNotGivenNumber;
     }
     for (const Element& element : contour->elements) {
-        if (!emit_element(element, next, where)) return false;
+        if (!emit_element(element, next, where)) return kFailed;
         next.feed = sema::kNotGivenNumber;
     }
-    return true;
+    return kDone;
 }
 
 /// A line or an arc as a block in the present plane, in coordinates.
-bool Expander::State::emit_element(const Element& element, const FollowedBlock& next,
+Done Expander::State::emit_element(const Element& element, const FollowedBlock& next,
                                    std::uint32_t where) {
-    if (is_block_limit(where)) return false;
+    if (!require_room(where)) return kFailed;
     const Wording wording{plane_of(modal[Group::Plane]), next.is_diameter};
     const PlaneIndices axes = wording.axes();
     const Vec2 words = wording.words(element.to);
@@ -652,28 +653,29 @@ bool Expander::State::emit_element(const Element& element, const FollowedBlock& 
     return finish_followed(block, next, where);
 }
 
-bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
+Done Expander::State::finish_followed(Block& block, const FollowedBlock& next,
                                       std::uint32_t where) {
     if (next.feed == next.feed) {
         sema::Filling filling;
         filling.form = sema::Filling::Form::Feed;
         if (!fill_feed(block, filling, next.feed, where)) {
             drop_block(block);
-            return false;
+            return kFailed;
         }
     }
     const bool leads = modal.tcp != ModalState::Tcp::Off && recordings.empty();
-    if ((recordings.empty() && !may_move(block, where)) || (leads && !may_lead(block, where))) {
+    if ((recordings.empty() && !check_move(block, where)) ||
+        (leads && !check_leading(block, where))) {
         drop_block(block);
-        return false;
+        return kFailed;
     }
     if ((modal.lost | modal.restate) != 0 && !settle_unknown(block, where)) {
         drop_block(block);
-        return false;
+        return kFailed;
     }
     if (modal.is_compensation_due() && !check_lead(block, where)) {
         drop_block(block);
-        return false;
+        return kFailed;
     }
     if (modal.has_ended && recordings.empty()) warn_after_end(where);
     if (modal.diameter_due != Function::None && recordings.empty()) say_diameter(block);
@@ -681,10 +683,10 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
     if (!recordings.empty()) return keep(block, where);
     if (is_cut_doubtful() && !check_cut(block, where)) {
         drop_block(block);
-        return false;
+        return kFailed;
     }
     if (options.trace) keep_trace(where, next.depth, next.source);
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::expand

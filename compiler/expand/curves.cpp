@@ -95,13 +95,13 @@ std::optional<path::CurveSample> Expander::State::curve_point(const Instruction&
     return sample;
 }
 
-bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t where) {
-    if (is_between_places()) return cycle_active("a curve", where);
+Done Expander::State::start_curve(const Instruction& instruction, std::uint32_t where) {
+    if (is_between_places()) return Done(cycle_active("a curve", where));
     const Slot* options_of = stack.data() + frames.back().base + instruction.a;
     const double tolerance = options_of[at(CurveSlot::Tolerance)].number;
     if (!(tolerance >= kLeastTolerance) || !is_sane(tolerance)) {
         fault(diag::CurveTolerance, where).arg(quantity_text(tolerance, sema::kLength));
-        return false;
+        return kFailed;
     }
     following.emplace();
     Following& curve = *following;
@@ -119,7 +119,7 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     const bool wants_nurbs = options_of[at(CurveSlot::Nurbs)].integer != 0 && recordings.empty();
     // The first point tells which coordinates the curve has.
     const std::optional<path::CurveSample> first = curve_point(instruction, where, fit.from);
-    if (!first) return false;
+    if (!first) return kFailed;
     curve.has_coordinates = true;
     if (fit.from == fit.to) {
         const sema::FunctionCode& function =
@@ -133,7 +133,7 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     const bool has_arcs = target.can_write(Function::ArcCw) && target.can_write(Function::ArcCcw);
     fit.kind = is_flat && has_arcs && wants_arcs ? path::FitKind::Biarcs : path::FitKind::Lines;
     keep_back_rounding(where, is_flat ? 2 : 3, fit);
-    if (!start_fit(instruction, where, wants_nurbs, fit)) return false;
+    if (!start_fit(instruction, where, wants_nurbs, fit)) return kFailed;
     curve.at = first->position.head<2>();
     // To the start, unless the tool is there.
     const std::array<std::size_t, 3> axes = order_of(curve.plane);
@@ -145,10 +145,10 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
                            first->position[static_cast<Eigen::Index>(i)];
         is_there = is_there && is_known && std::fabs(way) <= path::kSamePoint;
     }
-    if (is_there) return true;
-    if (!emit_line(first->position, curve.next, where)) return false;
+    if (is_there) return kDone;
+    if (!emit_line(first->position, curve.next, where)) return kFailed;
     curve.next.feed = sema::kNotGivenNumber;
-    return true;
+    return kDone;
 }
 
 /// The text rounds every coordinate by up to half of an increment, which is a part of the
@@ -170,7 +170,7 @@ void Expander::State::keep_back_rounding(std::uint32_t where, int coordinates,
 
 /// As one spline if that is asked for and the control has it; else as lines or arcs, piece by
 /// piece.
-bool Expander::State::start_fit(const Instruction& instruction, std::uint32_t where,
+Done Expander::State::start_fit(const Instruction& instruction, std::uint32_t where,
                                 bool wants_nurbs, const path::FitOptions& fit) {
     const bool has_splines =
         target.can_write(Function::Spline) &&
@@ -186,22 +186,22 @@ bool Expander::State::start_fit(const Instruction& instruction, std::uint32_t wh
     following->fit = std::make_unique<path::CurveFit>(
         [this, self, where](double parameter) { return curve_point(*self, where, parameter); },
         fit);
-    return true;
+    return kDone;
 }
 
-bool Expander::State::fit_spline(const Instruction& instruction, std::uint32_t where,
+Done Expander::State::fit_spline(const Instruction& instruction, std::uint32_t where,
                                  const path::FitOptions& fit) {
     path::SplineFitResult fitted = path::fit_spline(
         [&](double parameter) { return curve_point(instruction, where, parameter); }, fit);
-    if (has_failed) return false;
+    if (has_failed) return kFailed;
     if (fitted.fault) {
         jump_fault(instruction, where, fitted.parameter);
-        return false;
+        return kFailed;
     }
     following->spline = std::move(fitted.spline);
     // By intervals the first pole is where the tool is anyway.
     following->next_knot = target.can_write(Function::SplineInterval) ? 1 : 0;
-    return true;
+    return kDone;
 }
 
 void Expander::State::jump_fault(const Instruction& instruction, std::uint32_t where,
@@ -263,8 +263,8 @@ std::size_t Expander::State::block_count(const path::Nurbs& spline) const {
 }
 
 /// One block of the spline: a pole with its knot or its interval, or a knot alone.
-bool Expander::State::emit_pole(const FollowedBlock& next, std::uint32_t where) {
-    if (is_block_limit(where)) return false;
+Done Expander::State::emit_pole(const FollowedBlock& next, std::uint32_t where) {
+    if (!require_room(where)) return kFailed;
     const path::Nurbs& spline = following->spline;
     const std::size_t i = following->next_knot;
     const bool by_intervals = target.can_write(Function::SplineInterval);
@@ -289,8 +289,8 @@ bool Expander::State::emit_pole(const FollowedBlock& next, std::uint32_t where) 
 }
 
 /// A line in all coordinates that the curve has.
-bool Expander::State::emit_line(const Vec3& to, const FollowedBlock& next, std::uint32_t where) {
-    if (is_block_limit(where)) return false;
+Done Expander::State::emit_line(const Vec3& to, const FollowedBlock& next, std::uint32_t where) {
+    if (!require_room(where)) return kFailed;
     nc::Block& block = next_block(next.source);
     block.motion = Function::Line;
     modal.take_functions(block, target.rules());

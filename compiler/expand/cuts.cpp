@@ -18,46 +18,46 @@ using nc::Function;
 using nc::Group;
 
 /// A constant cutting speed that is none, and a limit that lets no spindle turn.
-bool Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) {
+Done Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) {
     constexpr std::size_t kLimit = nc::parameter_of<Function::SpeedLimit>("limit");
     const nc::Invocation* limit = block.find(Function::SpeedLimit);
     if (limit != nullptr && !(block.argument(*limit, kLimit) > 0)) {
         fault(diag::SpeedLimitZero, at).arg(neat(block.argument(*limit, kLimit)));
-        return false;
+        return kFailed;
     }
     const bool begins = block.find(Function::CuttingSpeedOn) != nullptr;
     if (!begins || block.has(nc::Slot::Speed) || modal.has_speed || modal.had_cutting_speed ||
         modal.lost != 0)
-        return true;
+        return kDone;
     const auto alarm = target.alarm(diag::CuttingSpeedMissing);
-    if (!alarm) return true;
+    if (!alarm) return kDone;
     fault(diag::CuttingSpeedNotSet, at)
         .arg(target.name())
         .arg(alarm->number.empty() ? alarm->text : alarm->number)
         .fix("say the cutting speed in the block: `G96 S180`");
-    return false;
+    return kFailed;
 }
 
 /// Each of the compensated blocks was worked out for the radius of one tool.
-bool Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
+Done Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
     if (!nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide) ||
         (block.find(Function::Tool) == nullptr && block.find(Function::ToolChange) == nullptr))
-        return true;
+        return kDone;
     auto builder = fault(diag::ToolUnderCompensation, at);
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
     if (by.is_valid() && by.index < code.statements.size())
         builder.note(code.statements[by.index], "the compensation began here");
     builder.fix("end it before: `G40` with a move");
-    return false;
+    return kFailed;
 }
 
 /// Controls go to a compensated contour, and leave it, on straight lines only.
 ///
 /// source       F PS0034, S 10753
-bool Expander::State::check_lead(const Block& block, std::uint32_t at) {
+Done Expander::State::check_lead(const Block& block, std::uint32_t at) {
     const bool is_arc = nc::is_arc(modal[Group::Motion]) &&
                         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
-    if (!is_arc || !recordings.empty()) return true;
+    if (!is_arc || !recordings.empty()) return kDone;
     const bool begins = nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide);
     auto builder = fault(diag::CompensationOnArc, at);
     builder.arg(begins ? "begins" : "ends");
@@ -68,14 +68,14 @@ bool Expander::State::check_lead(const Block& block, std::uint32_t at) {
                      begins ? "it was asked for here" : "it was ended here");
     builder.fix(begins ? "lead in with a line: `G41 G1 X… Y…`, and then the arc"
                        : "lead out with a line behind the arc: `G40 G1 X… Y…`");
-    return false;
+    return kFailed;
 }
 
 /// A further mirror of an axis, where the control has one state of each.
-bool Expander::State::check_mirror(const Block& block, const sema::Plan& plan, std::uint32_t at) {
+Done Expander::State::check_mirror(const Block& block, const sema::Plan& plan, std::uint32_t at) {
     const nc::Invocation* mirror = block.find(Function::Mirror);
     const bool replaces = (plan.customs & sema::custom::kFrameOrder) != 0;  // in the source, too
-    if (mirror == nullptr || replaces || !target.rules().mirror_replaces) return true;
+    if (mirror == nullptr || replaces || !target.rules().mirror_replaces) return kDone;
     constexpr std::size_t kX = nc::parameter_of<Function::Mirror>("x");
     for (std::size_t i = 0; i < 3; ++i) {
         if (!mirror->has(kX + i) || !modal.frame.is_mirrored[i]) continue;
@@ -83,9 +83,9 @@ bool Expander::State::check_mirror(const Block& block, const sema::Plan& plan, s
             .arg(target.name())
             .arg(kAxisNames[i])
             .fix("use `with mirror(…) { … }`");
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// The tool's length goes over to another axis of a mill with the plane.
@@ -104,19 +104,19 @@ void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
         .arg(is_zx ? "Y" : "X");
 }
 
-bool Expander::State::check_cut(const Block& block, std::uint32_t at) {
+Done Expander::State::check_cut(const Block& block, std::uint32_t at) {
     const Function motion = modal[Group::Motion];
     const bool is_cut = nc::has_fact(motion, nc::Fact::Cut);
     const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 ||
                        (block.function_count != 0 && block.find(Function::ToolVector) != nullptr);
-    if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return true;
-    if (modal.is_feed_lost) return feed_lost(at, frames.size());
+    if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return kDone;
+    if (modal.is_feed_lost) return refuse_lost_feed(at, frames.size());
     if (options.warns_of_cuts) warn_of_cut(at);
-    return !has_failed;
+    return Done(!has_failed);
 }
 
 /// A number of millimetres per minute would cut as millimetres per revolution.
-bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
+Done Expander::State::refuse_lost_feed(std::uint32_t at, std::size_t depth) {
     const Function mode = modal[Group::FeedMode];
     DiagnosticBuilder builder = fault_in(diag::FeedLost, at, depth);
     builder.arg(feed_word(mode));
@@ -124,7 +124,7 @@ bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
     if (by.is_valid() && by.index < code.statements.size())
         builder.note(code.statements[by.index], "the feed mode was set here");
     builder.fix(std::string("say F in ") + feed_unit(mode) + " behind `" + feed_code(mode) + '`');
-    return false;
+    return kFailed;
 }
 
 /// Whether a T by itself brings the tool in: on some controls it does, on others on lathes alone.

@@ -38,35 +38,35 @@ constexpr double kTurnDeg = 360;
 
 }  // namespace
 
-bool Expander::State::check_factor(double factor, std::uint32_t at) {
+Done Expander::State::check_factor(double factor, std::uint32_t at) {
     const double size = std::fabs(factor);
     const bool is_sized = size >= kLeastFactor && size < kFactorLimit;
-    if (is_sized && factor > 0) return true;
+    if (is_sized && factor > 0) return kDone;
     auto builder = fault(is_sized || factor == 0 ? diag::FrameScale : diag::FrameScaleRange, at);
     builder.arg(factor);
     if (is_sized) builder.fix("use `mirror(…)` to turn a side over");
     else if (factor == 0) builder.fix("`scale_off()` ends a scale");
     else builder.fix("is it a percentage? 1 is the size as programmed");
-    return false;
+    return kFailed;
 }
 
 /// The values of frames that a block says itself: factors that are some, and an angle of less than
 /// a turn, which is all that controls take (F 3.7 G68: ±360).
-bool Expander::State::settle_frame(Block& block, std::uint32_t at) {
+Done Expander::State::settle_frame(Block& block, std::uint32_t at) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         nc::Invocation& frame = block.functions[i];
         if (frame.function == Function::Rotate && frame.has(kAngle))
             block.set_argument(frame, kAngle, std::fmod(block.argument(frame, kAngle), kTurnDeg));
         if (frame.function != Function::Scale) continue;
         for (const std::size_t k : {kOfAll, kOfX, kOfY, kOfZ})
-            if (frame.has(k) && !check_factor(block.argument(frame, k), at)) return false;
+            if (frame.has(k) && !check_factor(block.argument(frame, k), at)) return kFailed;
     }
-    return true;
+    return kDone;
 }
 
-bool Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
+Done Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
                                    std::uint32_t at) {
-    if (!recordings.empty()) return refuse_block("a frame", at);
+    if (!recordings.empty()) return refuse_in_contour("a frame", at);
     if (modal.tilt == ModalState::Tilt::Closed) return refuse_in_tilt("a frame", at);
     if (modal.tcp == ModalState::Tcp::Length) return refuse_under_tcp("a frame", at);
     const sema::Slot* values = registers + instruction.a;
@@ -75,7 +75,7 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
     const std::size_t count = change == sema::FrameChange::Rotate  ? 4
                               : change == sema::FrameChange::Scale ? 7
                                                                    : 3;
-    if (modal.lost != 0 && !knows_frame(change == sema::FrameChange::Rotate, at)) return false;
+    if (modal.lost != 0 && !knows_frame(change == sema::FrameChange::Rotate, at)) return kFailed;
     std::array<double, 7> numbers{};
     std::array<bool, 7> is_given{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -83,7 +83,7 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
         numbers[i] = is_given[i] ? values[i].number : 0;
         if (!is_sane(numbers[i])) {
             math_fault(sema::MathFault::Overflow, at);
-            return false;
+            return kFailed;
         }
     }
     const auto three = [&](std::size_t first) {
@@ -103,7 +103,7 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
                 factors[i] = is_given[kOfX + i] ? numbers[kOfX + i]
                              : is_given[kOfAll] ? numbers[kOfAll]
                                                 : 1;
-                if (!check_factor(factors[i], at)) return false;
+                if (!check_factor(factors[i], at)) return kFailed;
             }
             steps.scale(factors, three(kCenter));
             break;
@@ -113,11 +113,11 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
     const auto [next, why] = steps.frame();
     if (why != control::FrameFault::None) {
         fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
-        return false;
+        return kFailed;
     }
     write_frame(next, source, at, instruction.c);
     modal.steps = steps;
-    return !has_failed;
+    return Done(!has_failed);
 }
 
 /// The writer needs to know where the tool is in the new frame: for arcs, for F of helices, and
@@ -160,7 +160,7 @@ void Expander::State::write_frame(const control::ProgramFrame& next, SourceId so
     if (from == next && !is_lost) return;
     const auto add = [&](Function function, std::span<const double> values,
                          std::span<const bool> given) {
-        if (has_failed || is_block_limit(at)) return;
+        if (has_failed || !require_room(at)) return;
         Block& block = next_block(source);
         nc::Invocation* invocation = block.add(function, values.size());
         for (std::size_t i = 0; i < values.size(); ++i) {

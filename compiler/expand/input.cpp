@@ -94,7 +94,7 @@ bool Expander::State::needs_frame(const sema::Plan& plan) const {
 }
 
 /// The first four arguments of a function, mm or degrees.
-bool Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocation,
+Done Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocation,
                                      const Instruction& instruction, const sema::Slot* registers,
                                      std::uint32_t at, std::array<double, 4>& values,
                                      std::array<bool, 4>& given) {
@@ -112,20 +112,20 @@ bool Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocat
         if (!(std::fabs(number) < 1e15)) {
             if (number != number) not_given({}, word_of(filling, at));
             else math_fault(sema::MathFault::Overflow, at);
-            return false;
+            return kFailed;
         }
         values[filling.parameter] = number;
         given[filling.parameter] = true;
     }
-    return true;
+    return kDone;
 }
 
 /// The frame that the functions leave is said by shift, rotation and mirrors; what else stands in
 /// the block comes behind it.
-bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& instruction,
+Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& instruction,
                                  const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    if (modal.lost != 0 && !knows_frame(false, at)) return false;
+    if (modal.lost != 0 && !knows_frame(false, at)) return kFailed;
     sema::Plan rest = plan;
     control::FrameSteps steps = modal.steps;
     const auto say = [&] {
@@ -133,15 +133,16 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         if (why != control::FrameFault::None) {
             fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched,
                   at);
-            return false;
+            return kFailed;
         }
         write_frame(next, source, at, instruction.c);
         modal.steps = steps;
-        return !has_failed;
+        return Done(!has_failed);
     };
     for (std::size_t i = 0; i < plan.functions.size(); ++i) {
         const Function function = plan.functions[i].function;
-        if ((plan.customs & custom::kFrameOrder) != 0 && !is_frame_free(function, at)) return false;
+        if ((plan.customs & custom::kFrameOrder) != 0 && !require_free_frame(function, at))
+            return kFailed;
         if (function == Function::RotateOff) steps.rotate_off();
         if (function == Function::MirrorOff) steps.mirror_off(plan.functions[i].given);
         if (function == Function::ScaleOff) steps.scale_off();
@@ -149,7 +150,7 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         // These stand in blocks of their own: nothing is left to say.
         std::array<double, 4> values{};
         std::array<bool, 4> given{};
-        if (!read_arguments(plan, i, instruction, registers, at, values, given)) return false;
+        if (!read_arguments(plan, i, instruction, registers, at, values, given)) return kFailed;
         if (function == Function::ShiftAdd) {
             constexpr std::size_t kX = parameter_of<Function::ShiftAdd>("x");
             steps.shift_add({values[kX], values[kX + 1], values[kX + 2]},
@@ -161,7 +162,7 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
             for (const std::size_t axis : {plane.first, plane.second}) {
                 if (given[kX + axis] || (plan.customs & custom::kCenterAtTool) == 0) continue;
                 center_unknown(function, axis, at);
-                return false;
+                return kFailed;
             }
             steps.rotate_off();
             steps.rotate(values[kAngle], modal[Group::Plane],
@@ -169,7 +170,7 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         }
         return say();
     }
-    if (!say()) return false;
+    if (!say()) return kFailed;
     for (std::size_t i = rest.functions.size(); i-- > 0;) {
         const Function function = rest.functions[i].function;
         const bool is_said = function == Function::RotateOff || function == Function::MirrorOff ||
@@ -182,18 +183,19 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
     }
     const bool is_empty = rest.functions.empty() && rest.fillings.empty() && rest.given == 0 &&
                           rest.motion == Function::None && instruction.b == 0;
-    return is_empty || emit_block(rest, instruction, registers, at);
+    return is_empty ? kDone : emit_block(rest, instruction, registers, at);
 }
 
-bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t at) {
+Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t at) {
     const std::uint32_t customs = plan.customs;
     if ((customs & custom::kFrameDiameter) != 0) scale_frame_x(block, 0.5);
     for (std::size_t i = 0; i < block.function_count; ++i) {
         Invocation& invocation = block.functions[i];
-        bool is_good =
-            (customs & custom::kFrameOrder) == 0 || is_frame_free(invocation.function, at);
-        if ((customs & custom::kCenterAtTool) != 0 && is_good)
-            is_good = complete_center(block, invocation, at);
+        Done adapted = kDone;
+        if ((customs & custom::kFrameOrder) != 0)
+            adapted = require_free_frame(invocation.function, at);
+        if ((customs & custom::kCenterAtTool) != 0 && adapted)
+            adapted = complete_center(block, invocation, at);
         if ((customs & custom::kFeedDeleted) != 0) {
             const Group group = nc::info(invocation.function).group;
             if (group == Group::FeedMode && modal[group] != invocation.function)
@@ -201,8 +203,7 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
         }
         switch (invocation.function) {
             case Function::Shift:
-                if (!is_good) break;
-                if ((customs & custom::kShiftKeeps) != 0) is_good = adapt_shift(block, invocation);
+                if (adapted && (customs & custom::kShiftKeeps) != 0) adapt_shift(block, invocation);
                 break;
             case Function::MirrorOff: invocation.given = 0; break;  // none stays
             case Function::CycleReturnInitial:
@@ -211,17 +212,17 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
                 break;
             case Function::TapRigid: said_cycle.taps_rigidly = true; break;
             case Function::CycleWords:
-                is_good = is_good && take_cycle_words(block, invocation, at);
+                if (adapted) adapted = Done(take_cycle_words(block, invocation, at));
                 break;
             case Function::MachineCoordinates:
-                is_good = is_good && adapt_machine(block, plan, at);
+                if (adapted) adapted = adapt_machine(block, plan, at);
                 break;
             case Function::ToolSelect:
-                is_good = is_good && take_station(block, invocation, at);
+                if (adapted) adapted = take_station(block, invocation, at);
                 break;
             default: break;
         }
-        if (!is_good) return false;
+        if (!adapted) return kFailed;
     }
     if ((customs & custom::kEdges) != 0) {
         for (std::size_t i = 0; i < block.function_count; ++i) {
@@ -234,24 +235,24 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
     const bool by_tool = (customs & custom::kOffsetsByTool) != 0;
     if ((by_tool || (customs & custom::kEdges) != 0) &&
         by_tool != target.counts_offsets_by_tool()) {
-        const bool takes =
+        const Done taken =
             by_tool ? take_offsets_as_edges(block, at) : take_edges_as_offsets(block, at);
-        if (!takes) return false;
+        if (!taken) return kFailed;
     }
-    if ((customs & custom::kCoreOffsets) != 0 && !take_core_offsets(block, at)) return false;
-    if ((customs & custom::kDirection) != 0 && !settle_direction(block, at)) return false;
+    if ((customs & custom::kCoreOffsets) != 0 && !take_core_offsets(block, at)) return kFailed;
+    if ((customs & custom::kDirection) != 0 && !settle_direction(block, at)) return kFailed;
     // Cycles of the source are calls of the library's, so these have nothing to do in the target.
     for (std::size_t i = block.function_count; i-- > 0;) {
         const Function function = block.functions[i].function;
         const bool is_spent = (customs & custom::kPlaces) != 0 || !target.can_write(function);
         if (is_cycle_word(function) && is_spent) erase(block, i);
     }
-    return true;
+    return kDone;
 }
 
 /// Whether the function may change while the present frame acts: the control takes mirror, scale
 /// and rotation in this order, and inside them nothing before them.
-bool Expander::State::is_frame_free(Function function, std::uint32_t at) {
+Done Expander::State::require_free_frame(Function function, std::uint32_t at) {
     bool of_mirror = false;  // it cannot change inside this
     bool of_scale = false;
     bool of_rotation = true;
@@ -265,51 +266,50 @@ bool Expander::State::is_frame_free(Function function, std::uint32_t at) {
         case Function::PlaneXy:
         case Function::PlaneZx:
         case Function::PlaneYz: of_rotation = function != modal[Group::Plane]; break;
-        default: return true;
+        default: return kDone;
     }
     const control::ProgramFrame& frame = modal.frame;
     const char* inside = of_rotation && frame.angle_deg != 0 ? "rotation"
                          : of_scale && frame.has_scale()     ? "scale"
                          : of_mirror && frame.has_mirror()   ? "mirror"
                                                              : nullptr;
-    if (inside == nullptr) return true;
+    if (inside == nullptr) return kDone;
     fault(diag::SourceFrame, at).arg(nc::info(function).name).arg(inside);
-    return false;
+    return kFailed;
 }
 
 /// The axes that are not named keep the shift that they have.
-bool Expander::State::adapt_shift(Block& block, Invocation& shift) {
-    if (shift.given == 0) return true;
+void Expander::State::adapt_shift(Block& block, Invocation& shift) {
+    if (shift.given == 0) return;
     constexpr std::size_t kX = parameter_of<Function::Shift>("x");
     for (std::size_t i = 0; i < 3; ++i) {
         if (!shift.has(kX + i) && modal.frame.is_shifted[i])
             block.set_argument(shift, kX + i, modal.frame.shift[i]);
     }
-    return true;
 }
 
 /// Machine coordinates as the control reaches them: at rapid whatever acts, or with the tool
 /// length, which no other control does.
-bool Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::uint32_t at) {
+Done Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::uint32_t at) {
     if ((plan.customs & custom::kMachineLength) != 0 && modal.has_tool && !modal.is_edge_off) {
         const Invocation* edge = block.find(Function::ToolEdge);
         if (edge == nullptr || block.argument(*edge, kEdge) != 0) {
             fault(diag::SourceMachine, at).fix("switch the tool length off in this block: `D0`");
-            return false;
+            return kFailed;
         }
     }
-    if ((plan.customs & custom::kMachineRapid) == 0) return true;
+    if ((plan.customs & custom::kMachineRapid) == 0) return kDone;
     if (modal[Group::Distance] == Function::Incremental &&
         block.find(Function::Absolute) == nullptr) {
         fault(diag::StateNeeded, at)
             .arg("G53")
             .arg(nc::info(Function::Absolute).name)
             .arg(nc::info(Function::Incremental).name);
-        return false;
+        return kFailed;
     }
     if (modal[Group::Motion] != Function::Rapid || plan.motion != Function::None)
         block.motion = Function::Rapid;
-    return true;
+    return kDone;
 }
 
 /// On the control of the source a work offset acts from the start; the target has another one.
@@ -337,9 +337,9 @@ void Expander::State::say_offset(const sema::Plan& plan, const Instruction& inst
 }
 
 /// A centre that is not named is where the tool stands.
-bool Expander::State::complete_center(Block& block, Invocation& invocation, std::uint32_t at) {
+Done Expander::State::complete_center(Block& block, Invocation& invocation, std::uint32_t at) {
     const bool is_rotation = invocation.function == Function::Rotate;
-    if (!is_rotation && invocation.function != Function::Scale) return true;
+    if (!is_rotation && invocation.function != Function::Scale) return kDone;
     constexpr std::size_t kX = parameter_of_all<"x", Function::Rotate, Function::Scale>();
     const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -352,9 +352,9 @@ bool Expander::State::complete_center(Block& block, Invocation& invocation, std:
             continue;
         }
         center_unknown(invocation.function, i, at);
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 void Expander::State::center_unknown(Function function, std::size_t axis, std::uint32_t at) {
@@ -364,10 +364,10 @@ void Expander::State::center_unknown(Function function, std::size_t axis, std::u
         .fix("name the centre: `" + std::string(kAxisNames[axis]) + "0.`");
 }
 
-bool Expander::State::may_move(const Block& block, std::uint32_t at) {
+Done Expander::State::check_move(const Block& block, std::uint32_t at) {
     constexpr nc::SlotMask kMoves = nc::kTargetSlots | nc::kCenterSlots;
     if ((block.given & kMoves) == 0 || block.find(Function::MachineCoordinates) != nullptr)
-        return true;
+        return kDone;
     // A move without tool length, where the target takes the length with the next move again.
     if (modal.is_edge_off && target.counts_offsets_by_tool()) {
         fault(diag::SourceOffset, at)
@@ -375,30 +375,30 @@ bool Expander::State::may_move(const Block& block, std::uint32_t at) {
             .arg("a move with the edge")
             .arg("0")
             .fix("say `D1` before it");
-        return false;
+        return kFailed;
     }
     const bool needs_feed =
         modal[Group::Motion] != Function::Rapid && block.find(Function::ReferenceReturn) == nullptr;
-    if (!modal.is_feed_deleted || !needs_feed || block.has(nc::Slot::Feed)) return true;
+    if (!modal.is_feed_deleted || !needs_feed || block.has(nc::Slot::Feed)) return kDone;
     auto builder = fault(diag::SourceFeedDeleted, at);
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
     if (by.is_valid() && by.index < code.statements.size())
         builder.note(code.statements[by.index], "the kind of feed was changed here");
     builder.fix("give the block a feed");
-    return false;
+    return kFailed;
 }
 
 /// An increment behind a change of the frame: some controls travel the change as well.
-bool Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std::uint32_t at) {
+Done Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool source_travels = (plan.customs & custom::kIncrementTravels) != 0;
     const bool target_travels = target.rules().incremental_frame == nc::IncrementalFrame::Traversed;
     const bool wants_place = (modal.unplaced & block.given) != 0 &&
                              target.rules().place_behind_rotation &&
                              block.find(Function::Cycle) == nullptr;
-    if (!source_travels && !target_travels && !wants_place) return true;
+    if (!source_travels && !target_travels && !wants_place) return kDone;
     if (block.find(Function::MachineCoordinates) != nullptr ||
         block.find(Function::ReferenceReturn) != nullptr)
-        return true;
+        return kDone;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if ((block.given & bit) == 0 || !is_increment(block, bit)) continue;
@@ -415,7 +415,7 @@ bool Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std
                 .arg(kAxisNames[i])
                 .arg(target.name())
                 .fix("name a coordinate of " + std::string(kAxisNames[i]) + " first");
-            return false;
+            return kFailed;
         }
         if (source_travels) block.values[i] -= modal.drift[i];
         const bool has_drifted = ((modal.has_drift | modal.lost_drift) & bit) != 0;
@@ -423,7 +423,7 @@ bool Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std
         if (is_known) become_place(block, i);
         else block.values[i] += modal.drift[i];
     }
-    return !wants_place || name_places(block, at);
+    return !wants_place ? kDone : name_places(block, at);
 }
 
 bool Expander::State::is_increment(const Block& block, nc::SlotMask axis) const {
@@ -443,7 +443,7 @@ void Expander::State::become_place(Block& block, std::size_t axis) const {
 /// that it turns: what the control takes for an axis that is not named depends on a parameter.
 ///
 /// source       F 3.7 G68, G69; No.11600#5 AX1
-bool Expander::State::name_places(Block& block, std::uint32_t at) {
+Done Expander::State::name_places(Block& block, std::uint32_t at) {
     const bool is_modal = modal[Group::Distance] == Function::Incremental;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
@@ -457,7 +457,7 @@ bool Expander::State::name_places(Block& block, std::uint32_t at) {
                 .arg(target.name())
                 .arg(axis)
                 .fix("name a coordinate of " + axis + " in this block");
-            return false;
+            return kFailed;
         }
         if ((block.given & bit) != 0) {
             if (is_increment(block, bit)) become_place(block, i);
@@ -466,7 +466,7 @@ bool Expander::State::name_places(Block& block, std::uint32_t at) {
             if (is_modal) block.absolute |= bit;
         }
     }
-    if (!is_modal) return true;
+    if (!is_modal) return kDone;
     // `G91` of the block itself waits, too.
     bool is_said = false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
@@ -476,7 +476,7 @@ bool Expander::State::name_places(Block& block, std::uint32_t at) {
     }
     if (!is_said) block.add(Function::Absolute);
     modal.owes_incremental = true;
-    return true;
+    return kDone;
 }
 
 /// An arc all of whose words are in `plan` and that names no end.
@@ -491,19 +491,19 @@ bool Expander::State::is_whole_circle(const sema::Plan& plan) const {
 
 /// What names no axis as the first motion behind a rotation, a full circle or a cycle, gets a block
 /// before it that does: to where the tool stands already.
-bool Expander::State::say_places(SourceId source, std::uint32_t at, unsigned depth) {
-    if (!target.rules().place_behind_rotation || !recordings.empty()) return true;
-    if (is_block_limit(at)) return false;
+Done Expander::State::say_places(SourceId source, std::uint32_t at, unsigned depth) {
+    if (!target.rules().place_behind_rotation || !recordings.empty()) return kDone;
+    if (!require_room(at)) return kFailed;
     Block& block = next_block(source);
     block.motion = Function::Rapid;
     if (!name_places(block, at)) {
         drop_block(block);
-        return false;
+        return kFailed;
     }
     modal.take_words(block);
     modal.restate_motion = true;
     if (options.trace) keep_trace(at, depth, source);
-    return true;
+    return kDone;
 }
 
 /// What stands under incremental dimensions for the program does so for the text again.
@@ -573,35 +573,35 @@ void Expander::State::go_over_place(SourceId source) {
 }
 
 /// `T0101`, for a target that selects tools without their offsets: the tool with its own ones.
-bool Expander::State::take_station(Block& block, Invocation& select, std::uint32_t at) {
+Done Expander::State::take_station(Block& block, Invocation& select, std::uint32_t at) {
     constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
-    if (!select.has(kOffset) || says_offset_with_tool(target.tables())) return true;
+    if (!select.has(kOffset) || says_offset_with_tool(target.tables())) return kDone;
     const double tool = block.argument(select, kTool);
     const double offset = block.argument(select, kOffset);
     if (offset == tool) {
         become(block, select, Function::Tool, kTool, tool);
-        return true;
+        return kDone;
     }
     const bool is_off = offset == 0 && modal.has_tool_in && modal.tool_in == tool;
     if (is_off && target.can_write(Function::ToolEdge)) {
         become(block, select, Function::ToolEdge, kEdge, 0);
-        return true;
+        return kDone;
     }
     if (is_off && target.can_write(Function::LengthCompOff)) {
         select.function = Function::LengthCompOff;
         select.given = 0;
-        return true;
+        return kDone;
     }
     fault(diag::SourceOffset, at)
         .arg(target.name())
         .arg("tool " + std::to_string(std::llround(tool)) + " with the offset")
         .arg(std::to_string(std::llround(offset)))
         .fix("give the offset the number of its tool, or say `tool(n)`");
-    return false;
+    return kFailed;
 }
 
 /// `H3` and `D3` of tool 3 are its first edge.
-bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
+Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
     // The tool that is in, not one that waits for its change; before the first change the one that
     // was called.
     const Invocation* select = block.find(Function::ToolSelect);
@@ -639,7 +639,7 @@ bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
                 .arg(shown);
             builder.fix(is_off ? "switch the radius compensation off before it"
                                : "give the offset the number of its tool, or say `tool(n)`");
-            return false;
+            return kFailed;
         }
         if (is_said) {
             erase(block, i);
@@ -655,11 +655,11 @@ bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
         become(block, invocation, Function::ToolEdge, kEdge, number == 0 ? 0 : 1);
         ++i;
     }
-    return true;
+    return kDone;
 }
 
 /// The common core has the words of both ways: those that the target has not are said in its own.
-bool Expander::State::take_core_offsets(Block& block, std::uint32_t at) {
+Done Expander::State::take_core_offsets(Block& block, std::uint32_t at) {
     const bool by_tool = target.counts_offsets_by_tool();
     for (std::size_t i = 0; i < block.function_count; ++i) {
         Invocation& invocation = block.functions[i];
@@ -670,16 +670,16 @@ bool Expander::State::take_core_offsets(Block& block, std::uint32_t at) {
                 if (!by_tool) return take_offsets_as_edges(block, at);
                 break;
             case Function::ToolEdge:
-                if (by_tool && !take_edge_as_length(block, invocation, at)) return false;
+                if (by_tool && !take_edge_as_length(block, invocation, at)) return kFailed;
                 break;
             default: break;
         }
     }
-    return true;
+    return kDone;
 }
 
 /// `D1` is the length of the tool that is in, `D0` none.
-bool Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::uint32_t at) {
+Done Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::uint32_t at) {
     const double number = block.argument(edge, kEdge);
     const Invocation* select = block.find(Function::ToolSelect);
     const bool changes = block.find(Function::ToolChange) != nullptr;
@@ -692,7 +692,7 @@ bool Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::u
     if (number == 0) {
         edge.function = Function::LengthCompOff;
         edge.given = 0;
-        return true;
+        return kDone;
     }
     if (number != 1 || !has_tool) {
         fault(diag::SourceOffset, at)
@@ -700,14 +700,14 @@ bool Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::u
             .arg("the edge")
             .arg(std::to_string(std::llround(number)))
             .fix("say `tool(n)`, which makes the length act on every control");
-        return false;
+        return kFailed;
     }
     become(block, edge, Function::LengthCompOn, kLengthOffset, tool);
-    return true;
+    return kDone;
 }
 
 /// The first edge acts with the change of its tool; it has the offsets with the tool's number.
-bool Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
+Done Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
     for (std::size_t i = block.function_count; i-- > 0;) {
         if (block.functions[i].function != Function::ToolEdge) continue;
         const double edge = block.argument(block.functions[i], kEdge);
@@ -718,22 +718,22 @@ bool Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
                 .arg("the edge")
                 .arg(std::to_string(std::llround(edge)))
                 .fix("say what the target is to do where it is the target: `G49`, `G43 H…`");
-            return false;
+            return kFailed;
         }
         erase(block, i);
     }
-    if (target.rules().tool_change_activates_length) return true;
+    if (target.rules().tool_change_activates_length) return kDone;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (block.functions[i].function != Function::ToolChange) continue;
         const Invocation* select = block.find(Function::ToolSelect);
-        if (select == nullptr && !modal.has_tool) return true;
+        if (select == nullptr && !modal.has_tool) return kDone;
         const double tool = select != nullptr ? block.argument(*select, kTool) : modal.tool;
         become(block, block.functions[i], Function::Tool, kTool, tool);
         if (select != nullptr)
             erase(block, static_cast<std::size_t>(select - block.functions.data()));
-        return true;
+        return kDone;
     }
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::expand

@@ -78,7 +78,7 @@ Vec3 written(const Vec3& said, int digits) {
 /// A block of nothing but one function; what is NaN is not given.
 void Expander::State::say_function(Function function, std::span<const double> arguments,
                                    SourceId source, std::uint32_t at, unsigned depth) {
-    if (has_failed || is_block_limit(at)) return;
+    if (has_failed || !require_room(at)) return;
     Block& block = next_block(source);
     nc::Invocation* invocation = block.add(function, arguments.size());
     for (std::size_t i = 0; i < arguments.size(); ++i)
@@ -89,7 +89,7 @@ void Expander::State::say_function(Function function, std::span<const double> ar
 
 /// Tool centre point control, its ways and directions, and what must not stand under it. Nothing:
 /// the block is like any other.
-std::optional<bool> Expander::State::take_tool(const sema::Plan& plan,
+std::optional<Done> Expander::State::take_tool(const sema::Plan& plan,
                                                const Instruction& instruction, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     for (const nc::Invocation& invocation : plan.functions) {
@@ -102,7 +102,7 @@ std::optional<bool> Expander::State::take_tool(const sema::Plan& plan,
                 if (target.can_write(function) || !target.can_write(Function::TcpVector)) break;
                 return choose_turning(function, source, at, instruction.c);
             case Function::ToolVector:
-                if (!leads_tool(at)) return false;
+                if (!require_leading_tool(at)) return kFailed;
                 break;
             default: break;
         }
@@ -117,15 +117,14 @@ std::optional<bool> Expander::State::take_tool(const sema::Plan& plan,
     return std::nullopt;
 }
 
-/// Always false.
-bool Expander::State::refuse_under_tcp(std::string_view what, std::uint32_t at) {
+Done Expander::State::refuse_under_tcp(std::string_view what, std::uint32_t at) {
     DiagnosticBuilder builder = fault(diag::InsideTcp, at);
     builder.arg(what).arg(target.name());
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Transformation)];
     if (by.is_valid() && by.index < code.statements.size())
         builder.note(code.statements[by.index], "it began here");
     builder.fix("end it before: `tcp(off)`");
-    return false;
+    return kFailed;
 }
 
 /// Why tool centre point control cannot begin here; empty: it can.
@@ -155,21 +154,21 @@ std::optional<double> Expander::State::length_number() const {
 }
 
 /// said         functions of the block; those beside TcpOn say ways and systems
-bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId source,
+Done Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId source,
                                 std::uint32_t at, unsigned depth) {
     const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
-    if (modal.tcp != Tcp::Off && !is_lost) return true;
+    if (modal.tcp != Tcp::Off && !is_lost) return kDone;
     const bool has_own = target.can_write(Function::TcpOn);
     if (!has_own && !target.can_write(Function::TcpVector)) {
         fault(diag::TcpMissing, at).arg(target.name());
-        return false;
+        return kFailed;
     }
     if (const std::string why = tcp_hindrance(); !why.empty()) {
         DiagnosticBuilder builder = fault(diag::TcpBegin, at);
         builder.arg(why);
         if (modal.is_turned && !has_own)
             builder.fix("bring the rotary axes to 0 before: `G0 A=0 C=0`");
-        return false;
+        return kFailed;
     }
     Function turning = modal[Group::Turning];
     for (const nc::Invocation& invocation : said)
@@ -183,7 +182,7 @@ bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
                 say_function(invocation.function, {}, source, at, depth);
         }
         modal.tcp = Tcp::Own;
-        return !has_failed;
+        return Done(!has_failed);
     }
     modal.before_tcp = modal[Group::LengthComp];
     modal.tcp_offset = *length_number();
@@ -207,63 +206,64 @@ void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsign
 }
 
 /// Great circles or the rotary axes in proportion, on a control that says so with the length.
-bool Expander::State::choose_turning(Function turning, SourceId source, std::uint32_t at,
+Done Expander::State::choose_turning(Function turning, SourceId source, std::uint32_t at,
                                      unsigned depth) {
     modal.active[static_cast<std::size_t>(Group::Turning)] = turning;
-    if (modal.tcp != Tcp::Length) return true;
+    if (modal.tcp != Tcp::Length) return kDone;
     const double plane = turning == Function::TurnAxes ? 0 : 1;
     say_function(Function::TcpVector, std::array{modal.tcp_offset, plane}, source, at, depth);
-    return !has_failed;
+    return Done(!has_failed);
 }
 
 /// No axis moves. A control to which it is a kind of tool length goes over to the plain length: to
 /// end it alone would travel the length towards the part.
-bool Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth) {
+Done Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth) {
     if (modal.tcp != Tcp::Length) {
         modal.tcp = Tcp::Off;
         if (target.can_write(Function::TcpOff))
             say_function(Function::TcpOff, {}, source, at, depth);
-        return !has_failed;
+        return Done(!has_failed);
     }
     if (modal.is_leaning) {
         fault(diag::TcpLeaning, at)
             .arg(target.name())
             .fix("let it stand along Z before: `orient(k: 1)`");
-        return false;
+        return kFailed;
     }
     say_function(Function::LengthCompOn, std::array{modal.tcp_offset}, source, at, depth);
     modal.tcp = Tcp::Off;
     modal.active[static_cast<std::size_t>(Group::LengthComp)] = modal.before_tcp;
     modal.active[static_cast<std::size_t>(Group::Transformation)] = Function::TcpOff;
     modal.changed_by[static_cast<std::size_t>(Group::Transformation)] = source;
-    return !has_failed;
+    return Done(!has_failed);
 }
 
 /// What a `with` found: on or off.
-bool Expander::State::set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at,
+Done Expander::State::set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at,
                                    unsigned depth) {
     constexpr auto kGroup = static_cast<std::size_t>(Group::Transformation);
     const bool is_same = before.active[kGroup] == modal.active[kGroup] && before.tcp == modal.tcp;
-    if (is_same) return true;
+    if (is_same) return kDone;
     if (before.active[kGroup] == Function::None) {
         fault(diag::StateUnknown, at).arg(nc::group_name(Group::Transformation));
-        return false;
+        return kFailed;
     }
     return before.tcp == Tcp::Off ? end_tcp(source, at, depth) : begin_tcp({}, source, at, depth);
 }
 
-/// Whether a direction of the tool acts here; false: it was reported.
-bool Expander::State::leads_tool(std::uint32_t at) {
+/// A direction of the tool acts here.
+Done Expander::State::require_leading_tool(std::uint32_t at) {
     const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
     if (is_lost)
-        return state_lost("whether tool centre point control acts", "say `tcp(on)` before it", at);
-    if (modal.tcp != Tcp::Off || modal[Group::LengthComp] == Function::TcpVector) return true;
+        return Done(
+            state_lost("whether tool centre point control acts", "say `tcp(on)` before it", at));
+    if (modal.tcp != Tcp::Off || modal[Group::LengthComp] == Function::TcpVector) return kDone;
     fault(diag::OrientAlone, at).fix("say `tcp(on)` before it");
-    return false;
+    return kFailed;
 }
 
-/// The direction that a block says, in numbers that the target writes. False: it was reported.
-bool Expander::State::settle_direction(Block& block, std::uint32_t at) {
+/// The direction that a block says, in numbers that the target writes.
+Done Expander::State::settle_direction(Block& block, std::uint32_t at) {
     constexpr std::size_t kComponent = nc::parameter_of<Function::ToolVector>("component");
     constexpr std::size_t kValue = nc::parameter_of<Function::ToolVector>("value");
     const auto each = [&](const auto& act) {
@@ -280,7 +280,7 @@ bool Expander::State::settle_direction(Block& block, std::uint32_t at) {
     });
     if (said.norm() < kRounding) {
         fault(diag::OrientZero, at);
-        return false;
+        return kFailed;
     }
     const Vec3 direction = written(said, digits_of(target.tables()));
     each([&](nc::Invocation& part, Eigen::Index i) {
@@ -294,24 +294,24 @@ bool Expander::State::settle_direction(Block& block, std::uint32_t at) {
         block.motion = modal[Group::Motion];
         modal.restate_motion = false;
     }
-    return true;
+    return kDone;
 }
 
-/// Whether the motion of a block may stand under tool centre point control; false: it was reported.
-bool Expander::State::may_lead(const Block& block, std::uint32_t at) {
+/// The motion of a block may stand under tool centre point control.
+Done Expander::State::check_leading(const Block& block, std::uint32_t at) {
     const Function motion = modal[Group::Motion];
-    if (motion == Function::None || nc::has_fact(motion, nc::Fact::Straight)) return true;
+    if (motion == Function::None || nc::has_fact(motion, nc::Fact::Straight)) return kDone;
     const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
     if (!moves && block.find(Function::ToolVector) != nullptr) {
         fault(diag::OrientMotion, at).arg(nc::info(motion).name);
-        return false;
+        return kFailed;
     }
-    if (!moves || modal.tcp != Tcp::Length) return true;
+    if (!moves || modal.tcp != Tcp::Length) return kDone;
     fault(diag::TcpMotion, at)
         .arg(nc::info(motion).name)
         .arg(target.name())
         .fix("lines within a tolerance: `follow(…, tolerance: 5um, arcs: false)` of a curve");
-    return false;
+    return kFailed;
 }
 
 }  // namespace kadr::expand

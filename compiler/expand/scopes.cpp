@@ -15,7 +15,7 @@ using nc::Block;
 using nc::Function;
 using nc::Group;
 
-bool Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned depth) {
+Done Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned depth) {
     const OpenWith scope = withs.back();
     withs.pop_back();
     return set_back(scope, source, at, depth);
@@ -32,18 +32,18 @@ void Expander::State::take_offset_of_head(ModalState& state) const {
     state.work_offset = *offset;
 }
 
-bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint32_t at,
+Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint32_t at,
                                unsigned depth) {
     ModalState before = scope.before;
     take_offset_of_head(before);
     const sema::ModalMask transformation = sema::group_bit(Group::Transformation);
     if ((scope.mask & transformation) != 0 && !set_back_tcp(before, source, at, depth))
-        return false;
+        return kFailed;
     if ((scope.mask & sema::kFrameBit) != 0) {
         if (modal.tcp == ModalState::Tcp::Length && !(before.frame == modal.frame))
             return refuse_under_tcp("the end of a frame", at);
         write_frame(before.frame, source, at, depth);
-        if (has_failed) return false;
+        if (has_failed) return kFailed;
         modal.steps = before.steps;
     }
     // Another feed mode forgets F, so F goes back with it.
@@ -51,11 +51,11 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     if ((mask & sema::group_bit(Group::FeedMode)) != 0) mask |= sema::kFeedBit;
     if ((mask & sema::group_bit(Group::SpeedMode)) != 0) mask |= sema::kSpeedBit;
     const sema::ModalMask changed = difference(before, modal, mask) & ~sema::kFrameBit;
-    if (changed == 0) return true;
+    if (changed == 0) return kDone;
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((changed >> i & 1u) == 0 || before.active[i] != Function::None) continue;
         fault(diag::StateUnknown, at).arg(nc::group_name(static_cast<Group>(i)));
-        return false;
+        return kFailed;
     }
     // Behind a `with` that set the first F there is none, and none there is behind this one.
     const sema::ModalMask no_value = before.lost_in == Loss::EndOfWith ? sema::kFeedBit : 0;
@@ -63,7 +63,7 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
         changed & before.lost & ~no_value & (sema::kFeedBit | sema::kSpeedBit);
     if (values != 0) {
         fault(diag::StateUnknown, at).arg((values & sema::kFeedBit) != 0 ? "F" : "S");
-        return false;
+        return kFailed;
     }
     if ((changed & sema::kFeedBit) != 0 && !before.has_feed) modal.forget_feed(source);
     // The same number means something else in another mode, so it goes back with the mode.
@@ -72,8 +72,8 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     const bool feed = (changed & of_feed) != 0 && before.has_feed;
     const bool speed = (changed & of_speed) != 0 && before.has_speed;
     const bool groups = (changed & ~(sema::kFeedBit | sema::kSpeedBit)) != 0;
-    if (!groups && !feed && !speed) return true;
-    if (is_block_limit(at)) return false;
+    if (!groups && !feed && !speed) return kDone;
+    if (!require_room(at)) return kFailed;
     Block& block = next_block(source);
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((changed >> i & 1u) == 0) continue;
@@ -96,11 +96,11 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     if (feed) block.set(nc::Slot::Feed, before.feed);
     if (speed) block.set(nc::Slot::Speed, before.speed);
     if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(block, at))
-        return false;
+        return kFailed;
     modal.take_functions(block, target.rules());
     modal.take_words(block);
     if (options.trace) keep_trace(at, depth, source);
-    return true;
+    return kDone;
 }
 
 namespace {
@@ -140,7 +140,7 @@ std::string lost_needs(const sema::FunctionCode& cycle, sema::ModalMask lost) {
 
 /// What a cycle preserves it also relies on: `preserves G90` called under G91 would work with
 /// distances where its author wrote coordinates.
-bool Expander::State::check_needs(std::uint32_t at) {
+Done Expander::State::check_needs(std::uint32_t at) {
     const CallFrame& frame = frames.back();
     for (const Function needed : frame.function->needs) {
         const Function active = modal[nc::info(needed).group];
@@ -150,7 +150,7 @@ bool Expander::State::check_needs(std::uint32_t at) {
         if (active == needed || (active == Function::None && !is_lost && !is_other)) continue;
         if (needed == Function::RadiusCompOff && !is_lost) {
             compensated_cycle(*frame.function);
-            return false;
+            return kFailed;
         }
         const bool is_called = frames.size() > 1 && frame.return_to > 0;
         if (is_lost) {
@@ -159,7 +159,7 @@ bool Expander::State::check_needs(std::uint32_t at) {
                                 : fault(diag::StateLost, at),
                       "whether `" + words + "` acts, as `" + frame.function->name + "` needs,",
                       "say `" + words + "` before it");
-            return false;
+            return kFailed;
         }
         DiagnosticBuilder builder =
             is_called ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
@@ -171,18 +171,18 @@ bool Expander::State::check_needs(std::uint32_t at) {
         if (by.is_valid() && by.index < code.statements.size()) {
             builder.note(code.statements[by.index], "it was changed here last");
         }
-        return false;
+        return kFailed;
     }
     // The cutter that the call says is the one that the machine has; where only the text is made,
     // another one is a warning.
     if (!modal.has_tool_in || frames.size() < 2 || frame.return_to == 0 || !options.machine ||
         !options.checks_cutters || !says_cutter(*frame.function))
-        return true;
+        return kDone;
     const machine::Machine* machine = options.machine();
-    if (machine == nullptr) return true;
+    if (machine == nullptr) return kDone;
     const auto tool = static_cast<std::int64_t>(std::llround(modal.tool_in));
     const auto other = cutter_mismatch(*frame.function, stack.data() + frame.base, *machine, tool);
-    if (!other) return true;
+    if (!other) return kDone;
     const bool is_warning = options.warns_of_cuts;
     fault_in(is_warning ? diag::CutterDiffers : diag::CutterContradicts, frame.return_to - 1,
              frames.size() - 1)
@@ -190,14 +190,14 @@ bool Expander::State::check_needs(std::uint32_t at) {
         .arg(other->said)
         .arg(tool)
         .arg(other->own);
-    return is_warning;
+    return Done(is_warning);
 }
 
-bool Expander::State::check_preserves(std::uint32_t at) {
+Done Expander::State::check_preserves(std::uint32_t at) {
     const OpenWith& promise = promises.back();
-    if (modal.lost != 0 && !keep_promise(promise, at)) return false;
+    if (modal.lost != 0 && !keep_promise(promise, at)) return kFailed;
     const sema::ModalMask broken = difference(promise.before, modal, promise.mask);
-    if (broken == 0) return true;
+    if (broken == 0) return kDone;
     const auto report = [&](std::string_view what, SourceId by) {
         DiagnosticBuilder builder = fault(diag::PromiseBroken, at);
         builder.arg(frames.back().function->name).arg(what);
@@ -208,12 +208,12 @@ bool Expander::State::check_preserves(std::uint32_t at) {
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((broken >> i & 1u) == 0) continue;
         report(nc::group_name(static_cast<Group>(i)), modal.changed_by[i]);
-        return false;
+        return kFailed;
     }
     if ((broken & sema::kFrameBit) != 0) report("the frames", modal.frame_by);
     else if ((broken & sema::kFeedBit) != 0) report("F", modal.feed_by);
     else report("S", modal.speed_by);
-    return false;
+    return kFailed;
 }
 
 }  // namespace kadr::expand

@@ -129,7 +129,7 @@ void Expander::State::enter(const FunctionCode& function, std::uint32_t given) {
     is_running = true;
 }
 
-bool Expander::State::set_parameter(const FunctionCode& function, const ParameterInfo& parameter,
+Done Expander::State::set_parameter(const FunctionCode& function, const ParameterInfo& parameter,
                                     const std::string& text, Slot& slot) {
     const std::string_view value = trim(text);
     const auto wrong = [&](const std::string& wanted) {
@@ -139,7 +139,7 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
             .arg(value)
             .note(from_command_line(parameter.name, text))
             .note(parameter.range, "it is declared here");
-        return false;
+        return kFailed;
     };
     switch (parameter.kind) {
         case ParameterInfo::Kind::Bool:
@@ -151,13 +151,13 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
             } else {
                 return wrong(code.true_word + " or " + code.false_word);
             }
-            return true;
+            return kDone;
         case ParameterInfo::Kind::Integer: {
             const auto read =
                 std::from_chars(value.data(), value.data() + value.size(), slot.integer);
             if (read.ec != std::errc() || read.ptr != value.data() + value.size())
                 return wrong("a whole number");
-            return true;
+            return kDone;
         }
         case ParameterInfo::Kind::Number:
         case ParameterInfo::Kind::Feed:
@@ -169,15 +169,15 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
                                  : "a number with a unit of " + parameter.type_name);
             }
             slot.number = *number;
-            return true;
+            return kDone;
         }
-        case ParameterInfo::Kind::Text: slot.integer = heap.new_text(text); return true;
+        case ParameterInfo::Kind::Text: slot.integer = heap.new_text(text); return kDone;
         case ParameterInfo::Kind::Enum: {
             std::string all;
             for (const auto& [name, member] : code.enums[parameter.enumeration].members) {
                 if (name == value) {
                     slot.integer = member;
-                    return true;
+                    return kDone;
                 }
                 if (!all.empty()) all += ", ";
                 all += name;
@@ -192,7 +192,7 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
         .arg(parameter.type_name)
         .note(from_command_line(parameter.name, text))
         .note(parameter.range, "it is declared here");
-    return false;
+    return kFailed;
 }
 
 Done Expander::State::start(std::string_view name, const std::vector<sema::Define>& defines) {

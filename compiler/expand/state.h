@@ -129,7 +129,7 @@ struct Expander::State {
     Done start_cycle(std::string_view name, std::span<const double> arguments, std::uint32_t given,
                      const Surroundings& at);
     const sema::FunctionCode* find_program(std::string_view name);
-    bool set_parameter(const sema::FunctionCode& function, const sema::ParameterInfo& parameter,
+    Done set_parameter(const sema::FunctionCode& function, const sema::ParameterInfo& parameter,
                        const std::string& text, Slot& slot);
     static bool set_number(const sema::ParameterInfo& parameter, double value, Slot& slot);
     void enter(const sema::FunctionCode& function, std::uint32_t given);
@@ -139,10 +139,10 @@ struct Expander::State {
     void start_test(std::uint32_t index, std::span<const Slot> values, TestBench& asked);
     std::optional<std::vector<Slot>> read_values(std::uint32_t index,
                                                  const std::vector<sema::Define>& defines);
-    bool test_call(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    Done test_call(const Instruction& instruction, Slot* registers, std::uint32_t at);
     void ask_figure(const Instruction& instruction, Slot* registers);
     void list_dialects(const Instruction& instruction, Slot* registers);
-    bool expectation_failed(const Instruction& instruction, const Slot* registers,
+    void report_expectation(const Instruction& instruction, const Slot* registers,
                             std::uint32_t at);
     bool stops_at_failure();
     void start_call(const CallUnderTest& call);
@@ -157,9 +157,9 @@ struct Expander::State {
     void run();
     void reserve_stack(std::size_t slots);
     std::int64_t make_fixed(std::uint32_t layout, std::int64_t count);
-    bool read_image(const sema::PictureSource& source, Slot path, std::uint32_t at, Slot* image);
+    Done read_image(const sema::PictureSource& source, Slot path, std::uint32_t at, Slot* image);
     void make_image(const sema::PictureSource& source, const sema::Picture& picture, Slot* image);
-    bool read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at, Slot& table);
+    Done read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at, Slot& table);
     std::int64_t make_table(const sema::TableSchema& schema, const sema::TableRows& rows);
     void collect_garbage(const Slot* registers);
     bool collect_in_time(const Slot* registers);
@@ -172,78 +172,78 @@ struct Expander::State {
     nc::Block& next_block(SourceId source);
     /// Takes back the block that was made last: it could not be finished.
     void drop_block(const nc::Block& block);
-    bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    bool emit_block(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+    Done emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    Done emit_block(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                     std::uint32_t at);
-    bool fill_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+    Done fill_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                    std::uint32_t at);
 
     // ---- tilting.cpp
     bool is_about_tilt(const sema::Plan& plan) const;
-    bool emit_tilt(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+    Done emit_tilt(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                    std::uint32_t at);
-    bool plan_of_frame(const sema::Plan& plan, const Instruction& instruction,
-                       const Slot* registers, std::uint32_t at);
-    bool refuse_in_tilt(std::string_view what, std::uint32_t at);
-    bool read_plane(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+    Done emit_plan_of_frame(const sema::Plan& plan, const Instruction& instruction,
+                            const Slot* registers, std::uint32_t at);
+    Done refuse_in_tilt(std::string_view what, std::uint32_t at);
+    Done read_plane(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                     std::uint32_t at, std::array<double, 6>& values);
-    bool say_euler(const std::array<double, 6>& values, SourceId source, std::uint32_t at,
+    Done say_euler(const std::array<double, 6>& values, SourceId source, std::uint32_t at,
                    unsigned depth);
-    bool resolve_tilt(const std::array<double, 6>& values, SourceId source, std::uint32_t at,
+    Done resolve_tilt(const std::array<double, 6>& values, SourceId source, std::uint32_t at,
                       unsigned depth);
-    bool say_joints(const machine::Chain& chain, const path::Vec3& joints, SourceId source,
+    Done say_joints(const machine::Chain& chain, const path::Vec3& joints, SourceId source,
                     std::uint32_t at, unsigned depth);
 
     // ---- orienting.cpp
     void say_function(nc::Function function, std::span<const double> arguments, SourceId source,
                       std::uint32_t at, unsigned depth);
-    std::optional<bool> take_tool(const sema::Plan& plan, const Instruction& instruction,
+    std::optional<Done> take_tool(const sema::Plan& plan, const Instruction& instruction,
                                   std::uint32_t at);
-    bool refuse_under_tcp(std::string_view what, std::uint32_t at);
+    Done refuse_under_tcp(std::string_view what, std::uint32_t at);
     std::string tcp_hindrance() const;
     std::optional<double> length_number() const;
     void say_offset_again(SourceId source, std::uint32_t at, unsigned depth);
-    bool begin_tcp(std::span<const nc::Invocation> said, SourceId source, std::uint32_t at,
+    Done begin_tcp(std::span<const nc::Invocation> said, SourceId source, std::uint32_t at,
                    unsigned depth);
-    bool choose_turning(nc::Function turning, SourceId source, std::uint32_t at, unsigned depth);
-    bool end_tcp(SourceId source, std::uint32_t at, unsigned depth);
-    bool set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at, unsigned depth);
-    bool leads_tool(std::uint32_t at);
-    bool settle_direction(nc::Block& block, std::uint32_t at);
-    bool may_lead(const nc::Block& block, std::uint32_t at);
+    Done choose_turning(nc::Function turning, SourceId source, std::uint32_t at, unsigned depth);
+    Done end_tcp(SourceId source, std::uint32_t at, unsigned depth);
+    Done set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at, unsigned depth);
+    Done require_leading_tool(std::uint32_t at);
+    Done settle_direction(nc::Block& block, std::uint32_t at);
+    Done check_leading(const nc::Block& block, std::uint32_t at);
 
     // ---- input.cpp: what the control of the input dialect would have done
     /// Whether a function of the plan has no word in the target, but a frame says the same.
     bool needs_frame(const sema::Plan& plan) const;
-    bool read_arguments(const sema::Plan& plan, std::size_t invocation,
+    Done read_arguments(const sema::Plan& plan, std::size_t invocation,
                         const Instruction& instruction, const Slot* registers, std::uint32_t at,
                         std::array<double, 4>& values, std::array<bool, 4>& given);
-    bool emit_frame(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+    Done emit_frame(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                     std::uint32_t at);
     /// Arguments are in the block; the modal state is that before it.
-    bool adapt(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
-    bool adapt_shift(nc::Block& block, nc::Invocation& shift);
-    bool adapt_machine(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
-    bool is_frame_free(nc::Function function, std::uint32_t at);
+    Done adapt(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    void adapt_shift(nc::Block& block, nc::Invocation& shift);
+    Done adapt_machine(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    Done require_free_frame(nc::Function function, std::uint32_t at);
     void say_offset(const sema::Plan& plan, const Instruction& instruction, std::uint32_t at);
-    /// Whether the block may move, with the tool length and the feed that act.
-    bool may_move(const nc::Block& block, std::uint32_t at);
-    bool adapt_increments(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    /// The block may move, with the tool length and the feed that act.
+    Done check_move(const nc::Block& block, std::uint32_t at);
+    Done adapt_increments(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     void center_unknown(nc::Function function, std::size_t axis, std::uint32_t at);
-    bool complete_center(nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
+    Done complete_center(nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
     bool is_increment(const nc::Block& block, nc::SlotMask axis) const;
     void become_place(nc::Block& block, std::size_t axis) const;
-    bool name_places(nc::Block& block, std::uint32_t at);
+    Done name_places(nc::Block& block, std::uint32_t at);
     bool is_whole_circle(const sema::Plan& plan) const;
-    bool say_places(SourceId source, std::uint32_t at, unsigned depth);
+    Done say_places(SourceId source, std::uint32_t at, unsigned depth);
     void return_to_increments(nc::Block& block);
     void say_reference(nc::Block& block);
     void go_over_place(SourceId source);
-    bool take_station(nc::Block& block, nc::Invocation& select, std::uint32_t at);
-    bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
-    bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
-    bool take_core_offsets(nc::Block& block, std::uint32_t at);
-    bool take_edge_as_length(nc::Block& block, nc::Invocation& edge, std::uint32_t at);
+    Done take_station(nc::Block& block, nc::Invocation& select, std::uint32_t at);
+    Done take_offsets_as_edges(nc::Block& block, std::uint32_t at);
+    Done take_edges_as_offsets(nc::Block& block, std::uint32_t at);
+    Done take_core_offsets(nc::Block& block, std::uint32_t at);
+    Done take_edge_as_length(nc::Block& block, nc::Invocation& edge, std::uint32_t at);
 
     // ---- cycles.cpp: cycles as the control of the input dialect has them
     bool is_between_places() const {
@@ -275,24 +275,24 @@ struct Expander::State {
     void leave_cycle(const Instruction& instruction, std::uint32_t at);
 
     std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
-    bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
-    bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
-    bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
-    bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    bool is_block_limit(std::uint32_t at);
+    Done fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
+    Done fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
+    Done fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
+    Done emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    Done require_room(std::uint32_t at);
     double state_value(sema::StateValue which) const;
     std::int64_t spindle_code() const;  // 3, 4, 5 as in M3, M4, M5
 
-    // ---- cuts.cpp: false where an error was reported
-    bool check_cutting_speed(const nc::Block& block, std::uint32_t at);
-    bool check_mirror(const nc::Block& block, const sema::Plan& plan, std::uint32_t at);
-    bool settle_frame(nc::Block& block, std::uint32_t at);
-    bool check_factor(double factor, std::uint32_t at);
+    // ---- cuts.cpp
+    Done check_cutting_speed(const nc::Block& block, std::uint32_t at);
+    Done check_mirror(const nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    Done settle_frame(nc::Block& block, std::uint32_t at);
+    Done check_factor(double factor, std::uint32_t at);
     void warn_of_plane(const nc::Block& block, std::uint32_t at);
-    bool check_tool_change(const nc::Block& block, std::uint32_t at);
-    bool check_lead(const nc::Block& block, std::uint32_t at);
-    /// Whether the block may cut: a feed that belonged to another feed mode does not count.
-    bool check_cut(const nc::Block& block, std::uint32_t at);
+    Done check_tool_change(const nc::Block& block, std::uint32_t at);
+    Done check_lead(const nc::Block& block, std::uint32_t at);
+    /// The block may cut: a feed that belonged to another feed mode does not count.
+    Done check_cut(const nc::Block& block, std::uint32_t at);
     void warn_of_cut(std::uint32_t at, bool needs_feed = true);
     void warn_of_spindle(std::uint32_t at);
     /// Whether a comment in the source silences the warning there: it is not said then.
@@ -306,7 +306,16 @@ struct Expander::State {
     /// A rapid below the zero of the workpiece while the spindle stands. The block has not moved
     /// yet.
     void check_rapid(const nc::Block& block, std::uint32_t at);
-    bool feed_lost(std::uint32_t at, std::size_t depth);
+    Done refuse_lost_feed(std::uint32_t at, std::size_t depth);
+
+    // ---- the same for those whose functions answer with bool: cycles.cpp, native_cycles.cpp
+    bool refuse_block(std::string_view what, std::uint32_t at) {
+        return static_cast<bool>(refuse_in_contour(what, at));
+    }
+    bool is_block_limit(std::uint32_t at) { return !require_room(at); }
+    bool feed_lost(std::uint32_t at, std::size_t depth) {
+        return static_cast<bool>(refuse_lost_feed(at, depth));
+    }
 
     // ---- native_cycles.cpp
     bool spares_distances(nc::CycleId cycle, std::uint32_t given) const;
@@ -318,7 +327,7 @@ struct Expander::State {
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
 
     // ---- frame_blocks.cpp
-    bool change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    Done change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void say_place(const sema::Plan& plan, const sema::Instruction& instruction, std::uint32_t at);
     void scale_frame_x(nc::Block& block, double factor) const;
     void write_frame(const control::ProgramFrame& next, SourceId source, std::uint32_t at,
@@ -326,11 +335,11 @@ struct Expander::State {
     void say_frame_again(SourceId source, std::uint32_t at, unsigned depth);
 
     // ---- scopes.cpp
-    bool set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);
+    Done set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);
     void take_offset_of_head(ModalState& state) const;
-    bool leave_with(SourceId source, std::uint32_t at, unsigned depth);
-    bool check_needs(std::uint32_t at);
-    bool check_preserves(std::uint32_t at);
+    Done leave_with(SourceId source, std::uint32_t at, unsigned depth);
+    Done check_needs(std::uint32_t at);
+    Done check_preserves(std::uint32_t at);
 
     // ---- unknown.cpp: false where an error was reported
     /// Checks what the block needs of the modal state, and says again what may have been left out.
@@ -370,21 +379,21 @@ struct Expander::State {
     std::int64_t make_contour(const PlaneContour& contour, std::uint32_t layout);
     std::int64_t make_contours(const std::vector<path::Contour>& contours, const PlaneContour& like,
                                std::uint32_t layout);
-    bool offset_all(const Instruction& instruction, Slot* registers, std::uint32_t at);
-    bool contour_value(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    Done offset_all(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    Done contour_value(const Instruction& instruction, Slot* registers, std::uint32_t at);
     void begin_contour();
-    bool close_contour(std::uint32_t at);
+    Done close_contour(std::uint32_t at);
     std::int64_t end_contour(std::uint32_t layout);
-    bool keep_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+    Done keep_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                    std::uint32_t at);
-    bool keep(const nc::Block& block, std::uint32_t at);
-    bool refuse_block(std::string_view what, std::uint32_t at);
+    Done keep(const nc::Block& block, std::uint32_t at);
+    Done refuse_in_contour(std::string_view what, std::uint32_t at);
     /// What `follow` travels: beside the contour, leads included. Nothing: reported.
     std::optional<PlaneContour> followed(const Slot* arguments, std::uint32_t at);
-    bool follow_start(const Instruction& instruction, Slot* registers, std::uint32_t at);
-    bool follow_contour(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    bool emit_element(const path::Element& element, const FollowedBlock& next, std::uint32_t at);
-    bool finish_followed(nc::Block& block, const FollowedBlock& next, std::uint32_t at);
+    Done follow_start(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    Done follow_contour(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    Done emit_element(const path::Element& element, const FollowedBlock& next, std::uint32_t at);
+    Done finish_followed(nc::Block& block, const FollowedBlock& next, std::uint32_t at);
     /// Finest tolerance of a curve, mm: the increment of the finest controls.
     static constexpr double kLeastTolerance = 1e-5;
 
@@ -395,18 +404,18 @@ struct Expander::State {
         return is_diameter && axis == index(Axis::X) ? 2 : 1;
     }
     Progress follow_curve(const Instruction& instruction, std::uint32_t at);
-    bool start_curve(const Instruction& instruction, std::uint32_t at);
+    Done start_curve(const Instruction& instruction, std::uint32_t at);
     std::optional<path::CurveSample> curve_point(const Instruction& instruction, std::uint32_t at,
                                                  double parameter);
     void keep_back_rounding(std::uint32_t at, int coordinates, path::FitOptions& fit);
-    bool start_fit(const Instruction& instruction, std::uint32_t at, bool wants_nurbs,
+    Done start_fit(const Instruction& instruction, std::uint32_t at, bool wants_nurbs,
                    const path::FitOptions& fit);
-    bool fit_spline(const Instruction& instruction, std::uint32_t at, const path::FitOptions& fit);
+    Done fit_spline(const Instruction& instruction, std::uint32_t at, const path::FitOptions& fit);
     std::size_t block_count(const path::Nurbs& spline) const;
     void set_coordinates(nc::Block& block, const path::Vec3& to) const;
-    bool emit_pole(const FollowedBlock& next, std::uint32_t at);
+    Done emit_pole(const FollowedBlock& next, std::uint32_t at);
     void jump_fault(const Instruction& instruction, std::uint32_t at, double parameter);
-    bool emit_line(const path::Vec3& to, const FollowedBlock& next, std::uint32_t at);
+    Done emit_line(const path::Vec3& to, const FollowedBlock& next, std::uint32_t at);
 
     // ---- faults.cpp: report with the call stack, end the program
     DiagnosticBuilder fault(const DiagnosticRow& row, std::uint32_t at);

@@ -76,7 +76,7 @@ std::optional<std::vector<Slot>> Expander::State::read_values(
     return is_good ? std::optional(values) : std::nullopt;
 }
 
-bool Expander::State::test_call(const Instruction& instruction, Slot* registers, std::uint32_t at) {
+Done Expander::State::test_call(const Instruction& instruction, Slot* registers, std::uint32_t at) {
     KADR_ASSERT(bench != nullptr, "a test runs without a bench");
     const TestCall& entry =
         code.test_calls[static_cast<std::size_t>(instruction.immediate.pair.second)];
@@ -93,7 +93,7 @@ bool Expander::State::test_call(const Instruction& instruction, Slot* registers,
     const auto give_up = [&] {
         has_failed = true;
         is_running = false;
-        return false;
+        return kFailed;
     };
     switch (entry.purpose) {
         case TestCall::Purpose::Execute:
@@ -101,21 +101,21 @@ bool Expander::State::test_call(const Instruction& instruction, Slot* registers,
             const std::optional<std::int64_t> execution = bench->execute(call);
             if (!execution) return give_up();
             first->integer = *execution;
-            return true;
+            return kDone;
         }
         case TestCall::Purpose::Text: {
             std::optional<std::string> written = bench->write(call);
             if (!written) return give_up();
             if (heap.is_full()) collect_garbage(registers);
             first->integer = heap.new_text(std::move(*written));
-            return true;
+            return kDone;
         }
         case TestCall::Purpose::ExpectError:
-            if (bench->require_error(call)) return true;
+            if (bench->require_error(call)) return kDone;
             has_failed = true;
-            return !stops_at_failure();
+            return Done(!stops_at_failure());
     }
-    return true;
+    return kDone;
 }
 
 bool Expander::State::stops_at_failure() {
@@ -180,8 +180,8 @@ void Expander::State::list_dialects(const Instruction& instruction, Slot* regist
     }
 }
 
-/// Reports what does not hold. False: the test ends here.
-bool Expander::State::expectation_failed(const Instruction& instruction, const Slot* registers,
+/// Reports what does not hold; the test may go on.
+void Expander::State::report_expectation(const Instruction& instruction, const Slot* registers,
                                          std::uint32_t at) {
     has_failed = true;
     if (stops_at_failure() ||
@@ -213,7 +213,6 @@ bool Expander::State::expectation_failed(const Instruction& instruction, const S
             }
         }
     }
-    return is_running;
 }
 
 // ---------------------------------------------------------------- a call under test

@@ -56,61 +56,60 @@ bool Expander::State::is_about_tilt(const sema::Plan& plan) const {
     return false;
 }
 
-bool Expander::State::emit_tilt(const sema::Plan& plan, const Instruction& instruction,
+Done Expander::State::emit_tilt(const sema::Plan& plan, const Instruction& instruction,
                                 const Slot* registers, std::uint32_t at) {
     const Function function = plan.functions.front().function;
     if (!nc::has_fact(function, nc::Fact::BeginsOrEndsTilt)) {
         const bool may_change = modal.tilt == ModalState::Tilt::Own;
         if (may_change && function != Function::WorkOffset && function != Function::SetPosition)
-            return plan_of_frame(plan, instruction, registers, at);
+            return emit_plan_of_frame(plan, instruction, registers, at);
         return refuse_in_tilt(nc::info(function).name, at);
     }
-    if (!recordings.empty()) return refuse_block("a tilted plane", at);
+    if (!recordings.empty()) return refuse_in_contour("a tilted plane", at);
     const bool is_outermost = modal.tilt == ModalState::Tilt::Resolved
                                   ? modal.frame == modal.tilt_frame
                                   : modal.frame.is_identity();
     if (!is_outermost) {
         fault(diag::TiltInFrame, at).arg(nc::info(function).name);
-        return false;
+        return kFailed;
     }
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     if (function == Function::TiltOff) {
-        if (modal.tilt == ModalState::Tilt::None) return true;
+        if (modal.tilt == ModalState::Tilt::None) return kDone;
         if (modal.tilt == ModalState::Tilt::Resolved) {
             write_frame({}, source, at, instruction.c);
         } else if (!emit_block(plan, instruction, registers, at)) {
-            return false;
+            return kFailed;
         }
         modal.tilt = ModalState::Tilt::None;
-        return !has_failed;
+        return Done(!has_failed);
     }
     if (target.can_write(Function::Tilt)) {
-        if (!emit_block(plan, instruction, registers, at)) return false;
+        if (!emit_block(plan, instruction, registers, at)) return kFailed;
         modal.tilt = ModalState::Tilt::Own;
-        return true;
+        return kDone;
     }
     std::array<double, 6> values{};
-    if (!read_plane(plan, instruction, registers, at, values)) return false;
+    if (!read_plane(plan, instruction, registers, at, values)) return kFailed;
     if (target.can_write(Function::TiltEuler) && target.can_write(Function::TiltAlign))
         return say_euler(values, source, at, instruction.c);
     return resolve_tilt(values, source, at, instruction.c);
 }
 
 /// A frame inside of a plane, on a control that has frames in planes.
-bool Expander::State::plan_of_frame(const sema::Plan& plan, const Instruction& instruction,
-                                    const Slot* registers, std::uint32_t at) {
+Done Expander::State::emit_plan_of_frame(const sema::Plan& plan, const Instruction& instruction,
+                                         const Slot* registers, std::uint32_t at) {
     if (needs_frame(plan)) return emit_frame(plan, instruction, registers, at);
     return emit_block(plan, instruction, registers, at);
 }
 
-/// Always false.
-bool Expander::State::refuse_in_tilt(std::string_view what, std::uint32_t at) {
+Done Expander::State::refuse_in_tilt(std::string_view what, std::uint32_t at) {
     fault(diag::FrameInTilt, at).arg(what).arg(target.name());
-    return false;
+    return kFailed;
 }
 
 /// Origin, mm, and the angles about X, the new Y, the new Z, deg. False: it was reported.
-bool Expander::State::read_plane(const sema::Plan& plan, const Instruction& instruction,
+Done Expander::State::read_plane(const sema::Plan& plan, const Instruction& instruction,
                                  const Slot* registers, std::uint32_t at,
                                  std::array<double, 6>& values) {
     const std::size_t first = plan.functions.front().first;
@@ -124,15 +123,15 @@ bool Expander::State::read_plane(const sema::Plan& plan, const Instruction& inst
         if (!is_sane(number)) {
             if (number != number) not_given({}, word_of(filling, at));
             else math_fault(sema::MathFault::Overflow, at);
-            return false;
+            return kFailed;
         }
         values[filling.parameter] = number;
     }
-    return true;
+    return kDone;
 }
 
 /// By Euler angles, and the rotary axes in a block of its own.
-bool Expander::State::say_euler(const std::array<double, 6>& values, SourceId source,
+Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId source,
                                 std::uint32_t at, unsigned depth) {
     const auto add = [&](Function function, std::span<const double> arguments) {
         say_function(function, arguments, source, at, depth);
@@ -146,11 +145,11 @@ bool Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     add(Function::TiltEuler, said);
     add(Function::TiltAlign, std::array{0.0});
     modal.tilt = ModalState::Tilt::Closed;
-    return !has_failed;
+    return Done(!has_failed);
 }
 
 /// The rotary axes go to their places, and the frame is that of the part on the turned tables.
-bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId source,
+Done Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId source,
                                    std::uint32_t at, unsigned depth) {
     const machine::Machine* machine = options.machine ? options.machine() : nullptr;
     if (machine == nullptr || !machine->kinematics) {
@@ -158,7 +157,7 @@ bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId
             .arg(target.name())
             .arg(machine == nullptr ? "" : machine->name)
             .fix("name the machine: `-m MACHINE`");
-        return false;
+        return kFailed;
     }
     const machine::Chain& chain = machine->kinematics->chain;
     const std::size_t number = modal[Group::WorkOffsets] == Function::WorkOffset
@@ -166,7 +165,7 @@ bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId
                                    : 1;
     if (number >= machine->work_offsets.size()) {
         fault(diag::TiltNoZero, at).arg(machine->name).arg(number);
-        return false;
+        return kFailed;
     }
     const AxisValues& offset = machine->work_offsets[number];
     const Vec3 zero(offset[0], offset[1], offset[2]);
@@ -188,13 +187,13 @@ bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId
     const auto joints = machine::choose_swivel(chain, query);
     if (!joints) {
         fault(diag::TiltBeyond, at).arg(machine->name);
-        return false;
+        return kFailed;
     }
     const bool head_turns =
         (machine::tool_in_base(chain, *joints) - chain.tool_direction).norm() > kRounding;
     if (head_turns) {
         fault(diag::TiltOfHead, at).arg(target.name()).arg(machine->name);
-        return false;
+        return kFailed;
     }
     const Vec3 origin = three(values, kOrigin);
     const Frame whole = machine::table_frame(chain, *joints) * path::translation(zero + origin) *
@@ -207,17 +206,17 @@ bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId
     }
     next.plane = Function::PlaneXy;
     next.angle_deg = neat_angle(deg_from_rad(std::atan2(whole.linear(1, 0), whole.linear(0, 0))));
-    if (!say_joints(chain, *joints, source, at, depth)) return false;
+    if (!say_joints(chain, *joints, source, at, depth)) return kFailed;
     write_frame(next, source, at, depth);
     modal.tilt = ModalState::Tilt::Resolved;
     modal.tilt_frame = modal.frame;
-    return !has_failed;
+    return Done(!has_failed);
 }
 
 /// A block at rapid that brings the rotary axes to their places; the modal motion stays.
-bool Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints, SourceId source,
+Done Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints, SourceId source,
                                  std::uint32_t at, unsigned depth) {
-    if (is_block_limit(at)) return false;
+    if (!require_room(at)) return kFailed;
     Block& block = next_block(source);
     block.motion = Function::Rapid;
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
@@ -234,7 +233,7 @@ bool Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints
         modal.restate_motion = true;
     }
     if (options.trace) keep_trace(at, depth, source);
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::expand

@@ -84,30 +84,30 @@ void Expander::State::make_image(const sema::PictureSource& source, const sema::
     image[source.dots].integer = dots;
 }
 
-bool Expander::State::read_image(const sema::PictureSource& source, Slot path, std::uint32_t at,
+Done Expander::State::read_image(const sema::PictureSource& source, Slot path, std::uint32_t at,
                                  Slot* image) {
     const std::optional<sema::Picture> picture = sema::read_picture(
         source.folder, heap.text(path.integer), code.places[at], options.files, sink);
     if (!picture) {
         has_failed = true;
         is_running = false;
-        return false;
+        return kFailed;
     }
     make_image(source, *picture, image);
-    return true;
+    return kDone;
 }
 
-bool Expander::State::read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at,
+Done Expander::State::read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at,
                                  Slot& table) {
     const std::optional<sema::TableRows> rows = sema::read_table(
         schema, code.enums, heap.text(path.integer), code.places[at], options.files, sink);
     if (!rows) {
         has_failed = true;
         is_running = false;
-        return false;
+        return kFailed;
     }
     table.integer = make_table(schema, *rows);
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::expand

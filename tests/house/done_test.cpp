@@ -34,6 +34,9 @@ const std::vector<Room> kRooms = {
     {"compiler/driver", ""},
     {"compiler/repl", ""},
     {"compiler/cli", ""},
+    {"compiler/expand",
+     R"(\bfault(?:_\w+)?\()",
+     {"cycles.cpp", "modal.cpp", "modal.h", "native_cycles.cpp", "unknown.cpp"}},
 };
 
 /// The functions of a text that answer with bool, each from its head to the end of its body.
