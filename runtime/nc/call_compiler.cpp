@@ -61,15 +61,15 @@ ControlStatement& CallCompiler::add_call(const CallForm& form, Statement kind, s
     return out_.statements.back();
 }
 
-bool CallCompiler::take_code_call(const LineContext& context) {
+Try CallCompiler::take_code_call(const LineContext& context) {
     skip();
-    if (at_ >= line_.size()) return false;
+    if (at_ >= line_.size()) return not_taken();
     const std::size_t begin = at_;
     std::size_t behind = at_;
     const CallForm* const form = find_code(behind, context);
-    if (form == nullptr) return false;
+    if (form == nullptr) return not_taken();
     at_ = behind;
-    if (open_call_ >= 0) return fail(diag::CallTwice, span_from(begin));
+    if (open_call_ >= 0) return tried(fail(diag::CallTwice, span_from(begin)));
     using Kind = CallForm::Kind;
     const bool is_macro = form->kind == Kind::Macro;
     const Statement kind = form->kind == Kind::Return             ? Statement::Return
@@ -77,14 +77,14 @@ bool CallCompiler::take_code_call(const LineContext& context) {
                            : form->modal != CallForm::Modal::None ? Statement::CallModal
                                                                   : Statement::Call;
     if (is_macro && (!out_.words.words.empty() || !out_.statements.empty()))
-        return fail(diag::MixedStatement, span_from(begin));
+        return tried(fail(diag::MixedStatement, span_from(begin)));
     add_call(*form, kind, begin);
     open_call_ = static_cast<std::int32_t>(out_.calls.size()) - 1;
     Call& call = out_.calls.back();
-    if (form->any_number && !take_value_of_word(call.code)) return false;
-    if (form->program != '\0' && !take_program_in_brackets(call)) return false;
+    if (form->any_number && !take_value_of_word(call.code)) return not_taken();
+    if (form->program != '\0' && !take_program_in_brackets(call)) return not_taken();
     if (is_macro) take_words_of_macro();
-    return !fault_;
+    return tried(Done(!fault_));
 }
 
 bool CallCompiler::is_in_macro_call() const {
@@ -94,20 +94,20 @@ bool CallCompiler::is_in_macro_call() const {
     return form.kind == CallForm::Kind::Macro;
 }
 
-bool CallCompiler::take_words_of_macro() {
+Try CallCompiler::take_words_of_macro() {
     const std::size_t begin = at_;
     while (!is_at_end()) {
-        if (take_word_of_call()) continue;
+        if (take_word_of_call() == Try::Taken) continue;
         Call& call = out_.calls[static_cast<std::size_t>(open_call_)];
-        if (fault_ || !take_letter_argument(call, false)) return false;
+        if (fault_ || !take_letter_argument(call, false)) return not_taken();
     }
-    return at_ != begin;
+    return at_ != begin ? Try::Taken : Try::Absent;
 }
 
 /// `<PART_17>` directly behind the code.
-bool CallCompiler::take_program_in_brackets(Call& call) {
+Done CallCompiler::take_program_in_brackets(Call& call) {
     const std::size_t begin = words_.skip_comments(at_);
-    if (begin >= line_.size() || line_[begin] != '<') return true;
+    if (begin >= line_.size() || line_[begin] != '<') return kDone;
     at_ = begin;
     const std::size_t close = line_.find('>', at_);
     if (close == std::string_view::npos || close == at_ + 1) {
@@ -118,14 +118,14 @@ bool CallCompiler::take_program_in_brackets(Call& call) {
                                 tables_.notation.ignores_case);
     at_ = close + 1;
     call.program.span = span_from(begin);
-    return true;
+    return kDone;
 }
 
 /// P and L of a call, wherever they stand behind its code.
-bool CallCompiler::take_word_of_call() {
-    if (open_call_ < 0) return false;
+Try CallCompiler::take_word_of_call() {
+    if (open_call_ < 0) return not_taken();
     skip();
-    if (at_ >= line_.size() || !is_letter(line_[at_])) return false;
+    if (at_ >= line_.size() || !is_letter(line_[at_])) return not_taken();
     Call& call = out_.calls[static_cast<std::size_t>(open_call_)];
     const CallForm& form = language_.calls.calls[static_cast<std::size_t>(call.form)];
     const char letter = words_.upper(line_[at_]);
@@ -134,18 +134,18 @@ bool CallCompiler::take_word_of_call() {
                              : letter == form.start   ? &call.start
                              : letter == form.target  ? &call.target
                                                       : nullptr;
-    if (value == nullptr || letter == '\0' || value->is_given) return false;
-    if (value == &call.program && !call.name.empty()) return false;
+    if (value == nullptr || letter == '\0' || value->is_given) return not_taken();
+    if (value == &call.program && !call.name.empty()) return not_taken();
     const std::size_t begin = at_++;
-    if (!take_value_of_word(*value)) return false;
+    if (!take_value_of_word(*value)) return not_taken();
     value->span = span_from(begin);
     if (value->is_plain && value->decimal.has_point && !rules_.values_need_assignment)
-        return fail(diag::IsoPointNotAllowed, value->span);
-    return true;
+        return tried(fail(diag::IsoPointNotAllowed, value->span));
+    return Try::Taken;
 }
 
 /// `12`, `-1.5`, `#3`, `[#1*2]` behind a letter.
-bool CallCompiler::take_value_of_word(CallValue& out) {
+Done CallCompiler::take_value_of_word(CallValue& out) {
     skip();
     const std::size_t begin = at_;
     if (peek() == '=' && tables_.notation.has_assignment) ++at_;
@@ -159,7 +159,7 @@ bool CallCompiler::take_value_of_word(CallValue& out) {
         out.decimal = decimal;
         at_ = end;
         out.span = span_from(begin);
-        return true;
+        return kDone;
     }
     const std::size_t value = words_.skip_blanks(peek() == '-' || peek() == '+' ? at_ + 1 : at_);
     const bool begins_value =
@@ -169,15 +169,15 @@ bool CallCompiler::take_value_of_word(CallValue& out) {
             LineFault{&diag::IsoNoValue,
                       {static_cast<std::uint32_t>(begin - 1), static_cast<std::uint32_t>(begin)},
                       {std::string(line_.substr(begin - 1, 1))}};
-        return false;
+        return kFailed;
     }
-    const bool is_fine =
+    const Done taken =
         rules_.values_need_assignment ? take_expression(out.value) : take_operand(out.value);
     out.span = span_from(begin);
-    return is_fine;
+    return taken;
 }
 
-bool CallCompiler::take_letter_argument(Call& call, bool is_block) {
+Done CallCompiler::take_letter_argument(Call& call, bool is_block) {
     const std::size_t begin = at_;
     const char letter = words_.upper(line_[at_]);
     const auto& forms = language_.calls.arguments;
@@ -202,14 +202,14 @@ bool CallCompiler::take_letter_argument(Call& call, bool is_block) {
         if (rules_.argument_series > 1)
             argument.slot += kSeriesStep * static_cast<std::uint32_t>(rounds_);
     }
-    if (!take_value_of_word(argument)) return false;
+    if (!take_value_of_word(argument)) return kFailed;
     argument.span = span_from(begin);
     call.arguments.push_back(argument);
-    return true;
+    return kDone;
 }
 
-bool CallCompiler::take_line_as_arguments() {
-    if (is_at_end()) return false;  // a comment that is not closed is none
+Try CallCompiler::take_line_as_arguments() {
+    if (is_at_end()) return not_taken();  // a comment that is not closed is none
     const std::size_t first = at_;
     if (out_.calls.empty()) {
         ControlStatement statement;
@@ -222,12 +222,12 @@ bool CallCompiler::take_line_as_arguments() {
     Call& call = out_.calls.back();
     const std::size_t begin = out_.statements.back().span.begin;
     while (!is_at_end()) {
-        if (!is_letter(line_[at_])) return fail_here(diag::ArgumentLetter);
-        if (!take_letter_argument(call, true)) return false;
+        if (!is_letter(line_[at_])) return tried(fail_here(diag::ArgumentLetter));
+        if (!take_letter_argument(call, true)) return not_taken();
     }
     call.span = span_from(begin);
     out_.statements.back().span = call.span;
-    return true;
+    return Try::Taken;
 }
 
 // ---------------------------------------------------------------- names
@@ -284,8 +284,8 @@ bool CallCompiler::begins_call(std::size_t at) const {
     return !name.empty() && !is_known_name(name);
 }
 
-bool CallCompiler::take_named_call() {
-    if (!out_.words.words.empty() || !out_.statements.empty()) return false;
+Try CallCompiler::take_named_call() {
+    if (!out_.words.words.empty() || !out_.statements.empty()) return not_taken();
     skip();
     const std::size_t begin = at_;
     const std::size_t code = out_.code.size();
@@ -296,7 +296,7 @@ bool CallCompiler::take_named_call() {
         out_.code.resize(code);
         out_.places.resize(code);
         if (!out_.calls.empty()) out_.calls.pop_back();
-        return false;
+        return Try::Absent;
     };
     Call call;
     // `P=3 NAME`: the passes before the name.
@@ -306,7 +306,7 @@ bool CallCompiler::take_named_call() {
         if (words_.upper(line_[at_]) != candidate.repeats) continue;
         const std::size_t next = words_.skip_blanks(at_ + 1);
         if (next >= line_.size() || (line_[next] != '=' && !is_digit(line_[next]))) continue;
-        if (!take_repeats(candidate, call.repeats)) return give_up();
+        if (take_repeats(candidate, call.repeats) != Try::Taken) return give_up();
         skip();
         break;
     }
@@ -324,46 +324,46 @@ bool CallCompiler::take_named_call() {
     out_.calls.push_back(std::move(call));
     Call& added = out_.calls.back();
     const bool has_list = peek() == language_.open;
-    if (has_list && !take_list(added)) {
+    if (has_list && !take_call_list(added)) {
         if (is_own) return give_up();
-        return false;
+        return not_taken();
     }
     skip();
     if (!added.repeats.is_given && words_.upper(peek()) == form->repeats &&
-        !take_repeats(*form, added.repeats))
+        take_repeats(*form, added.repeats) != Try::Taken)
         return give_up();
     if (!is_at_end()) {
         const LineFault not_alone{&diag::CallNotAlone, added.span, {added.name}};
         give_up();
         if (has_list && !is_own) fault_ = not_alone;
-        return false;
+        return not_taken();
     }
     ControlStatement statement;
     statement.kind = Statement::Call;
     statement.call = static_cast<std::uint32_t>(out_.calls.size()) - 1;
     statement.span = added.span;
     out_.statements.push_back(std::move(statement));
-    return true;
+    return Try::Taken;
 }
 
 /// `P3`, `P=3`
-bool CallCompiler::take_repeats(const CallForm& form, CallValue& out) {
+Try CallCompiler::take_repeats(const CallForm& form, CallValue& out) {
     skip();
-    if (words_.upper(peek()) != form.repeats) return false;
+    if (words_.upper(peek()) != form.repeats) return not_taken();
     const std::size_t next = words_.skip_blanks(at_ + 1);
-    if (next >= line_.size() || (line_[next] != '=' && !is_digit(line_[next]))) return false;
+    if (next >= line_.size() || (line_[next] != '=' && !is_digit(line_[next]))) return not_taken();
     const bool is_assigned = line_[next] == '=';
     at_ = next;
-    if (!is_assigned) return take_value_of_word(out);
+    if (!is_assigned) return tried(take_value_of_word(out));
     ++at_;
     out.is_given = true;
     const std::size_t begin = at_;
-    if (!take_stored(out.value)) return false;
+    if (!take_stored(out.value)) return not_taken();
     out.span = span_from(begin);
-    return true;
+    return Try::Taken;
 }
 
-bool CallCompiler::take_call_hole(ControlStatement& out) {
+Done CallCompiler::take_call_hole(ControlStatement& out) {
     skip();
     const std::size_t begin = at_;
     out.call = static_cast<std::uint32_t>(out_.calls.size());
@@ -382,19 +382,19 @@ bool CallCompiler::take_call_hole(ControlStatement& out) {
     call.span = span_from(begin);
     if (call.name.empty()) return fail(diag::CallIncomplete, call.span);
     skip();
-    return peek() != language_.open || take_list(call);
+    return peek() != language_.open ? kDone : take_call_list(call);
 }
 
 /// `(10,,R1,"TEXT")`
-bool CallCompiler::take_list(Call& call) {
+Done CallCompiler::take_call_list(Call& call) {
     call.has_list = true;
-    if (!take_open(language_.open)) return false;
+    if (!take_open(language_.open)) return kFailed;
     skip();
     if (peek() == language_.close) return take_close(language_.close);
     do {
         if (!call.arguments.empty()) ++at_;
         CallArgument argument;
-        if (!take_listed(argument)) return false;
+        if (!take_listed(argument)) return kFailed;
         call.arguments.push_back(argument);
         skip();
     } while (peek() == ',');
@@ -402,15 +402,15 @@ bool CallCompiler::take_list(Call& call) {
 }
 
 /// An argument; of a variable alone its place is kept as well, for who takes it by reference.
-bool CallCompiler::take_listed(CallArgument& out) {
+Done CallCompiler::take_listed(CallArgument& out) {
     skip();
-    if (peek() == ',' || peek() == language_.close) return true;
+    if (peek() == ',' || peek() == language_.close) return kDone;
     const std::size_t begin = at_;
     out.is_given = true;
     if (begins_reference(at_)) {
         const std::size_t code = out_.code.size();
         takes_whole_arrays_ = true;
-        const bool is_variable = take_reference(out.variable);
+        const Done is_variable = take_reference(out.variable);
         takes_whole_arrays_ = false;
         skip();
         if (is_variable && (peek() == ',' || peek() == language_.close)) {
@@ -424,7 +424,7 @@ bool CallCompiler::take_listed(CallArgument& out) {
                 out.value.count = static_cast<std::uint32_t>(out_.code.size()) - out.value.first;
             }
             out.span = out.value.span = span_from(begin);
-            return true;
+            return kDone;
         }
         fault_.reset();
         out.variable = {};
@@ -432,15 +432,15 @@ bool CallCompiler::take_listed(CallArgument& out) {
         out_.places.resize(code);
         at_ = begin;
     }
-    const bool is_fine = take_stored(out.value);
+    const Done taken = take_stored(out.value);
     out.span = span_from(begin);
-    return is_fine;
+    return taken;
 }
 
 // ---------------------------------------------------------------- procedures
 
 /// `NAME(REAL A, VAR INT B=3) SAVE`; of an external one the types alone may stand there.
-bool CallCompiler::take_procedure(ControlStatement& out) {
+Done CallCompiler::take_procedure(ControlStatement& out) {
     skip();
     const std::size_t begin = at_;
     const bool is_named = out.kind == Statement::Procedure;
@@ -454,12 +454,12 @@ bool CallCompiler::take_procedure(ControlStatement& out) {
     out.span = span_from(begin);
     skip();
     if (peek() == language_.open) {
-        if (!take_open(language_.open)) return false;
+        if (!take_open(language_.open)) return kFailed;
         skip();
         while (peek() != language_.close) {
-            if (!out.parameters.empty() && !take_sign(',')) return false;
+            if (!out.parameters.empty() && !take_sign(',')) return kFailed;
             out.parameters.emplace_back();
-            if (!take_parameter(out.parameters.back(), is_named)) return false;
+            if (!take_parameter(out.parameters.back(), is_named)) return kFailed;
             const Declaration& added = out.parameters.back().declaration;
             const auto is_same = [&](const ProcedureParameter& other) {
                 return is_named && other.declaration.name == added.name;
@@ -468,7 +468,7 @@ bool CallCompiler::take_procedure(ControlStatement& out) {
                 return fail(diag::NameTwice, added.span);
             skip();
         }
-        if (!take_close(language_.close)) return false;
+        if (!take_close(language_.close)) return kFailed;
     }
     while (!is_at_end()) {
         const Word word = words_.word_at(at_);
@@ -480,7 +480,7 @@ bool CallCompiler::take_procedure(ControlStatement& out) {
         out.saves |= is_save;
         at_ += word.text.size();
     }
-    return true;
+    return kDone;
 }
 
 }  // namespace kadr::nc

@@ -50,16 +50,15 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         was_taken = false;
         if (begins_call_word(at)) {
             begin(at);
-            was_taken = context_.is_argument ? take_line_as_arguments()
-                        : is_in_macro_call() ? take_words_of_macro()
-                                             : take_code_call(context_) || take_word_of_call();
-            if (!was_taken && !fault_) was_taken = take_named_call();
+            was_taken = take_call_word() == Try::Taken;
+            if (!was_taken && !fault_) was_taken = take_named_call() == Try::Taken;
             if (was_taken || fault_) return finish(at, was_taken);
         }
         if (is_plain_word(at)) return {};
         begin(at);
-        was_taken = take_main_number() || take_statement() || take_assignment() ||
-                    (!fault_ && take_named_call());
+        was_taken = take_main_number() || take_statement() != Try::Absent ||
+                    take_assignment() != Try::Absent ||
+                    (!fault_ && take_named_call() == Try::Taken);
         return finish(at, was_taken);
     }
 
@@ -127,9 +126,9 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         value.word = word;
         value.argument = argument;
         const bool is_operand = !rules_.values_need_assignment;
-        const bool is_fine = is_operand ? take_operand(value.value) : take_expression(value.value);
-        if (is_fine && value.value.is_logical && !rules_.stores_comparisons)
-            fail(diag::ExpressionSyntax, value.value.span);
+        const Done taken = is_operand ? take_operand(value.value) : take_expression(value.value);
+        if (taken && value.value.is_logical && !rules_.stores_comparisons)
+            set_fault(diag::ExpressionSyntax, value.value.span);
         if (!fault_) out_.computed.push_back(value);
         return finish(at, true);
     }
@@ -178,61 +177,67 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                !language_.variable_starts[static_cast<unsigned char>(line_[at])];
     }
 
-    // ------------------------------------------------------------ assignments
-
-    bool take_assignment() {
-        ControlStatement statement;
-        if (!take_assign(statement)) return fault_.has_value();
-        out_.statements.push_back(std::move(statement));
-        return true;
+    Try take_call_word() {
+        if (context_.is_argument) return take_line_as_arguments();
+        if (is_in_macro_call()) return take_words_of_macro();
+        const Try code = take_code_call(context_);
+        return code == Try::Taken ? code : take_word_of_call();
     }
 
-    /// False without a fault: no assignment begins here.
-    bool take_assign(ControlStatement& out) {
+    // ------------------------------------------------------------ assignments
+
+    Try take_assignment() {
+        ControlStatement statement;
+        const Try taken = take_assign(statement);
+        if (taken == Try::Taken) out_.statements.push_back(std::move(statement));
+        return taken;
+    }
+
+    Try take_assign(ControlStatement& out) {
         skip();
         const std::size_t begin = at_;
         // A named variable stands between brackets, on the left as well: `[#_UO[3]]=1`.
         const bool is_bracketed =
             peek() == language_.open && begins_reference(words_.skip_blanks(at_ + 1));
-        if (!is_bracketed && !begins_reference(at_)) return false;
-        if (is_bracketed && !take_open(language_.open)) return false;
-        if (!take_reference(out.variable)) return false;
-        if (is_bracketed && !take_close(language_.close)) return false;
+        if (!is_bracketed && !begins_reference(at_)) return not_taken();
+        if (is_bracketed && !take_open(language_.open)) return not_taken();
+        if (!take_reference(out.variable)) return not_taken();
+        if (is_bracketed && !take_close(language_.close)) return not_taken();
         skip();
-        if (peek() != '=') return fail_here(diag::AssignmentMissing);
+        if (peek() != '=') return tried(fail_here(diag::AssignmentMissing));
         ++at_;
         out.kind = Statement::Assign;
-        if (!take_list(out) && (fault_ || !take_stored(out.value))) return false;
+        if (take_list(out) != Try::Taken && (fault_ || !take_stored(out.value))) return not_taken();
         out.span = span_from(begin);
-        return true;
+        return Try::Taken;
     }
 
     /// `SET(1,,3)`, `REP(0)`: values for an array.
-    bool take_list(ControlStatement& out) {
+    Try take_list(ControlStatement& out) {
         skip();
         const Word word = words_.word_at(at_);
         const auto form = std::ranges::find_if(language_.functions, [&](const FunctionForm& f) {
             return (f.operation == Operation::List || f.operation == Operation::Fill) &&
                    words_.says(word, f.name);
         });
-        if (form == language_.functions.end()) return false;
+        if (form == language_.functions.end()) return not_taken();
         at_ += word.text.size();
         tables_.note(&*form);
         out.fills = form->operation == Operation::Fill;
-        if (!take_values(out.list)) return false;
+        if (!take_values(out.list)) return not_taken();
         // The value, and how many elements get it.
         const bool has_more = out.fills && out.list.size() > 2;
-        return !has_more || fail(diag::ArgumentsWrong, span_from(word.begin));
+        return has_more ? tried(fail(diag::ArgumentsWrong, span_from(word.begin))) : Try::Taken;
     }
 
-    bool take_values(std::vector<Expression>& out) {
-        if (!take_open(language_.open)) return false;
+    Done take_values(std::vector<Expression>& out) {
+        if (!take_open(language_.open)) return kFailed;
         do {
             if (!out.empty()) ++at_;
             out.emplace_back();
             skip();
             if (peek() != ',' && peek() != language_.close && !take_stored(out.back()))
-                return false;
+                return kFailed;
             skip();
         } while (peek() == ',');
         return take_close(language_.close);
@@ -257,18 +262,17 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return true;
     }
 
-    bool take_statement() {
+    Try take_statement() {
         ControlStatement statement;
-        if (!take_pattern(statement, [](Statement) { return true; })) return fault_.has_value();
-        out_.statements.push_back(std::move(statement));
-        return true;
+        const Try taken = take_pattern(statement, [](Statement) { return true; });
+        if (taken == Try::Taken) out_.statements.push_back(std::move(statement));
+        return taken;
     }
 
-    /// One of the statements that `is_wanted` accepts. False without a fault: none begins here. Of
-    /// several patterns with one keyword the first that fits is taken; if none does, the fault of
-    /// the one that came farthest is told.
+    /// One of the statements that `is_wanted` accepts. Of several patterns with one keyword the
+    /// first that fits is taken; if none does, the fault of the one that came farthest is told.
     template <typename IsWanted>
-    bool take_pattern(ControlStatement& out, IsWanted is_wanted) {
+    Try take_pattern(ControlStatement& out, IsWanted is_wanted) {
         skip();
         const std::size_t begin = at_;
         const Word word = words_.word_at(at_);
@@ -299,7 +303,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                 if (form.operation && statement.kind == Statement::Jump)
                     make_conditional(statement);
                 out = std::move(statement);
-                return true;
+                return Try::Taken;
             }
             // One letter begins words of other kinds as well.
             if (form.tokens[0].text.size() == 1 && !has_number_in_front) fault_.reset();
@@ -307,9 +311,9 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                 farthest = fault_;
         }
         fault_ = std::move(farthest);
-        if (fault_) return false;
+        if (fault_) return Try::Failed;
         at_ = begin;
-        return false;
+        return Try::Absent;
     }
 
     /// The values of a statement stand in the code side by side; together they are one.
@@ -337,7 +341,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                form.tokens[1].hole == StatementToken::Hole::Call;
     }
 
-    bool take_tokens(const StatementForm& form, const Word& keyword, ControlStatement& out) {
+    Done take_tokens(const StatementForm& form, const Word& keyword, ControlStatement& out) {
         at_ += words_.length_of(keyword, form.tokens[0].text);
         for (std::size_t i = 1; i < form.tokens.size(); ++i) {
             const StatementToken& token = form.tokens[i];
@@ -347,7 +351,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                 case StatementToken::Kind::Word: {
                     const Word word = words_.word_at(at_);
                     if (!words_.says_with_digits(word, token.text)) {
-                        if (token.is_optional) return is_finished();
+                        if (token.is_optional) return require_finished();
                         if (at_ < line_.size()) return fail_here(diag::StatementSyntax);
                         return fail_missing(token.text);
                     }
@@ -355,35 +359,34 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                     break;
                 }
                 case StatementToken::Kind::Sign:
-                    if (token.is_optional && peek() != token.text[0]) return is_finished();
-                    if (!take_pattern_sign(token.text[0])) return false;
+                    if (token.is_optional && peek() != token.text[0]) return require_finished();
+                    if (!take_pattern_sign(token.text[0])) return kFailed;
                     break;
                 case StatementToken::Kind::Hole: {
                     const StatementToken* next =
                         i + 1 < form.tokens.size() ? &form.tokens[i + 1] : nullptr;
                     if (token.is_optional && !begins_hole(token)) break;
-                    if (!take_hole(token.hole, next, out)) {
-                        if (!fault_) fail_here(diag::StatementSyntax);
-                        return false;
-                    }
+                    const Try hole = take_hole(token.hole, next, out);
+                    if (hole == Try::Absent) return fail_here(diag::StatementSyntax);
+                    if (hole == Try::Failed) return kFailed;
                     break;
                 }
             }
         }
-        return form.repeats || is_finished();
+        return form.repeats ? kDone : require_finished();
     }
 
     /// The line ends in front of a word of the statement.
-    bool fail_missing(const std::string& word) {
-        fail_here(diag::StatementWordMissing);
+    Done fail_missing(const std::string& word) {
+        set_fault_here(diag::StatementWordMissing);
         fault_->arguments = {word};
-        return false;
+        return kFailed;
     }
 
     /// Nothing but a comment behind the statement.
-    bool is_finished() {
+    Done require_finished() {
         skip();
-        if (is_inner_ || words_.is_end(at_)) return true;
+        if (is_inner_ || words_.is_end(at_)) return kDone;
         return fail_here(rules_.mixes_words ? diag::StatementSyntax : diag::MixedStatement);
     }
 
@@ -395,7 +398,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                token.hole == Hole::Statement || token.hole == Hole::Jump;
     }
 
-    bool take_pattern_sign(char sign) {
+    Done take_pattern_sign(char sign) {
         if (sign == language_.open) return take_open(sign);
         if (sign == language_.close) return take_close(sign);
         return take_sign(sign);
@@ -413,107 +416,109 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return peek() != language_.close;
     }
 
-    bool take_hole(StatementToken::Hole hole, const StatementToken* next, ControlStatement& out) {
+    Try take_hole(StatementToken::Hole hole, const StatementToken* next, ControlStatement& out) {
         using Hole = StatementToken::Hole;
         switch (hole) {
-            case Hole::Variable: return take_reference(out.variable);
+            case Hole::Variable: return tried(take_reference(out.variable));
             case Hole::Condition:
-                if (!take_expression(out.value)) return false;
-                if (rules_.stores_comparisons || out.value.is_logical) return true;
+                if (!take_expression(out.value)) return Try::Failed;
+                if (rules_.stores_comparisons || out.value.is_logical) return Try::Taken;
                 skip();
                 if (!words_.is_end(at_) && peek() != language_.close)
-                    return fail_here(diag::ExpressionSyntax);
-                return fail(diag::ExpressionSyntax, out.value.span);
+                    return tried(fail_here(diag::ExpressionSyntax));
+                return tried(fail(diag::ExpressionSyntax, out.value.span));
             case Hole::Value:
             case Hole::First:
-            case Hole::Number: return take_stored(out.value);
+            case Hole::Number: return tried(take_stored(out.value));
             case Hole::Last:
-            case Hole::Text: return take_stored(out.second);
-            case Hole::Count: return take_stored(out.count);
-            case Hole::Target: return take_target(out.target);
-            case Hole::From: return take_target(out.from);
-            case Hole::To: return take_target(out.to);
-            case Hole::Loop: return take_loop_number(out);
-            case Hole::Type: return take_scope(out) && take_type(out) && take_scope(out);
-            case Hole::Declarations: return take_declarations(out);
+            case Hole::Text: return tried(take_stored(out.second));
+            case Hole::Count: return tried(take_stored(out.count));
+            case Hole::Target: return tried(take_target(out.target));
+            case Hole::From: return tried(take_target(out.from));
+            case Hole::To: return tried(take_target(out.to));
+            case Hole::Loop: return tried(take_loop_number(out));
+            case Hole::Type:
+                return tried(Done(take_scope(out) && take_type(out) && take_scope(out)));
+            case Hole::Declarations: return tried(take_declarations(out));
             case Hole::Cases: return take_cases(next, out);
             case Hole::Jump: return take_inner(out, false);
             case Hole::Statement: return take_inner(out, true);
-            case Hole::Call: return take_call_hole(out);
-            case Hole::Procedure: return take_procedure(out);
-            case Hole::Print: return take_print(out);
+            case Hole::Call: return tried(take_call_hole(out));
+            case Hole::Procedure: return tried(take_procedure(out));
+            case Hole::Print: return tried(take_print(out));
             case Hole::Rest: return take_rest(out.name);
-            case Hole::Table:
+            case Hole::Table: {
                 takes_whole_arrays_ = true;
-                take_reference(out.table);
+                const Done taken = take_reference(out.table);
                 takes_whole_arrays_ = false;
-                return !fault_;
-            case Hole::Row: return take_row(out.table);
+                return tried(taken);
+            }
+            case Hole::Row: return tried(take_row(out.table));
         }
-        return false;
+        return Try::Absent;
     }
 
-    bool take_inner(ControlStatement& out, bool is_any) {
+    Try take_inner(ControlStatement& out, bool is_any) {
         const auto is_wanted = [](Statement statement) {
             return statement >= Statement::Jump && statement <= Statement::JumpToStart;
         };
         const bool was_inner = is_inner_;
         is_inner_ = true;
         ControlStatement inner;
-        bool was_taken = take_pattern(inner, is_wanted);
-        if (!was_taken && !fault_ && is_any) was_taken = take_assign(inner);
+        Try taken = take_pattern(inner, is_wanted);
+        if (taken == Try::Absent && is_any) taken = take_assign(inner);
         is_inner_ = was_inner;
-        if (!was_taken) {
+        if (taken == Try::Absent && is_any) {
             // `IF[#1 EQ 5]THEN` at the end of its line, for blocks that come behind.
-            if (!fault_ && is_any && words_.is_end(at_)) fail_missing("assignment");
-            if (!fault_ && is_any) fail_here(diag::MixedStatement);
-            return false;
+            if (words_.is_end(at_)) return tried(fail_missing("assignment"));
+            return tried(fail_here(diag::MixedStatement));
         }
+        if (taken != Try::Taken) return taken;
         out.inner.push_back(std::move(inner));
-        return true;
+        return Try::Taken;
     }
 
     /// `KTAB[3]`
-    bool take_row(Reference& out) {
+    Done take_row(Reference& out) {
         takes_rows_ = true;
-        take_reference(out);
+        const Done taken = take_reference(out);
         takes_rows_ = false;
-        if (fault_) return false;
+        if (!taken) return kFailed;
         const bool is_row = out.load.kind == Instruction::Kind::Element && out.load.count == 1 &&
                             symbols_.at(out.load.index).dimensions == 2;
-        return is_row || fail(diag::IndexWrong, out.span);
+        return is_row ? kDone : fail(diag::IndexWrong, out.span);
     }
 
     /// All up to the end of the block, or a comment.
-    bool take_rest(std::string& out) {
+    Try take_rest(std::string& out) {
         const std::size_t begin = at_;
         while (!words_.is_end(at_)) ++at_;
         const std::size_t end = words_.trim(begin, at_);
         out = line_.substr(begin, end - begin);
-        return !out.empty();
+        return out.empty() ? Try::Absent : Try::Taken;
     }
 
     /// `X#100[53]**DEPTH`: text as it stands, a blank for each `*`, values with their digits.
-    bool take_print(ControlStatement& statement) {
+    Done take_print(ControlStatement& statement) {
         std::vector<PrintPiece>& out = statement.print;
         const bool is_bytes = statement.kind == Statement::PrintBytes;
         while (at_ < line_.size() && peek() != language_.close) {
             if (words_.begins_variable(at_)) {
                 out.emplace_back();
-                if (!take_printed_value(out.back(), is_bytes)) return false;
+                if (!take_printed_value(out.back(), is_bytes)) return kFailed;
                 continue;
             }
             if (out.empty() || out.back().value.is_given()) out.emplace_back();
             out.back().text += peek() == '*' ? ' ' : peek();
             ++at_;
         }
-        return true;
+        return kDone;
     }
 
     /// is_bytes  only the decimals are said, `#100[3]`
-    bool take_printed_value(PrintPiece& out, bool is_bytes) {
+    Done take_printed_value(PrintPiece& out, bool is_bytes) {
         const std::size_t begin = at_;
-        if (!take_operand(out.value)) return false;
+        if (!take_operand(out.value)) return kFailed;
         const auto digit = [this](std::size_t at) {
             return at < line_.size() && line_[at] >= '0' && line_[at] <= '9' ? line_[at] - '0' : -1;
         };
@@ -531,7 +536,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             at_ = close < line_.size() ? close + 1 : line_.size();
         }
         const int digits = out.whole + out.decimals;
-        if (is_format && (digits > 0 || is_bytes) && digits <= rules_.print_digits) return true;
+        if (is_format && (digits > 0 || is_bytes) && digits <= rules_.print_digits) return kDone;
         return fail(diag::PrintFormat, span_from(begin));
     }
 
@@ -540,17 +545,17 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return at > 0 && at < line_.size() && is_letter(line_[at - 1]) && is_letter(line_[at]);
     }
 
-    bool fail_whole_word(std::size_t at) {
+    Done fail_whole_word(std::size_t at) {
         std::size_t begin = at;
         while (begin > 0 && is_letter(line_[begin - 1])) --begin;
         while (at < line_.size() && is_letter(line_[at])) ++at;
         fault_ = LineFault{&diag::IsoUnknownWord,
                            {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at)},
                            {std::string(line_.substr(begin, at - begin))}};
-        return false;
+        return kFailed;
     }
 
-    bool take_loop_number(ControlStatement& out) {
+    Done take_loop_number(ControlStatement& out) {
         skip();
         const std::size_t begin = at_;
         int number = 0;
@@ -562,11 +567,11 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                                 : fail(diag::LoopNumber, span_from(begin));
         }
         out.loop = number;
-        return true;
+        return kDone;
     }
 
     /// `100`, `N100`, `LABEL`, or a value that is one of them.
-    bool take_target(JumpTarget& out) {
+    Done take_target(JumpTarget& out) {
         skip();
         const std::size_t begin = at_;
         const Word word = words_.word_at(at_);
@@ -583,38 +588,38 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                 out.kind = JumpTarget::Kind::Number;
                 out.number = number;
             }
-            return !refuses_label_sign(begin);
+            return require_no_label_sign(begin);
         }
-        if (!has_labels && refuses_lettered_number(begin)) return false;
+        if (!has_labels && !require_lone_number(begin)) return kFailed;
         out.kind = JumpTarget::Kind::Computed;
-        const bool is_fine = has_labels ? take_expression(out.value) : take_operand(out.value);
+        const Done taken = has_labels ? take_expression(out.value) : take_operand(out.value);
         out.span = out.value.span;
-        return is_fine;
+        return taken;
     }
 
     /// `GOTOF MARK1:`: the sign belongs to the label, and not to the jump.
-    bool refuses_label_sign(std::size_t begin) {
-        if (!line_.substr(at_).starts_with(language_.label_sign)) return false;
+    Done require_no_label_sign(std::size_t begin) {
+        if (!line_.substr(at_).starts_with(language_.label_sign)) return kDone;
         const std::string target(line_.substr(begin, at_ - begin));
-        fail_here(diag::StatementSyntax);
+        set_fault_here(diag::StatementSyntax);
         fault_->fix = "the target of a jump stands without it: `" + target + '`';
-        return true;
+        return kFailed;
     }
 
     /// `GOTO N10` where the number stands alone.
-    bool refuses_lettered_number(std::size_t begin) {
+    Done require_lone_number(std::size_t begin) {
         std::size_t end = begin + 1;
         while (end < line_.size() && is_digit(line_[end])) ++end;
         const std::string_view name = line_.substr(std::min(begin, line_.size()), end - begin);
-        if (words_.block_number(name) < 0) return false;
-        fail(diag::StatementSyntax,
-             {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+        if (words_.block_number(name) < 0) return kDone;
+        set_fault(diag::StatementSyntax,
+                  {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
         fault_->fix = "the number stands alone: `" + std::string(name.substr(1)) + '`';
-        return true;
+        return kFailed;
     }
 
     /// `5`, `"CONTOUR"`: what the statement Label says of a target.
-    bool take_label_number(JumpTarget& out) {
+    Done take_label_number(JumpTarget& out) {
         const std::size_t begin = at_;
         const std::string_view label = label_at(line_, at_);
         if (label.empty()) return fail_here(diag::StatementSyntax);
@@ -622,20 +627,20 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         out.kind = JumpTarget::Kind::Label;
         out.label = words_.normal(label);
         out.span = span_from(begin);
-        return true;
+        return kDone;
     }
 
     // ------------------------------------------------------------ declarations
 
     /// `NCK`, `CHAN SYNR`, `APR 7` in front of the type say for whom it is declared and who may
     /// read it, `PHU 3 LLI -5 ULI 10` behind it the unit, and what the variable may hold.
-    bool take_scope(ControlStatement& out) {
+    Done take_scope(ControlStatement& out) {
         while (const std::string* const form = scope_word_here()) {
             const std::size_t begin = at_;
-            if (!take_scope_word(*form, out)) return false;
+            if (!take_scope_word(*form, out)) return kFailed;
             if (out.scope.end == 0) out.scope = span_from(begin);
         }
-        return true;
+        return kDone;
     }
 
     /// How the dialect writes the word of a declaration that stands here: `NCK`, `APR=` with a
@@ -650,15 +655,15 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return found == forms.end() ? nullptr : &*found;
     }
 
-    bool take_scope_word(const std::string& form, ControlStatement& out) {
+    Done take_scope_word(const std::string& form, ControlStatement& out) {
         at_ += scope_word(form).size();
         Expression passed;
         if (form.starts_with("..")) return take_stored(out.second);
         if (form.ends_with("..")) return take_stored(out.value);
-        return !form.ends_with('=') || take_stored(passed);
+        return form.ends_with('=') ? take_stored(passed) : kDone;
     }
 
-    bool take_type(ControlStatement& out) {
+    Done take_type(ControlStatement& out) {
         const Word word = words_.word_at(at_);
         const auto found = std::ranges::find_if(language_.types, [&](const TypeName& type) {
             return words_.is_same(word.text, type.name);
@@ -669,23 +674,23 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         }
         at_ += word.text.size();
         out.type = found->type;
-        if (found->type != ValueType::Text) return true;
-        return take_open(language_.index_open) && take_stored(out.type_size) &&
-               take_close(language_.index_close);
+        if (found->type != ValueType::Text) return kDone;
+        return Done(take_open(language_.index_open) && take_stored(out.type_size) &&
+                    take_close(language_.index_close));
     }
 
-    bool take_declarations(ControlStatement& out) {
+    Done take_declarations(ControlStatement& out) {
         do {
             if (!out.declarations.empty()) ++at_;
             out.declarations.emplace_back();
-            if (!take_declaration(out.declarations.back())) return false;
+            if (!take_declaration(out.declarations.back())) return kFailed;
             skip();
         } while (peek() == ',');
-        return true;
+        return kDone;
     }
 
     /// `VAR REAL LIST[4]`, of an external procedure without the name.
-    bool take_parameter(ProcedureParameter& out, bool is_named) override {
+    Done take_parameter(ProcedureParameter& out, bool is_named) override {
         Word word = words_.word_at(words_.skip_blanks(at_));
         skip();
         out.is_reference = !language_.calls.reference_word.empty() &&
@@ -693,7 +698,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (out.is_reference) at_ += word.text.size();
         skip();
         ControlStatement typed;
-        if (!take_type(typed)) return false;
+        if (!take_type(typed)) return kFailed;
         out.type = typed.type;
         out.type_size = typed.type_size;
         skip();
@@ -702,10 +707,10 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         word = words_.word_at(at_);
         at_ += word.text.size();
         skip();
-        return peek() != language_.index_open || take_sizes(out.declaration, true);
+        return peek() != language_.index_open ? kDone : take_sizes(out.declaration, true);
     }
 
-    bool take_declaration(Declaration& out, bool is_parameter = false) {
+    Done take_declaration(Declaration& out, bool is_parameter = false) {
         skip();
         const Word word = words_.word_at(at_);
         out.name = words_.normal(word.text);
@@ -721,9 +726,9 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             return fail(diag::NameTwice, out.span);
         at_ += word.text.size();
         skip();
-        if (peek() == language_.index_open && !take_sizes(out, is_parameter)) return false;
+        if (peek() == language_.index_open && !take_sizes(out, is_parameter)) return kFailed;
         skip();
-        if (peek() != '=') return true;
+        if (peek() != '=') return kDone;
         ++at_;
         return take_initial_values(out);
     }
@@ -741,28 +746,29 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
     /// `[3,4]`; of a parameter `[,]` as well.
-    bool take_sizes(Declaration& out, bool is_parameter = false) {
-        if (!take_open(language_.index_open)) return false;
+    Done take_sizes(Declaration& out, bool is_parameter = false) {
+        if (!take_open(language_.index_open)) return kFailed;
         do {
             if (out.dimensions > 0) ++at_;
             if (out.dimensions == 3) return fail_here(diag::TooManyDimensions);
             Expression& size = out.sizes[out.dimensions++];
             skip();
             const bool is_open = is_parameter && (peek() == ',' || peek() == language_.index_close);
-            if (!is_open && !take_stored(size)) return false;
+            if (!is_open && !take_stored(size)) return kFailed;
             skip();
         } while (peek() == ',');
         return take_close(language_.index_close);
     }
 
-    bool take_initial_values(Declaration& out) {
+    Done take_initial_values(Declaration& out) {
         ControlStatement list;
-        if (take_list(list)) {
+        const Try taken = take_list(list);
+        if (taken == Try::Taken) {
             out.values = std::move(list.list);
             out.fills = list.fills;
-            return true;
+            return kDone;
         }
-        if (fault_) return false;
+        if (taken == Try::Failed) return kFailed;
         skip();
         if (out.dimensions > 0 && peek() == language_.open) return take_values(out.values);
         out.values.emplace_back();
@@ -771,13 +777,15 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 
     // ------------------------------------------------------------ cases
 
-    bool take_cases(const StatementToken* next, ControlStatement& out) {
+    Try take_cases(const StatementToken* next, ControlStatement& out) {
         while (true) {
             skip();
-            if (words_.is_end(at_)) return !out.list.empty();
-            if (next != nullptr && words_.says(words_.word_at(at_), next->text)) return true;
+            if (words_.is_end(at_)) return out.list.empty() ? Try::Absent : Try::Taken;
+            if (next != nullptr && words_.says(words_.word_at(at_), next->text)) return Try::Taken;
             out.list.emplace_back();
-            if (!take_operand(out.list.back()) || !take_inner(out, false)) return false;
+            if (!take_operand(out.list.back())) return Try::Failed;
+            const Try jump = take_inner(out, false);
+            if (jump != Try::Taken) return jump;
         }
     }
 

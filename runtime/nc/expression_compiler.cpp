@@ -54,8 +54,8 @@ Span ExpressionCompiler::span_from(std::size_t begin) const {
             static_cast<std::uint32_t>(std::max(begin + 1, words_.trim(begin, at_)))};
 }
 
-bool ExpressionCompiler::fail(const DiagnosticRow& row, Span span) {
-    if (fault_) return false;
+void ExpressionCompiler::set_fault(const DiagnosticRow& row, Span span) {
+    if (fault_) return;
     const std::size_t begin = std::min<std::size_t>(span.begin, line_.size());
     const std::size_t end = std::clamp<std::size_t>(span.end, begin, line_.size());
     std::string shown(line_.substr(begin, end - begin));
@@ -64,14 +64,23 @@ bool ExpressionCompiler::fail(const DiagnosticRow& row, Span span) {
         &row,
         {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(std::max(end, begin + 1))},
         {std::move(shown)}};
-    return false;
 }
 
-bool ExpressionCompiler::fail_here(const DiagnosticRow& row) {
+void ExpressionCompiler::set_fault_here(const DiagnosticRow& row) {
     skip();
     const Word word = words_.word_at(at_);
     const std::size_t length = std::max<std::size_t>(1, word.text.size());
-    return fail(row, {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + length)});
+    set_fault(row, {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + length)});
+}
+
+Done ExpressionCompiler::fail(const DiagnosticRow& row, Span span) {
+    set_fault(row, span);
+    return kFailed;
+}
+
+Done ExpressionCompiler::fail_here(const DiagnosticRow& row) {
+    set_fault_here(row);
+    return kFailed;
 }
 
 // ---------------- code
@@ -96,25 +105,25 @@ void ExpressionCompiler::emit_operation(Operation operation, int count, std::siz
     emit(instruction, begin);
 }
 
-bool ExpressionCompiler::take_expression(Expression& out) {
+Done ExpressionCompiler::take_expression(Expression& out) {
     return take_as_expression(
         out, [this](bool& is_logical) { return take_level(language_.lowest_level, is_logical); });
 }
 
-bool ExpressionCompiler::take_operand(Expression& out) {
+Done ExpressionCompiler::take_operand(Expression& out) {
     skip();
     const OperatorForm* const sign = find_operator(at_, true);
-    const bool is_fine =
+    const Done taken =
         take_as_expression(out, [this](bool& is_logical) { return take_level(0, is_logical); });
     out.keeps_vacant = sign != nullptr && sign->operation == Operation::Negate;
-    return is_fine;
+    return taken;
 }
 
 /// A value that is no comparison where the control does not store such.
-bool ExpressionCompiler::take_stored(Expression& out) {
-    if (!take_expression(out)) return false;
+Done ExpressionCompiler::take_stored(Expression& out) {
+    if (!take_expression(out)) return kFailed;
     if (out.is_logical && !rules_.stores_comparisons) return fail(diag::ExpressionSyntax, out.span);
-    return true;
+    return kDone;
 }
 
 // ---------------- operators
@@ -132,18 +141,18 @@ const OperatorForm* ExpressionCompiler::find_operator(std::size_t at, bool is_pr
 }
 
 /// Operators of this level and those that bind stronger, from left to right.
-bool ExpressionCompiler::take_level(int level, bool& is_logical) {
+Done ExpressionCompiler::take_level(int level, bool& is_logical) {
     if (level == 0) return take_primary(is_logical);
-    if (!take_level(level - 1, is_logical)) return false;
+    if (!take_level(level - 1, is_logical)) return kFailed;
     while (true) {
         skip();
         const OperatorForm* form = find_operator(at_, false);
-        if (form == nullptr || form->level != level) return true;
+        if (form == nullptr || form->level != level) return kDone;
         const std::size_t begin = at_;
         at_ += form->text.size();
         tables_.note(form);
         bool is_right_logical = false;
-        if (!take_level(level - 1, is_right_logical)) return false;
+        if (!take_level(level - 1, is_right_logical)) return kFailed;
         const bool is_computed =
             (is_logical || is_right_logical) && !is_connective(form->operation);
         if (is_computed && !rules_.stores_comparisons)
@@ -154,17 +163,17 @@ bool ExpressionCompiler::take_level(int level, bool& is_logical) {
     }
 }
 
-bool ExpressionCompiler::take_primary(bool& is_logical) {
+Done ExpressionCompiler::take_primary(bool& is_logical) {
     is_logical = false;
     skip();
     const std::size_t begin = at_;
     if (const OperatorForm* form = find_operator(at_, true)) {
         at_ += form->text.size();
         tables_.note(form);
-        if (!take_level(std::max(0, form->level - 1), is_logical)) return false;
+        if (!take_level(std::max(0, form->level - 1), is_logical)) return kFailed;
         is_logical = is_logical && is_connective(form->operation);
         emit_operation(form->operation, 1, begin);
-        return true;
+        return kDone;
     }
     const char c = peek();
     if (c == '+') {
@@ -181,27 +190,27 @@ bool ExpressionCompiler::take_primary(bool& is_logical) {
     return take_name(word);
 }
 
-bool ExpressionCompiler::take_sign(char sign) {
+Done ExpressionCompiler::take_sign(char sign) {
     skip();
     if (peek() != sign) return fail_here(diag::StatementSyntax);
     ++at_;
-    return true;
+    return kDone;
 }
 
-bool ExpressionCompiler::take_open(char sign) {
+Done ExpressionCompiler::take_open(char sign) {
     skip();
     if (peek() != sign) {
-        fail_here(diag::OpenBracketMissing);
+        set_fault_here(diag::OpenBracketMissing);
         const std::string_view shape = sign == '[' ? "square" : "round";
         fault_->fix = "it stands in " + std::string(shape) + " brackets";
-        return false;
+        return kFailed;
     }
     if (rules_.depth > 0 && ++depth_ > rules_.depth) return fail_here(diag::BracketsTooDeep);
     ++at_;
-    return true;
+    return kDone;
 }
 
-bool ExpressionCompiler::take_close(char sign) {
+Done ExpressionCompiler::take_close(char sign) {
     skip();
     if (peek() != sign) {
         const bool is_end = at_ >= line_.size() || words_.is_comment(at_);
@@ -211,39 +220,39 @@ bool ExpressionCompiler::take_close(char sign) {
     }
     ++at_;
     --depth_;
-    return true;
+    return kDone;
 }
 
-bool ExpressionCompiler::take_bracket(bool& is_logical) {
-    return take_open(language_.open) && take_level(language_.lowest_level, is_logical) &&
-           take_close(language_.close);
+Done ExpressionCompiler::take_bracket(bool& is_logical) {
+    return Done(take_open(language_.open) && take_level(language_.lowest_level, is_logical) &&
+                take_close(language_.close));
 }
 
 // ---------------- constants
 
-bool ExpressionCompiler::take_number() {
+Done ExpressionCompiler::take_number() {
     const std::size_t begin = at_;
     const Decimal decimal = parse_decimal(line_.data() + at_, line_.data() + line_.size());
     at_ = static_cast<std::size_t>(decimal.end - line_.data());
     if (at_ == begin) return fail_here(diag::ExpressionSyntax);
     double value = decimal.value;
     bool has_point = decimal.has_point;
-    if (words_.has_exponents() && take_exponent(value)) has_point = true;
+    if (words_.has_exponents() && take_exponent(value) == Try::Taken) has_point = true;
     const bool is_too_long =
         !is_told_ && rules_.constant_digits != 0 && decimal.digits > rules_.constant_digits;
     if (is_too_long || !std::isfinite(value)) {
-        fail(diag::IsoTooManyDigits, span_from(begin));
+        set_fault(diag::IsoTooManyDigits, span_from(begin));
         fault_->arguments = {std::string(line_.substr(begin, at_ - begin))};
-        return false;
+        return kFailed;
     }
     const bool is_int = rules_.has_types && !has_point && std::fabs(value) <= 2147483648.0;
     emit_number(value, is_int ? ValueType::Int : ValueType::Real, begin);
-    return !fault_;
+    return Done(!fault_);
 }
 
 /// `1.5EX-3`
-bool ExpressionCompiler::take_exponent(double& value) {
-    if (!words_.starts_with(at_, "EX")) return false;
+Try ExpressionCompiler::take_exponent(double& value) {
+    if (!words_.starts_with(at_, "EX")) return not_taken();
     std::size_t at = at_ + 2;
     const bool is_minus = at < line_.size() && line_[at] == '-';
     if (at < line_.size() && (line_[at] == '-' || line_[at] == '+')) ++at;
@@ -252,16 +261,15 @@ bool ExpressionCompiler::take_exponent(double& value) {
     for (; at < line_.size() && line_[at] >= '0' && line_[at] <= '9' && exponent < 1000; ++at)
         exponent = exponent * 10 + (line_[at] - '0');
     if (at == first || exponent > 308) {
-        fail_here(diag::ExpressionSyntax);
-        return false;
+        return tried(fail_here(diag::ExpressionSyntax));
     }
     at_ = at;
     value *= std::pow(10.0, is_minus ? -exponent : exponent);
-    return true;
+    return Try::Taken;
 }
 
 /// `'HFF'`, `'B1011'`
-bool ExpressionCompiler::take_coded_number() {
+Done ExpressionCompiler::take_coded_number() {
     const std::size_t begin = at_;
     const std::size_t close = line_.find('\'', at_ + 1);
     if (close == std::string_view::npos || close < begin + 3)
@@ -272,9 +280,9 @@ bool ExpressionCompiler::take_coded_number() {
     const std::size_t digits = close - begin - 2;
     if (digits > (kind == 'H' ? 8u : 32u)) {
         const std::string written(line_.substr(begin, at_ - begin));
-        fail(diag::CodedNumberTooLong, span_from(begin));
+        set_fault(diag::CodedNumberTooLong, span_from(begin));
         fault_->arguments = {kind == 'H' ? "hexadecimal" : "binary", written};
-        return false;
+        return kFailed;
     }
     at_ = begin;
     double value = 0;
@@ -288,10 +296,10 @@ bool ExpressionCompiler::take_coded_number() {
     at_ = close + 1;
     if (value > 2147483647.0) value -= 4294967296.0;
     emit_number(value, ValueType::Int, begin);
-    return true;
+    return kDone;
 }
 
-bool ExpressionCompiler::take_text() {
+Done ExpressionCompiler::take_text() {
     const std::size_t begin = at_;
     const std::size_t close = line_.find('"', at_ + 1);
     if (close == std::string_view::npos) return fail_here(diag::ExpressionSyntax);
@@ -302,17 +310,17 @@ bool ExpressionCompiler::take_text() {
     at_ = close + 1;
     const auto most = static_cast<std::size_t>(rules_.most_text);
     if (const std::size_t length = count_code_points(out_.texts.back()); length > most) {
-        fail(diag::TextTooLong, span_from(begin));
+        set_fault(diag::TextTooLong, span_from(begin));
         fault_->arguments = {std::to_string(length), std::to_string(most)};
-        return false;
+        return kFailed;
     }
     emit(instruction, begin);
-    return true;
+    return kDone;
 }
 
 // ---------------- names
 
-bool ExpressionCompiler::take_name(const Word& word) {
+Done ExpressionCompiler::take_name(const Word& word) {
     const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
     if (is_sign) return fail_here(diag::ExpressionSyntax);
     if (begins_reference(word.begin)) return take_variable();
@@ -325,7 +333,7 @@ bool ExpressionCompiler::take_name(const Word& word) {
     if (const auto axis = axis_named(word.text)) {
         at_ += word.text.size();
         emit_axis(*axis, word.begin);
-        return true;
+        return kDone;
     }
     return fail_unknown(word);
 }
@@ -344,26 +352,26 @@ void ExpressionCompiler::emit_axis(Axis axis, std::size_t begin) {
     emit_number(-1.0 - static_cast<double>(index(axis)), type, begin);
 }
 
-bool ExpressionCompiler::fail_unknown(const Word& word) {
+Done ExpressionCompiler::fail_unknown(const Word& word) {
     const std::string known = tables_.unsupported_words(words_.normal(word.text));
     const auto end = static_cast<std::uint32_t>(word.begin + word.text.size());
     if (!known.empty()) {
         fault_ = LineFault{
             &diag::IsoNotSupported, {static_cast<std::uint32_t>(word.begin), end}, {known}};
-        return false;
+        return kFailed;
     }
     return fail(diag::NameUnknown, {static_cast<std::uint32_t>(word.begin), end});
 }
 
 /// The function whose first form was found; which form it is the arguments tell.
-bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& found) {
+Done ExpressionCompiler::take_function(const Word& word, const FunctionForm& found) {
     const std::size_t begin = at_;
     if (found.operation == Operation::List || found.operation == Operation::Fill)
         return fail_here(diag::ExpressionSyntax);
     at_ += word.text.size();
     int count = 0;
     bool is_divided = false;
-    if (!take_open(language_.open)) return false;
+    if (!take_open(language_.open)) return kFailed;
     skip();
     const bool takes_none = std::ranges::any_of(language_.functions, [&](const FunctionForm& form) {
         return form.name == found.name && form.takes_any;
@@ -376,21 +384,21 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
         if (is_reference ? !take_variable_itself()
             : is_axis    ? !take_axis_index()
                          : !take_level(language_.lowest_level, is_logical))
-            return false;
+            return kFailed;
         const bool has_index = count < 32 && (found.indexed >> count & 1u) != 0;
         ++count;
         if (has_index) {
             if (!take_open(language_.index_open) ||
                 !take_level(language_.lowest_level, is_logical) ||
                 !take_close(language_.index_close))
-                return false;
+                return kFailed;
             ++count;
         }
         skip();
         if (peek() != ',') break;
         ++at_;
     }
-    if (!take_close(language_.close)) return false;
+    if (!take_close(language_.close)) return kFailed;
     skip();
     const auto is_form = [&](const FunctionForm& form, int arguments, bool divided) {
         const bool has_as_many =
@@ -406,7 +414,7 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
         if (next < line_.size() && line_[next] == language_.open) {
             at_ = next;
             bool is_logical = false;
-            if (!take_bracket(is_logical)) return false;
+            if (!take_bracket(is_logical)) return kFailed;
             ++count;
             is_divided = true;
         }
@@ -415,20 +423,20 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
         if (!is_form(form, count, is_divided)) continue;
         tables_.note(&form);
         emit_operation(form.operation, count, begin);
-        return true;
+        return kDone;
     }
     return fail(diag::ArgumentsWrong, span_from(begin));
 }
 
 /// A variable that the program has declared, by its place among them.
-bool ExpressionCompiler::take_variable_itself() {
+Done ExpressionCompiler::take_variable_itself() {
     skip();
     const Word word = words_.word_at(at_);
     const Symbol* symbol = symbols_.find(words_.normal(word.text));
     if (symbol == nullptr) return fail_here(diag::ArgumentNoVariable);
     at_ += word.text.size();
     emit_number(symbols_.index_of(*symbol), ValueType::Int, word.begin);
-    return true;
+    return kDone;
 }
 
 bool ExpressionCompiler::has_divided_form(const FunctionForm& found) const {
@@ -439,49 +447,52 @@ bool ExpressionCompiler::has_divided_form(const FunctionForm& found) const {
 
 // ---------------- variables
 
-bool ExpressionCompiler::take_variable() {
+Done ExpressionCompiler::take_variable() {
     const std::size_t begin = at_;
     Reference reference;
-    if (!take_reference(reference)) return false;
+    if (!take_reference(reference)) return kFailed;
     emit(reference.load, begin);
-    return true;
+    return kDone;
 }
 
 /// The code of the indices goes out at once; the load is left to the caller.
-bool ExpressionCompiler::take_reference(Reference& out) {
+Done ExpressionCompiler::take_reference(Reference& out) {
     skip();
     const std::size_t begin = at_;
     out.indices.first = static_cast<std::uint32_t>(out_.code.size());
     const Word word = words_.word_at(at_);
     const Word whole = whole_name(word);
     const bool is_spelled_out = whole.text.size() > word.text.size();
-    const bool is_fine = (is_spelled_out && take_named(whole, out)) ||
-                         (!fault_ && take_own_name(out)) || (!fault_ && take_family(word, out)) ||
-                         (!fault_ && take_named(word, out)) || (!fault_ && take_open(word, out)) ||
-                         (!fault_ && take_symbol(word, out));
+    Try taken = is_spelled_out ? take_named(whole, out) : Try::Absent;
+    const auto is_open = [&] { return taken == Try::Absent && !fault_; };
+    if (is_open()) taken = take_own_name(out);
+    if (is_open()) taken = take_family(word, out);
+    if (is_open()) taken = take_named(word, out);
+    if (is_open()) taken = take_open_name(word, out);
+    if (is_open()) taken = take_symbol(word, out);
     const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
-    if (!is_fine && !fault_ && is_sign) return fail_here(diag::ExpressionSyntax);
-    if (!is_fine) return fault_ ? false : fail_unknown(word);
+    if (is_open() && is_sign) return fail_here(diag::ExpressionSyntax);
+    if (taken != Try::Taken) return fault_ ? kFailed : fail_unknown(word);
     out.indices.count = static_cast<std::uint32_t>(out_.code.size()) - out.indices.first;
     out.indices.span = out.span = span_from(begin);
-    return !refuses_second_index(begin);
+    return require_one_bracket(begin);
 }
 
 /// `$P_UIFR[1][X,TR]`: all indices stand in one bracket, with commas between them.
-bool ExpressionCompiler::refuses_second_index(std::size_t begin) {
+Done ExpressionCompiler::require_one_bracket(std::size_t begin) {
     const bool is_indexed = at_ > begin && line_[at_ - 1] == language_.index_close;
     if (language_.index_open == language_.open || !is_indexed || peek() != language_.index_open)
-        return false;
-    fail_here(diag::ExpressionSyntax);
+        return kDone;
+    set_fault_here(diag::ExpressionSyntax);
     const std::size_t close = std::min(line_.find(language_.index_close, at_), line_.size() - 1);
     fault_->fix = "all indices stand in one bracket: `" +
                   std::string(line_.substr(begin, at_ - 1 - begin)) + ',' +
                   std::string(line_.substr(at_ + 1, close - at_)) + '`';
-    return true;
+    return kFailed;
 }
 
 /// `#1`, `#[expression]`, `R5`
-bool ExpressionCompiler::take_family(const Word& word, Reference& out) {
+Try ExpressionCompiler::take_family(const Word& word, Reference& out) {
     for (std::size_t i = 0; i < language_.variables.size(); ++i) {
         const VariableForm& form = language_.variables[i];
         if (!form.is_family || !words_.starts_with(at_, form.name)) continue;
@@ -495,11 +506,11 @@ bool ExpressionCompiler::take_family(const Word& word, Reference& out) {
             if (!take_open(language_.index_open) ||
                 !take_level(language_.lowest_level, is_logical) ||
                 !take_close(language_.index_close))
-                return false;
+                return not_taken();
             out.load.kind = Instruction::Kind::Family;
             out.load.index = static_cast<std::uint32_t>(i);
             out.load.count = 1;
-            return true;
+            return Try::Taken;
         }
         if (next < line_.size() && words_.is_blank_insensitive()) at = next;
         std::size_t end = at;
@@ -511,12 +522,12 @@ bool ExpressionCompiler::take_family(const Word& word, Reference& out) {
             !words_.is_blank_insensitive() && word.begin + word.text.size() > end;
         if (is_name_longer) continue;
         at_ = end;
-        return place_in_family(form, i, number, begin, out.load);
+        return tried(place_in_family(form, i, number, begin, out.load));
     }
-    return false;
+    return not_taken();
 }
 
-bool ExpressionCompiler::place_in_family(const VariableForm& form, std::size_t family,
+Done ExpressionCompiler::place_in_family(const VariableForm& form, std::size_t family,
                                          std::int64_t number, std::size_t begin,
                                          Instruction& load) {
     const VariableRange* range = find_range(form, number);
@@ -527,7 +538,7 @@ bool ExpressionCompiler::place_in_family(const VariableForm& form, std::size_t f
         const bool is_global = range->kind == VariableRange::Kind::Global;
         load.kind = is_global ? Instruction::Kind::Global : Instruction::Kind::Local;
         load.index = range->slot + static_cast<std::uint32_t>(number - range->first);
-        return true;
+        return kDone;
     }
     if (range->kind == VariableRange::Kind::Unsupported) return fail_unsupported(*range, begin);
     // Constants and quantities: by their number, as an index that is computed is.
@@ -535,14 +546,14 @@ bool ExpressionCompiler::place_in_family(const VariableForm& form, std::size_t f
     load.kind = Instruction::Kind::Family;
     load.index = static_cast<std::uint32_t>(family);
     load.count = 1;
-    return true;
+    return kDone;
 }
 
-bool ExpressionCompiler::fail_unsupported(const VariableRange& range, std::size_t begin) {
+Done ExpressionCompiler::fail_unsupported(const VariableRange& range, std::size_t begin) {
     const Span span = span_from(begin);
     const std::string written(line_.substr(span.begin, span.end - span.begin));
     fault_ = LineFault{&diag::IsoNotSupported, span, {'`' + written + "` (" + range.meaning + ')'}};
-    return false;
+    return kFailed;
 }
 
 Word ExpressionCompiler::whole_name(Word word) const {
@@ -556,7 +567,7 @@ Word ExpressionCompiler::whole_name(Word word) const {
 }
 
 /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
-bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
+Try ExpressionCompiler::take_named(const Word& word, Reference& out) {
     const std::size_t next = words_.skip_blanks(at_ + word.text.size());
     const bool has_index = next < line_.size() && line_[next] == language_.index_open;
     for (const VariableForm& form : language_.variables) {
@@ -573,10 +584,11 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
             form.indices, [](const IndexHole& h) { return h.kind != IndexHole::Kind::Word; }));
         const bool is_quantity = range.kind == VariableRange::Kind::System;
         const std::size_t code = out_.code.size();
-        if (!is_quantity && !take_indices(form, load)) return false;
+        if (!is_quantity && !take_indices(form, load)) return not_taken();
         switch (range.kind) {
-            case VariableRange::Kind::Unsupported: return fail_unsupported(range, begin);
-            case VariableRange::Kind::Same: return take_numbered(range, load.count, begin, load);
+            case VariableRange::Kind::Unsupported: return tried(fail_unsupported(range, begin));
+            case VariableRange::Kind::Same:
+                return tried(take_numbered(range, load.count, begin, load));
             case VariableRange::Kind::Constant:
                 load.kind = range.is_vacant ? Instruction::Kind::Vacant : Instruction::Kind::Number;
                 load.number = range.value;
@@ -587,9 +599,9 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
             case VariableRange::Kind::System:
                 load.kind = Instruction::Kind::System;
                 load.index = static_cast<std::uint32_t>(range.quantity);
-                if (!take_indices(form, load)) return false;
+                if (!take_indices(form, load)) return not_taken();
                 if (range.first != 0) add_datum(range.first, begin, load);
-                return true;
+                return Try::Taken;
             case VariableRange::Kind::Input:
             case VariableRange::Kind::Bits:
                 if (load.count == 0)
@@ -608,18 +620,18 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
                                  : range.slot;
                 break;
         }
-        return true;
+        return Try::Taken;
     }
-    return false;
+    return not_taken();
 }
 
 /// `$MN_USER_DATA_INT[3]`, `$MA_REF_VELO[AX1,0]`: whatever of this kind the machine has.
-bool ExpressionCompiler::take_open(const Word& word, Reference& out) {
+Try ExpressionCompiler::take_open_name(const Word& word, Reference& out) {
     const auto form = std::ranges::find_if(language_.variables, [&](const VariableForm& each) {
         return each.is_open && word.text.size() > each.name.size() &&
                words_.starts_with(word.begin, each.name);
     });
-    if (form == language_.variables.end()) return false;
+    if (form == language_.variables.end()) return not_taken();
     const std::size_t begin = at_;
     at_ += word.text.size();
     tables_.note(&form->ranges[0]);
@@ -632,20 +644,20 @@ bool ExpressionCompiler::take_open(const Word& word, Reference& out) {
     load.index = static_cast<std::uint32_t>(form - language_.variables.begin());
     load.count = 1;
     const std::size_t next = words_.skip_blanks(at_);
-    if (next >= line_.size() || line_[next] != language_.index_open) return true;
+    if (next >= line_.size() || line_[next] != language_.index_open) return Try::Taken;
     constexpr std::uint8_t kMostIndices = 2;
     for (bool is_first = true; is_first || (skip(), peek() == ','); is_first = false) {
-        if (is_first ? !take_open_bracket() : !take_sign(',')) return false;
-        if (load.count > kMostIndices) return fail_here(diag::CloseBracketMissing);
-        if (!take_machine_axis() && (fault_ || !take_any_index())) return false;
+        if (is_first ? !take_open_bracket() : !take_sign(',')) return not_taken();
+        if (load.count > kMostIndices) return tried(fail_here(diag::CloseBracketMissing));
+        if (!take_machine_axis() && (fault_ || !take_any_index())) return not_taken();
         ++load.count;
     }
-    return take_close(language_.index_close);
+    return tried(take_close(language_.index_close));
 }
 
-bool ExpressionCompiler::take_open_bracket() { return take_open(language_.index_open); }
+Done ExpressionCompiler::take_open_bracket() { return take_open(language_.index_open); }
 
-bool ExpressionCompiler::take_any_index() {
+Done ExpressionCompiler::take_any_index() {
     // `S1`: a spindle is an axis of the machine, told by its number.
     const Word word = words_.word_at(at_);
     const std::string name = words_.normal(word.text);
@@ -655,7 +667,7 @@ bool ExpressionCompiler::take_any_index() {
         const std::size_t begin = at_;
         at_ += word.text.size();
         emit_number(name[1] - '0', ValueType::Int, begin);
-        return true;
+        return kDone;
     }
     bool is_logical = false;
     return take_level(language_.lowest_level, is_logical);
@@ -677,7 +689,7 @@ bool ExpressionCompiler::take_machine_axis() {
     return true;
 }
 
-bool ExpressionCompiler::take_own_name(Reference& out) {
+Try ExpressionCompiler::take_own_name(Reference& out) {
     const VariableForm* form = nullptr;  // the one with the longest beginning: `#<_` before `#<`
     std::size_t place = 0;
     for (std::size_t i = 0; i < language_.variables.size(); ++i) {
@@ -687,7 +699,7 @@ bool ExpressionCompiler::take_own_name(Reference& out) {
         form = &other;
         place = i;
     }
-    if (form == nullptr) return false;
+    if (form == nullptr) return not_taken();
     const std::size_t begin = at_;
     const std::size_t first = at_ + form->name.size();
     const std::size_t close = line_.find(form->closing, first);
@@ -696,11 +708,11 @@ bool ExpressionCompiler::take_own_name(Reference& out) {
         if (c != ' ' && c != '\t') name += c;
     if (close == std::string_view::npos || name.size() == form->name.size()) {
         at_ = std::min(first, line_.size());
-        return fail_here(diag::ExpressionSyntax);
+        return tried(fail_here(diag::ExpressionSyntax));
     }
     at_ = close + form->closing.size();
     const std::int64_t number = names_ == nullptr ? 1 : names_->number_of(words_.normal(name));
-    return place_in_family(*form, place, number, begin, out.load);
+    return tried(place_in_family(*form, place, number, begin, out.load));
 }
 
 /// The edge behind the number of a datum, as Quantity::ToolDatum has them. A datum of the whole
@@ -715,7 +727,7 @@ void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin, Instru
 }
 
 /// A name of a numbered variable; an index in front of it is added to the number.
-bool ExpressionCompiler::take_numbered(const VariableRange& range, int indices, std::size_t begin,
+Done ExpressionCompiler::take_numbered(const VariableRange& range, int indices, std::size_t begin,
                                        Instruction& load) {
     const auto family = std::ranges::find_if(language_.variables, &VariableForm::is_family);
     if (family == language_.variables.end()) return fail_unsupported(range, begin);
@@ -727,31 +739,31 @@ bool ExpressionCompiler::take_numbered(const VariableRange& range, int indices, 
     load.kind = Instruction::Kind::Family;
     load.index = static_cast<std::uint32_t>(place);
     load.count = 1;
-    return true;
+    return kDone;
 }
 
-bool ExpressionCompiler::take_indices(const VariableForm& form, Instruction& load) {
+Done ExpressionCompiler::take_indices(const VariableForm& form, Instruction& load) {
     const bool is_frame = load.type == ValueType::Frame;
     if (form.indices.empty()) {
         const std::size_t next = words_.skip_blanks(at_);
         const bool has_part =
             is_frame && next < line_.size() && line_[next] == language_.index_open;
-        if (!has_part) return true;
+        if (!has_part) return kDone;
     }
-    if (!take_open(language_.index_open)) return false;
+    if (!take_open(language_.index_open)) return kFailed;
     for (std::size_t i = 0; i < form.indices.size(); ++i) {
-        if (i > 0 && !take_sign(',')) return false;
-        if (!take_index(form.indices[i])) return false;
+        if (i > 0 && !take_sign(',')) return kFailed;
+        if (!take_index(form.indices[i])) return kFailed;
     }
     skip();
     const bool has_part = is_frame && (form.indices.empty() || peek() == ',');
-    if (has_part && !take_frame_part(form.indices.empty(), load)) return false;
+    if (has_part && !take_frame_part(form.indices.empty(), load)) return kFailed;
     return take_close(language_.index_close);
 }
 
-bool ExpressionCompiler::take_frame_part(bool is_first, Instruction& load) {
-    if (!is_first && !take_sign(',')) return false;
-    if (!take_axis_index() || !take_sign(',')) return false;
+Done ExpressionCompiler::take_frame_part(bool is_first, Instruction& load) {
+    if (!is_first && !take_sign(',')) return kFailed;
+    if (!take_axis_index() || !take_sign(',')) return kFailed;
     skip();
     const Word word = words_.word_at(at_);
     const auto named = std::ranges::find_if(language_.frame_parts, [&](const FramePartName& name) {
@@ -764,19 +776,18 @@ bool ExpressionCompiler::take_frame_part(bool is_first, Instruction& load) {
     load.type = ValueType::Real;
     load.number = static_cast<double>(named->part);
     ++load.count;
-    return true;
+    return kDone;
 }
 
-bool ExpressionCompiler::take_index(const IndexHole& hole) {
+Done ExpressionCompiler::take_index(const IndexHole& hole) {
     skip();
     const Word word = words_.word_at(at_);
     if (hole.kind == IndexHole::Kind::Word) {
         if (!words_.is_same(word.text, hole.word)) {
-            fail_here(diag::IsoNotSupported);
-            return false;
+            return fail_here(diag::IsoNotSupported);
         }
         at_ += word.text.size();
-        return true;
+        return kDone;
     }
     if (hole.kind == IndexHole::Kind::Axis) return take_axis_index();
     bool is_logical = false;
@@ -784,7 +795,7 @@ bool ExpressionCompiler::take_index(const IndexHole& hole) {
 }
 
 /// `X`, or where values may be axes one of them; elsewhere the number of an axis.
-bool ExpressionCompiler::take_axis_index() {
+Done ExpressionCompiler::take_axis_index() {
     skip();
     const std::size_t begin = at_;
     const Word word = words_.word_at(at_);
@@ -792,18 +803,18 @@ bool ExpressionCompiler::take_axis_index() {
     if (axis != kAxisNames.end()) {
         at_ += word.text.size();
         emit_axis(static_cast<Axis>(axis - kAxisNames.begin()), begin);
-        return true;
+        return kDone;
     }
-    if (language_.has_axes && take_machine_axis()) return true;
+    if (language_.has_axes && take_machine_axis()) return kDone;
     bool is_logical = false;
-    if (!take_level(language_.lowest_level, is_logical)) return false;
+    if (!take_level(language_.lowest_level, is_logical)) return kFailed;
     if (language_.has_axes) emit_operation(Operation::ToAxis, 1, begin);
-    return true;
+    return kDone;
 }
 
-bool ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
+Try ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
     const Symbol* symbol = symbols_.find(words_.normal(word.text));
-    if (symbol == nullptr) return false;
+    if (symbol == nullptr) return not_taken();
     at_ += word.text.size();
     out.load.type = symbol->type;
     out.load.kind = Instruction::Kind::Element;
@@ -813,33 +824,33 @@ bool ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
     const std::size_t next = words_.skip_blanks(at_);
     if (next < line_.size() && line_[next] == language_.index_open) {
         at_ = next;
-        if (!take_open(language_.index_open)) return false;
+        if (!take_open(language_.index_open)) return not_taken();
         const std::uint8_t most = is_frame ? symbol->dimensions : 4;
         for (; count < most && (count == 0 || peek() == ','); ++count) {
             if (count > 0) ++at_;
             bool is_logical = false;
-            if (!take_level(language_.lowest_level, is_logical)) return false;
+            if (!take_level(language_.lowest_level, is_logical)) return not_taken();
             skip();
         }
         const bool has_part = is_frame && (count == 0 || peek() == ',');
         out.load.count = count;
-        if (has_part && !take_frame_part(count == 0, out.load)) return false;
-        if (!take_close(language_.index_close)) return false;
-        if (has_part) return true;
+        if (has_part && !take_frame_part(count == 0, out.load)) return not_taken();
+        if (!take_close(language_.index_close)) return not_taken();
+        if (has_part) return Try::Taken;
     }
     const bool is_text = symbol->type == ValueType::Text;
     const bool is_whole = (takes_whole_arrays_ && count == 0) ||
                           (takes_rows_ && count == 1 && symbol->dimensions == 2);
     if (count != symbol->dimensions && !(is_text && count == symbol->dimensions + 1) && !is_whole)
-        return fail(diag::IndexWrong, span_from(word.begin));
+        return tried(fail(diag::IndexWrong, span_from(word.begin)));
     if (symbol->is_plain()) {
         out.load.kind = Instruction::Kind::Local;
         out.load.index = symbol->slot;
-        return true;
+        return Try::Taken;
     }
     out.load.count = count;
     if (count > symbol->dimensions) out.load.type = ValueType::Char;
-    return true;
+    return Try::Taken;
 }
 
 bool ExpressionCompiler::begins_reference(std::size_t at) const {

@@ -4,14 +4,23 @@
 // Statements are built upon it in control_parser.cpp.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "base/diagnostics/control.h"
+#include "base/done.h"
 #include "nc/control_line.h"
 #include "nc/control_words.h"
 
 namespace kadr::nc {
+
+/// What became of something that may stand at the cursor, or not.
+enum class Try : std::uint8_t {
+    Absent,  // something else stands there
+    Taken,
+    Failed,  // it begins there, and the fault says what is wrong with it
+};
 
 class ExpressionCompiler {
   protected:
@@ -32,8 +41,12 @@ class ExpressionCompiler {
     char peek() const;
     void skip();
     Span span_from(std::size_t begin) const;
-    bool fail(const DiagnosticRow& row, Span span);
-    bool fail_here(const DiagnosticRow& row);
+    void set_fault(const DiagnosticRow& row, Span span);
+    void set_fault_here(const DiagnosticRow& row);
+    Done fail(const DiagnosticRow& row, Span span);
+    Done fail_here(const DiagnosticRow& row);
+    static Try tried(Done done) { return done ? Try::Taken : Try::Failed; }
+    Try not_taken() const { return fault_ ? Try::Failed : Try::Absent; }
 
     // ------------------------------------------------------------ code
 
@@ -42,84 +55,83 @@ class ExpressionCompiler {
     void emit_operation(Operation operation, int count, std::size_t begin);
     /// Takes what `parse` takes as an expression of its own.
     template <typename Parse>
-    bool take_as_expression(Expression& out, Parse parse) {
+    Done take_as_expression(Expression& out, Parse parse) {
         skip();
         const std::size_t begin = at_;
         out.first = static_cast<std::uint32_t>(out_.code.size());
         bool is_logical = false;
-        if (!parse(is_logical)) return false;
+        if (!parse(is_logical)) return kFailed;
         out.count = static_cast<std::uint32_t>(out_.code.size()) - out.first;
         out.span = span_from(begin);
         out.is_logical = is_logical;
-        return true;
+        return kDone;
     }
-    bool take_expression(Expression& out);
-    bool take_operand(Expression& out);
+    Done take_expression(Expression& out);
+    Done take_operand(Expression& out);
     /// A value that is no comparison where the control does not store such.
-    bool take_stored(Expression& out);
+    Done take_stored(Expression& out);
 
     // ------------------------------------------------------------ operators
     bool is_block_end(std::size_t at) const { return words_.is_block_end(at); }
     const OperatorForm* find_operator(std::size_t at, bool is_prefix) const;
     /// Operators of this level and those that bind stronger, from left to right.
-    bool take_level(int level, bool& is_logical);
-    bool take_primary(bool& is_logical);
-    bool take_sign(char sign);
-    bool take_open(char sign);
-    bool take_close(char sign);
-    bool take_bracket(bool& is_logical);
+    Done take_level(int level, bool& is_logical);
+    Done take_primary(bool& is_logical);
+    Done take_sign(char sign);
+    Done take_open(char sign);
+    Done take_close(char sign);
+    Done take_bracket(bool& is_logical);
 
     // ------------------------------------------------------------ constants
-    bool take_number();
+    Done take_number();
     /// `1.5EX-3`
-    bool take_exponent(double& value);
+    Try take_exponent(double& value);
     /// `'HFF'`, `'B1011'`
-    bool take_coded_number();
-    bool take_text();
+    Done take_coded_number();
+    Done take_text();
 
     // ------------------------------------------------------------ names
-    bool take_name(const Word& word);
+    Done take_name(const Word& word);
     /// The axis that has this name; nothing: none, or values are no axes here.
     std::optional<Axis> axis_named(std::string_view name) const;
     void emit_axis(Axis axis, std::size_t begin);
-    bool fail_unknown(const Word& word);
+    Done fail_unknown(const Word& word);
     /// The function whose first form was found; which form it is the arguments tell.
-    bool take_function(const Word& word, const FunctionForm& found);
-    bool take_variable_itself();
+    Done take_function(const Word& word, const FunctionForm& found);
+    Done take_variable_itself();
     bool has_divided_form(const FunctionForm& found) const;
 
     // ------------------------------------------------------------ variables
-    bool take_variable();
+    Done take_variable();
     /// The code of the indices goes out at once; the load is left to the caller.
-    bool take_reference(Reference& out);
-    bool refuses_second_index(std::size_t begin);
+    Done take_reference(Reference& out);
+    Done require_one_bracket(std::size_t begin);
     /// `#1`, `#[expression]`, `R5`
-    bool take_family(const Word& word, Reference& out);
+    Try take_family(const Word& word, Reference& out);
     void add_datum(std::int64_t datum, std::size_t begin, Instruction& load);
-    bool take_numbered(const VariableRange& range, int indices, std::size_t begin,
+    Done take_numbered(const VariableRange& range, int indices, std::size_t begin,
                        Instruction& load);
-    bool place_in_family(const VariableForm& form, std::size_t family, std::int64_t number,
+    Done place_in_family(const VariableForm& form, std::size_t family, std::int64_t number,
                          std::size_t begin, Instruction& load);
-    bool fail_unsupported(const VariableRange& range, std::size_t begin);
+    Done fail_unsupported(const VariableRange& range, std::size_t begin);
     /// The word, or all of a name with signs that is declared letter by letter: `#<_feed>` beside
     /// the family `#<_{name}>`.
     Word whole_name(Word word) const;
     /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
-    bool take_named(const Word& word, Reference& out);
-    bool take_open(const Word& word, Reference& out);
-    bool take_open_bracket();
-    bool take_any_index();
-    /// False without a fault: it is none.
+    Try take_named(const Word& word, Reference& out);
+    Try take_open_name(const Word& word, Reference& out);
+    Done take_open_bracket();
+    Done take_any_index();
     bool take_machine_axis();
     /// `#<depth>`
-    bool take_own_name(Reference& out);
-    bool take_indices(const VariableForm& form, Instruction& load);
-    bool take_index(const IndexHole& hole);
-    bool take_axis_index();
+    Try take_own_name(Reference& out);
+    Done take_indices(const VariableForm& form, Instruction& load);
+    Done take_index(const IndexHole& hole);
+    Done take_axis_index();
     /// `,X,TR` behind the other indices of a frame, `is_first` without the comma in front: the load
     /// becomes that of the component.
-    bool take_frame_part(bool is_first, Instruction& load);
-    bool take_symbol(const Word& word, Reference& out);
+    Done take_frame_part(bool is_first, Instruction& load);
+    Try take_symbol(const Word& word, Reference& out);
     bool begins_reference(std::size_t at) const;
 
     const DialectTables& tables_;
