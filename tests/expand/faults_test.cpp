@@ -43,7 +43,7 @@ TEST(Faults, StandWhereTheyHappen) {
         // Another zero point, which one knows the control; data of one that does not act are none.
         {"program p() { G54; G0 X5; work_offset_data(number: 2, x: 1mm); X=position.x; "
          "work_offset_data(number: 1, x: 1mm); X=position.x; }",
-         "1:119 K3105 the position of X is not known here"},
+         "1:117 K3105 the position of X is not known here"},
         {"program p(length? b) { X=b; }", "1:26 K3104 `b` is not given"},
         {"program p() { point q = {1mm}; X=q.y; }", "1:34 K3104 `q.y` is not given"},
     };

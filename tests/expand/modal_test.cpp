@@ -23,9 +23,9 @@ void expect_rows(std::initializer_list<Row> rows) {
 /// What a block that may be left out says is in doubt behind it only where it changes something.
 TEST(Modal, KnowsWhatHoldsWithAndWithoutABlock) {
     expect_rows({
-        {"program p() { G0 X1; / X1; X=position.x + 1mm; }", "rapid X1\n/ X1\nX2"},
+        {"program p() { G0 X1; / X1; X=position.x + 1mm; }", "rapid X1\n/0 X1\nX2"},
         {"program p() { G1 X1 F100; / F100; X2; / F200; X3; }",
-         "line X1 F100\n/ F100\nX2\n/ F200\nX3 F200"},
+         "line X1 F100\n/0 F100\nX2\n/0 F200\nX3 F200"},
     });
 }
 
