@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 #include <Eigen/Geometry>
 

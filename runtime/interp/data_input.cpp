@@ -2,9 +2,7 @@
 //
 // A parameter that this run knows acts; of the others is said that they do not.
 // source: FANUC reference 3.4 (G10 L52, G10 L3), 3.1 (No.1006), 3.5 (No.3410)
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"

@@ -1,5 +1,4 @@
 // tool_change.cpp — which tool is called, and its change.
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -1,6 +1,4 @@
 // tool_length.cpp — the length of the tool: along which axis it acts, and when it moves the axes.
-#include <algorithm>
-
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
 #include "base/numbers.h"
