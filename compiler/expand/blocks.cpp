@@ -92,7 +92,7 @@ Done Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
         if (!require_room(at)) return kFailed;
         return keep_plan(plan, instruction, registers, at);
     }
-    if (is_between_places() && !may_stand_between(plan, instruction, at)) [[unlikely]]
+    if (is_between_places() && !require_between_places(plan, instruction, at)) [[unlikely]]
         return kFailed;
     if (!plan.functions.empty() || modal.tcp != ModalState::Tcp::Off) {
         if (const std::optional<Done> taken = take_tool(plan, instruction, at)) return *taken;
@@ -251,7 +251,7 @@ Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     if (has_functions && !(check_cutting_speed(block, at) && check_tool_change(block, at)))
         return kFailed;
     if (modal.comp_choice != ModalState::kNoChoice && recordings.empty() &&
-        !knows_compensation(block, at)) [[unlikely]]
+        !require_sure_compensation(block, at)) [[unlikely]]
         return kFailed;
     if (modal.is_compensation_due() && !check_lead(block, at)) [[unlikely]]
         return kFailed;
@@ -264,7 +264,7 @@ Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     }
     if ((modal.lost | modal.restate) != 0 && !settle_unknown(block, at)) [[unlikely]]
         return kFailed;
-    if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !has_radius(block, at))
+    if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !require_radius(block, at))
         return kFailed;
     if (modal.tcp != ModalState::Tcp::Off && !check_leading(block, at)) return kFailed;
     if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
@@ -330,7 +330,7 @@ Done Expander::State::fill_feed(Block& block, const Filling& filling, double val
         not_given("F", word_of(filling, at));
         return kFailed;
     }
-    if (modal.lost != 0 && !knows_feed_mode(word_of(filling, at))) [[unlikely]]
+    if (modal.lost != 0 && !require_feed_mode(word_of(filling, at))) [[unlikely]]
         return kFailed;
     const Function mode = modal[Group::FeedMode];
     Filling::Form form = filling.form;
@@ -386,7 +386,7 @@ Done Expander::State::fill_speed(Block& block, const Filling& filling, double va
         not_given("S", word_of(filling, at));
         return kFailed;
     }
-    if (modal.lost != 0 && !knows_speed_mode(word_of(filling, at))) [[unlikely]]
+    if (modal.lost != 0 && !require_speed_mode(word_of(filling, at))) [[unlikely]]
         return kFailed;
     const bool is_cutting = modal[Group::SpeedMode] == Function::CuttingSpeedOn;
     Filling::Form form = filling.form;
@@ -446,7 +446,7 @@ std::int64_t Expander::State::spindle_code() const {
 Done Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
                                 std::uint32_t at) {
     if (!recordings.empty()) return refuse_in_contour("a text", at);
-    if (is_between_places() && instruction.b == 1) return Done(cycle_active("raw text", at));
+    if (is_between_places() && instruction.b == 1) return refuse_beside_cycle("raw text", at);
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     // A copy: making blocks does not move texts, but nothing should depend on that.
     const std::string text = heap.text(registers[instruction.a].integer);

@@ -44,66 +44,67 @@ bool has(const sema::Plan& plan, Function function) {
 
 }  // namespace
 
-bool Expander::State::cycle_active(std::string_view what, std::uint32_t at) {
+Done Expander::State::refuse_beside_cycle(std::string_view what, std::uint32_t at) {
     fault(diag::SourceCycleActive, at)
         .arg(said_cycle.said->word)
         .arg(what)
         .fix(said_cycle.said->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
                                                                 : "end it before: `G80;`");
-    return false;
+    return kFailed;
 }
 
-bool Expander::State::may_stand_between(const sema::Plan& plan, const Instruction& instruction,
-                                        std::uint32_t at) {
+Done Expander::State::require_between_places(const sema::Plan& plan, const Instruction& instruction,
+                                             std::uint32_t at) {
     for (const nc::Invocation& invocation : plan.functions) {
         if (nc::has_fact(invocation.function, nc::Fact::CycleApart))
-            return cycle_active('`' + std::string(nc::info(invocation.function).name) + '`', at);
+            return refuse_beside_cycle('`' + std::string(nc::info(invocation.function).name) + '`',
+                                       at);
     }
-    if ((plan.customs & custom::kPlaces) != 0) return true;
+    if ((plan.customs & custom::kPlaces) != 0) return kDone;
     const bool moves = plan.motion != Function::None || instruction.b != 0 ||
                        (plan.given & nc::kTargetSlots) != 0 ||
                        std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
                            return !filling.is_argument && filling.place < kAxes;
                        });
-    return !moves || cycle_active("a move that is no block of its file", at);
+    return moves ? refuse_beside_cycle("a move that is no block of its file", at) : kDone;
 }
 
-bool Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint32_t at) {
+Done Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool begins = (plan.customs & custom::kCyclePlace) != 0;
     const bool ends = plan.motion != Function::None || has(plan, Function::CycleOff);
     if (ends) said_cycle.taps_rigidly = false;
     const bool is_called =
         said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Called;
-    if (begins && is_called) return cycle_active("another cycle", at);
+    if (begins && is_called) return refuse_beside_cycle("another cycle", at);
     if (!begins && !said_cycle.is_active) {
-        if ((plan.customs & custom::kRepeats) == 0) return true;
+        if ((plan.customs & custom::kRepeats) == 0) return kDone;
         fault(diag::SourceRepeats, at).arg("K").arg("none is active");
-        return false;
+        return kFailed;
     }
     if (ends && !is_called) {
         said_cycle.is_active = false;
-        return true;
+        return kDone;
     }
     const nc::SlotMask words = block.given & (nc::kTargetSlots | nc::kArcSlots);
-    if (words == 0) return true;
-    if (plan.skip >= 0) return cycle_active("a block that may be left out", at);
+    if (words == 0) return kDone;
+    if (plan.skip >= 0) return refuse_beside_cycle("a block that may be left out", at);
     if (is_called) {
         said_cycle.is_due = (words & nc::kTargetSlots) != 0;
-        return true;
+        return kDone;
     }
     if ((words & (nc::kCenterSlots | bit(nc::Slot::Turns))) != 0)
-        return cycle_active("a word of an arc", at);
+        return refuse_beside_cycle("a word of an arc", at);
     if (!begins) {
         said_cycle.is_due = true;
         take_levels(block);
     }
-    if ((block.given & nc::kTargetSlots) == 0) return true;
+    if ((block.given & nc::kTargetSlots) == 0) return kDone;
     block.motion = Function::Rapid;
     modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
-    return true;
+    return kDone;
 }
 
-bool Expander::State::take_cycle_words(const Block& block, const nc::Invocation& invocation,
+Done Expander::State::take_cycle_words(const Block& block, const nc::Invocation& invocation,
                                        std::uint32_t at) {
     using SaidFor = std::pair<std::size_t, std::string_view>;
     constexpr std::array kSaidFor = {
@@ -116,7 +117,7 @@ bool Expander::State::take_cycle_words(const Block& block, const nc::Invocation&
             said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Modal;
         if (!is_place) {
             fault(diag::SourceCycleWord, at).arg(std::string(1, word->letter));
-            return false;
+            return kFailed;
         }
         const double value = block.argument(invocation, said);
         const auto parameter =
@@ -126,18 +127,18 @@ bool Expander::State::take_cycle_words(const Block& block, const nc::Invocation&
             set_argument(said_cycle, parameter, value);
         else said_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())] = value;
     }
-    return keeps_no_stroke(at);
+    return require_no_stroke(at);
 }
 
 /// `G73 … Q3.`, then `G84`: the stroke is kept, and makes another cycle of the code, which only the
 /// block itself can choose.
-bool Expander::State::keeps_no_stroke(std::uint32_t at) {
+Done Expander::State::require_no_stroke(std::uint32_t at) {
     const auto word = std::ranges::find(kHeldWords, "peck", &HeldWord::parameter);
     const double stroke =
         said_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())].value_or(0);
-    if (!said_cycle.said->has_other_in_strokes || stroke == 0) return true;
+    if (!said_cycle.said->has_other_in_strokes || stroke == 0) return kDone;
     fault(diag::SourceCycleStroke, at).arg(std::string(1, word->letter)).arg(said_cycle.said->word);
-    return false;
+    return kFailed;
 }
 
 /// `X10. Z-12. R3.` among the places: from here on the cycle has these levels.
@@ -160,16 +161,16 @@ void Expander::State::take_levels(Block& block) {
     block.absolute &= ~words;
 }
 
-bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot* registers,
+Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot* registers,
                                 std::uint32_t at) {
-    if (!recordings.empty()) return refuse_block("a cycle", at);
+    if (!recordings.empty()) return refuse_in_contour("a cycle", at);
     const SourceCycle& said =
         code.cycles[static_cast<std::size_t>(instruction.immediate.pair.first)];
     const bool goes_on = said_cycle.is_active &&
                          said_cycle.said->kind == SourceCycle::Kind::Modal &&
                          said.kind == SourceCycle::Kind::Modal;
     if (said_cycle.is_active && !goes_on && said.kind != SourceCycle::Kind::Called)
-        return cycle_active("another cycle", at);
+        return refuse_beside_cycle("another cycle", at);
     if (goes_on) keep_words();
     else said_cycle.held = {}, said_cycle.levels = {};
     said_cycle.said = &said;
@@ -183,11 +184,11 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
             argument.is_count ? slot.integer == sema::kNotGivenInteger : value != value;
         if (is_missing) {
             not_given(code.functions[said.function].parameters[argument.parameter].name, at);
-            return false;
+            return kFailed;
         }
         if (!(std::fabs(value) < 1e15)) {
             math_fault(sema::MathFault::Overflow, at);
-            return false;
+            return kFailed;
         }
         set_argument(said_cycle, argument.parameter, value);
     }
@@ -202,7 +203,7 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
     const std::uint32_t own = said_cycle.given;
     if (said.kind == SourceCycle::Kind::Modal) take_said_levels(own);
     if (goes_on) take_kept_words();
-    return keeps_no_stroke(at) && has_words(at);
+    return require_no_stroke(at) ? require_words(at) : kFailed;
 }
 
 /// What the cycle so far had said holds for the next one of the mode, too. What its code says by
@@ -228,8 +229,8 @@ void Expander::State::take_kept_words() {
 }
 
 /// Whether a modal cycle has its levels, and what else has no value of its own.
-bool Expander::State::has_words(std::uint32_t at) {
-    if (said_cycle.said->kind != SourceCycle::Kind::Modal) return true;
+Done Expander::State::require_words(std::uint32_t at) {
+    if (said_cycle.said->kind != SourceCycle::Kind::Modal) return kDone;
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
     std::string missing;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -242,9 +243,9 @@ bool Expander::State::has_words(std::uint32_t at) {
         if (word != kHeldWords.end()) missing += word->letter;
         else missing += parameter.name;
     }
-    if (missing.empty()) return true;
+    if (missing.empty()) return kDone;
     fault(diag::BlockWordMissing, at).arg(said_cycle.said->word).arg(missing);
-    return false;
+    return kFailed;
 }
 
 /// `said`: the arguments that the block itself has.
@@ -279,7 +280,7 @@ std::optional<double> Expander::State::initial_level(std::uint32_t at) {
 
 /// A tapping cycle has its pitch from F: F itself where it counts by the revolution, else F
 /// divided by the speed.
-bool Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
+Done Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
     const bool is_pitch = modal[Group::FeedMode] == Function::FeedPerRevolution;
     const bool has_speed =
         modal.has_speed && modal.speed > 0 && modal[Group::SpeedMode] != Function::CuttingSpeedOn;
@@ -287,13 +288,13 @@ bool Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
                           modal[Group::FeedMode] != Function::FeedInverseTime;
     if (!is_known) {
         fault(diag::SourceCyclePitch, at).arg(said_cycle.said->word).arg(is_pitch ? "" : " and S");
-        return false;
+        return kFailed;
     }
     set_argument(said_cycle, pitch, is_pitch ? modal.feed : modal.feed / modal.speed);
-    return true;
+    return kDone;
 }
 
-bool Expander::State::complete_cycle(const sema::FunctionCode& function, std::uint32_t at) {
+Done Expander::State::complete_cycle(const sema::FunctionCode& function, std::uint32_t at) {
     if (said_cycle.taps_rigidly) {
         set_argument(said_cycle, find_parameter(function.parameters, "floating"), 0);
         if (said_cycle.said->rules.rigid_tap_stops_spindle)
@@ -304,13 +305,13 @@ bool Expander::State::complete_cycle(const sema::FunctionCode& function, std::ui
         std::ranges::any_of(said_cycle.said->arguments, [&](const SourceCycle::Argument& argument) {
             return argument.parameter == pitch.value_or(nc::kMaxArguments);
         });
-    if (pitch && !is_said && !complete_pitch(*pitch, at)) return false;
-    if (said_cycle.said->kind != SourceCycle::Kind::Modal) return true;
+    if (pitch && !is_said && !complete_pitch(*pitch, at)) return kFailed;
+    if (said_cycle.said->kind != SourceCycle::Kind::Modal) return kDone;
     return complete_levels(function, at);
 }
 
 /// The level where the mode began is asked for only if a level of the call depends on it.
-bool Expander::State::complete_levels(const sema::FunctionCode& function, std::uint32_t at) {
+Done Expander::State::complete_levels(const sema::FunctionCode& function, std::uint32_t at) {
     const bool is_incremental = modal[Group::Distance] == Function::Incremental;
     const auto complete = [&](std::optional<double> initial) {
         return control::complete_levels(said_cycle.said->rules, said_cycle.levels, is_incremental,
@@ -319,7 +320,7 @@ bool Expander::State::complete_levels(const sema::FunctionCode& function, std::u
     std::optional<control::CallLevels> levels = complete(std::nullopt);
     if (!levels) {
         const std::optional<double> initial = initial_level(at);
-        if (!initial) return false;
+        if (!initial) return kFailed;
         levels = complete(initial);
     }
     const auto set = [&](std::string_view name, double level) {
@@ -328,23 +329,23 @@ bool Expander::State::complete_levels(const sema::FunctionCode& function, std::u
     set("retract", levels->retract);
     set("to", levels->depth);
     set("initial", levels->back);
-    return true;
+    return kDone;
 }
 
-bool Expander::State::call_cycle(const Instruction& instruction, const sema::Slot* registers,
+Done Expander::State::call_cycle(const Instruction& instruction, const sema::Slot* registers,
                                  std::uint32_t at) {
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
     said_cycle.is_due = false;
     said_cycle.is_running = true;
-    if (!complete_cycle(function, at)) return false;
+    if (!complete_cycle(function, at)) return kFailed;
     if (said_cycle.said->kind != SourceCycle::Kind::Modal) said_cycle.motion = modal[Group::Motion];
     said_cycle.was_incremental = modal[Group::Distance] == Function::Incremental;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.first)};
     if (said_cycle.was_incremental) say_distance(Function::Absolute, source, at, instruction.c);
-    if (has_failed) return false;
+    if (has_failed) return kFailed;
     if (frames.size() > options.limits.call_depth) {
         fault(diag::CallDepthLimit, at).arg(static_cast<std::int64_t>(options.limits.call_depth));
-        return false;
+        return kFailed;
     }
     const auto base = static_cast<std::uint32_t>(registers - stack.data()) + instruction.a;
     const std::uint32_t outer_loops = frames.back().loops;
@@ -361,12 +362,12 @@ bool Expander::State::call_cycle(const Instruction& instruction, const sema::Slo
         set_number(function.parameters[i], said_cycle.arguments[i],
                    stack[base + function.parameters[i].slot]);
     }
-    return true;
+    return kDone;
 }
 
 void Expander::State::say_distance(Function function, SourceId source, std::uint32_t at,
                                    unsigned depth) {
-    if (is_block_limit(at)) return;
+    if (!require_room(at)) return;
     Block& block = next_block(source);
     block.add(function);
     modal.take_functions(block, target.rules());

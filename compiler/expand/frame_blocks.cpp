@@ -75,7 +75,7 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
     const std::size_t count = change == sema::FrameChange::Rotate  ? 4
                               : change == sema::FrameChange::Scale ? 7
                                                                    : 3;
-    if (modal.lost != 0 && !knows_frame(change == sema::FrameChange::Rotate, at)) return kFailed;
+    if (modal.lost != 0 && !require_frame(change == sema::FrameChange::Rotate, at)) return kFailed;
     std::array<double, 7> numbers{};
     std::array<bool, 7> is_given{};
     for (std::size_t i = 0; i < count; ++i) {

@@ -125,7 +125,7 @@ Done Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocat
 Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& instruction,
                                  const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    if (modal.lost != 0 && !knows_frame(false, at)) return kFailed;
+    if (modal.lost != 0 && !require_frame(false, at)) return kFailed;
     sema::Plan rest = plan;
     control::FrameSteps steps = modal.steps;
     const auto say = [&] {

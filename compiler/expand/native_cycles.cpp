@@ -93,23 +93,24 @@ void Expander::State::warn_of_tap() {
     fault_in(diag::TapByMoves, at, frames.size() - 1).arg(frame.function->name);
 }
 
-bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
-    if (!recordings.empty()) return false;
+Expander::State::CycleSaid Expander::State::emit_cycle(nc::CycleId cycle,
+                                                       const sema::Slot* registers) {
+    if (!recordings.empty()) return CycleSaid::Moves;
     const CallFrame& frame = frames.back();
     if (modal.comp_choice != ModalState::kNoChoice && frame.return_to > 0) {
         compensation_chosen(
             fault_in(diag::CompensationInDoubt, frame.return_to - 1, frames.size() - 1));
-        return true;
+        return CycleSaid::Failed;
     }
     const Function compensation = modal[Group::RadiusComp];
     if (nc::has_fact(compensation, nc::Fact::CompSide)) {
         compensated_cycle(*frame.function);
-        return true;
+        return CycleSaid::Failed;
     }
-    if (!options.native_cycles || modal.tcp == ModalState::Tcp::Length) return false;
+    if (!options.native_cycles || modal.tcp == ModalState::Tcp::Length) return CycleSaid::Moves;
     if (is_between_places() && frame.return_to > 0) {
-        cycle_active("another cycle", frame.return_to - 1);
-        return true;
+        (void)refuse_beside_cycle("another cycle", frame.return_to - 1);
+        return CycleSaid::Failed;
     }
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
@@ -127,7 +128,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         values[i] = is_number ? slot.number : static_cast<double>(slot.integer);
         if (kind != Kind::Feed && kind != Kind::Speed) continue;
         // Cycles of controls know feeds per minute and speeds in turns only.
-        if (sema::is_second_form(values[i])) return false;
+        if (sema::is_second_form(values[i])) return CycleSaid::Moves;
         values[i] = neat(values[i] * kMinute);
     }
     const std::span<const double> arguments(values.data(), parameters.size());
@@ -137,26 +138,30 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         const bool is_said = said_cycle.is_running;
         if (!is_said || !target.has_native_cycle(cycle, given, arguments, options.refusals)) {
             if (turns_spindle(parameters, given, values)) warn_of_tap();
-            return false;
+            return CycleSaid::Moves;
         }
     }
     // Under inverse time F belongs to a block, and a cycle is many.
-    if (modal[Group::FeedMode] == Function::FeedInverseTime) return false;
-    if (modal.frame.has_scale() && spares_distances(cycle, given)) return false;
+    if (modal[Group::FeedMode] == Function::FeedInverseTime) return CycleSaid::Moves;
+    if (modal.frame.has_scale() && spares_distances(cycle, given)) return CycleSaid::Moves;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
-    if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
+    if (modal.lost != 0 && !require_state_for_cycle(*frame.function, given, at))
+        return CycleSaid::Failed;
     const bool needs_feed = std::ranges::none_of(parameters, says_feed);
-    if (needs_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
+    if (needs_feed && modal.is_feed_lost) {
+        (void)refuse_lost_feed(at, frames.size() - 1);
+        return CycleSaid::Failed;
+    }
     if (options.warns_of_cuts && is_cut_doubtful() && !turns_spindle(parameters, given, values))
         warn_of_cut(at, needs_feed);
-    if (has_failed) return true;
-    if (is_block_limit(at)) return true;
+    if (has_failed) return CycleSaid::Failed;
+    if (!require_room(at)) return CycleSaid::Failed;
     if (modal.has_ended) warn_after_end(at);
     const Instruction& call = code.instructions[at];
     const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
     if (modal.diameter_due != Function::None) say_diameter_alone(source, at, frames.size() - 1);
     if (modal.unplaced != 0 && !say_places(source, at, static_cast<unsigned>(frames.size() - 1)))
-        return true;
+        return CycleSaid::Failed;
     if (modal.restate != 0) say_again_alone(source, at, frames.size() - 1);
     if (modal.spindle_in_doubt && !turns_spindle(parameters, given, values))
         warn_of_choice(fault_in(diag::SpindleInDoubt, at, frames.size() - 1));
@@ -196,7 +201,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         keep_trace(at, call.c, source);
         frames.push() = callee;
     }
-    return true;
+    return CycleSaid::Block;
 }
 
 }  // namespace kadr::expand

@@ -255,8 +255,8 @@ Done Expander::State::set_back_tcp(const ModalState& before, SourceId source, st
 Done Expander::State::require_leading_tool(std::uint32_t at) {
     const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
     if (is_lost)
-        return Done(
-            state_lost("whether tool centre point control acts", "say `tcp(on)` before it", at));
+        return refuse_lost_state("whether tool centre point control acts",
+                                 "say `tcp(on)` before it", at);
     if (modal.tcp != Tcp::Off || modal[Group::LengthComp] == Function::TcpVector) return kDone;
     fault(diag::OrientAlone, at).fix("say `tcp(on)` before it");
     return kFailed;

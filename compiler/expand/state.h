@@ -249,28 +249,27 @@ struct Expander::State {
     bool is_between_places() const {
         return said_cycle.is_active && !said_cycle.is_running && recordings.empty();
     }
-    /// Reports what cannot stand among the places of a cycle; always false.
-    bool cycle_active(std::string_view what, std::uint32_t at);
-    bool may_stand_between(const sema::Plan& plan, const Instruction& instruction,
-                           std::uint32_t at);
+    Done refuse_beside_cycle(std::string_view what, std::uint32_t at);
+    Done require_between_places(const sema::Plan& plan, const Instruction& instruction,
+                                std::uint32_t at);
     /// A block of a source that has cycles, with all its words: a place, or the end of the mode.
-    bool take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    Done take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     void take_levels(nc::Block& block);
     /// `Q2.` or `P100` beside a place: the stroke or the dwell from here on.
-    bool keeps_no_stroke(std::uint32_t at);
-    bool take_cycle_words(const nc::Block& block, const nc::Invocation& invocation,
+    Done require_no_stroke(std::uint32_t at);
+    Done take_cycle_words(const nc::Block& block, const nc::Invocation& invocation,
                           std::uint32_t at);
-    bool say_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    Done say_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void take_said_levels(std::uint32_t said);
-    bool complete_levels(const sema::FunctionCode& function, std::uint32_t at);
+    Done complete_levels(const sema::FunctionCode& function, std::uint32_t at);
     std::optional<double> initial_level(std::uint32_t at);
     /// Completes the arguments and calls the library's cycle.
-    bool call_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    bool complete_cycle(const sema::FunctionCode& function, std::uint32_t at);
+    Done call_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    Done complete_cycle(const sema::FunctionCode& function, std::uint32_t at);
     void keep_words();
     void take_kept_words();
-    bool has_words(std::uint32_t at);
-    bool complete_pitch(std::size_t pitch, std::uint32_t at);
+    Done require_words(std::uint32_t at);
+    Done complete_pitch(std::size_t pitch, std::uint32_t at);
     void say_distance(nc::Function function, SourceId source, std::uint32_t at, unsigned depth);
     void leave_cycle(const Instruction& instruction, std::uint32_t at);
 
@@ -308,23 +307,18 @@ struct Expander::State {
     void check_rapid(const nc::Block& block, std::uint32_t at);
     Done refuse_lost_feed(std::uint32_t at, std::size_t depth);
 
-    // ---- the same for those whose functions answer with bool: cycles.cpp, native_cycles.cpp
-    bool refuse_block(std::string_view what, std::uint32_t at) {
-        return static_cast<bool>(refuse_in_contour(what, at));
-    }
-    bool is_block_limit(std::uint32_t at) { return !require_room(at); }
-    bool feed_lost(std::uint32_t at, std::size_t depth) {
-        return static_cast<bool>(refuse_lost_feed(at, depth));
-    }
-
     // ---- native_cycles.cpp
     bool spares_distances(nc::CycleId cycle, std::uint32_t given) const;
     void compensated_cycle(const sema::FunctionCode& cycle);
     void warn_of_tap();
     void go_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
                  std::span<const double> values);
-    /// True if the control has the cycle and a block stands for it now, or an error was reported.
-    bool emit_cycle(nc::CycleId cycle, const Slot* registers);
+    enum class CycleSaid : std::uint8_t {
+        Moves,   // the control has no such cycle: its body is executed
+        Block,   // a block stands for it
+        Failed,  // told
+    };
+    CycleSaid emit_cycle(nc::CycleId cycle, const Slot* registers);
 
     // ---- frame_blocks.cpp
     Done change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
@@ -341,18 +335,18 @@ struct Expander::State {
     Done check_needs(std::uint32_t at);
     Done check_preserves(std::uint32_t at);
 
-    // ---- unknown.cpp: false where an error was reported
+    // ---- unknown.cpp
     /// Checks what the block needs of the modal state, and says again what may have been left out.
-    bool settle_unknown(nc::Block& block, std::uint32_t at);
-    bool knows_state(const nc::Block& block, std::uint32_t at);
-    bool knows_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given, std::uint32_t at);
-    bool knows_frame(bool turns, std::uint32_t at);
-    bool knows_compensation(const nc::Block& block, std::uint32_t at);
+    Done settle_unknown(nc::Block& block, std::uint32_t at);
+    Done require_state(const nc::Block& block, std::uint32_t at);
+    Done require_state_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given,
+                                 std::uint32_t at);
+    Done require_frame(bool turns, std::uint32_t at);
+    Done require_sure_compensation(const nc::Block& block, std::uint32_t at);
     void compensation_chosen(DiagnosticBuilder builder);
-    bool knows_feed_mode(std::uint32_t at);
-    bool knows_speed_mode(std::uint32_t at);
-    /// Reports; always false.
-    bool state_lost(std::string_view what, std::string_view fix, std::uint32_t at);
+    Done require_feed_mode(std::uint32_t at);
+    Done require_speed_mode(std::uint32_t at);
+    Done refuse_lost_state(std::string_view what, std::string_view fix, std::uint32_t at);
     void tell_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
     void say_again(nc::Block& block);
     void say_again_alone(SourceId source, std::uint32_t at, std::size_t depth);
@@ -361,10 +355,10 @@ struct Expander::State {
     void say_diameter_alone(SourceId source, std::uint32_t at, std::size_t depth);
     /// A block that turns while nothing says whether X is a diameter.
     void warn_of_radius(const nc::Block& block, std::uint32_t at);
-    bool keep_promise(const OpenWith& promise, std::uint32_t at);
+    Done keep_promise(const OpenWith& promise, std::uint32_t at);
     void warn_after_end(std::uint32_t at);
-    /// Whether an arc's center is not its start.
-    bool has_radius(const nc::Block& block, std::uint32_t at);
+    /// An arc's center is not its start.
+    Done require_radius(const nc::Block& block, std::uint32_t at);
 
     // ---- contours.cpp
     /// A contour outside of the heap, with the plane in which it lies.

@@ -144,9 +144,10 @@ void ModalState::lose_to_choice(sema::ModalMask what, SourceId block) {
 
 // ---------------------------------------------------------------- what needs it
 
-bool Expander::State::state_lost(std::string_view what, std::string_view fix, std::uint32_t at) {
+Done Expander::State::refuse_lost_state(std::string_view what, std::string_view fix,
+                                        std::uint32_t at) {
     tell_loss(fault(diag::StateLost, at), what, fix);
-    return false;
+    return kFailed;
 }
 
 void Expander::State::tell_loss(DiagnosticBuilder builder, std::string_view what,
@@ -165,7 +166,7 @@ void Expander::State::tell_loss(DiagnosticBuilder builder, std::string_view what
                     words_of_lost(modal.lost));
 }
 
-bool Expander::State::knows_state(const Block& block, std::uint32_t at) {
+Done Expander::State::require_state(const Block& block, std::uint32_t at) {
     const auto lacks = [&](Group group) { return (modal.lost & group_bit(group)) != 0; };
     const bool is_reference = block.find(Function::ReferenceReturn) != nullptr;
     const Function motion = modal[Group::Motion];
@@ -175,59 +176,60 @@ bool Expander::State::knows_state(const Block& block, std::uint32_t at) {
     const nc::SlotMask by_itself = says_each ? block.absolute | block.incremental : 0;
     const nc::SlotMask bare = block.given & nc::kTargetSlots & ~by_itself;
     if (bare != 0 && lacks(Group::Distance))
-        return state_lost("whether coordinates are absolute", kDistanceFix, at);
+        return refuse_lost_state("whether coordinates are absolute", kDistanceFix, at);
     if (moves(block) && lacks(Group::Motion) && !is_reference)
-        return state_lost("the motion", "say `G0`, `G1`, `G2` or `G3`", at);
+        return refuse_lost_state("the motion", "say `G0`, `G1`, `G2` or `G3`", at);
     const bool needs_plane = (moves(block) && (nc::is_arc(motion) || !recordings.empty())) ||
                              block.find(Function::Rotate) != nullptr ||
                              block.find(Function::RadiusCompLeft) != nullptr ||
                              block.find(Function::RadiusCompRight) != nullptr;
-    if (needs_plane && lacks(Group::Plane)) return state_lost("the plane", kPlaneFix, at);
+    if (needs_plane && lacks(Group::Plane)) return refuse_lost_state("the plane", kPlaneFix, at);
     const bool needs_frame =
         block.find(Function::ShiftAdd) != nullptr || block.find(Function::Rotate) != nullptr ||
         block.find(Function::Scale) != nullptr || block.find(Function::Mirror) != nullptr;
     if (needs_frame && (modal.lost & sema::kFrameBit) != 0)
-        return state_lost("the frame", kFrameFix, at);
+        return refuse_lost_state("the frame", kFrameFix, at);
     const bool needs_feed =
         moves(block) && nc::has_fact(motion, nc::Fact::Cut) && recordings.empty();
     if (needs_feed && !block.has(nc::Slot::Feed) && (modal.lost & sema::kFeedBit) != 0)
-        return state_lost("the feed", "give the block an F", at);
-    return true;
+        return refuse_lost_state("the feed", "give the block an F", at);
+    return kDone;
 }
 
-bool Expander::State::knows_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given,
-                                      std::uint32_t at) {
+Done Expander::State::require_state_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given,
+                                              std::uint32_t at) {
     if ((modal.lost & group_bit(Group::Distance)) != 0)
-        return state_lost("whether coordinates are absolute", kDistanceFix, at);
-    if ((modal.lost & group_bit(Group::Plane)) != 0) return state_lost("the plane", kPlaneFix, at);
+        return refuse_lost_state("whether coordinates are absolute", kDistanceFix, at);
+    if ((modal.lost & group_bit(Group::Plane)) != 0)
+        return refuse_lost_state("the plane", kPlaneFix, at);
     const auto feed = std::ranges::find(cycle.parameters, sema::ParameterInfo::Kind::Feed,
                                         &sema::ParameterInfo::kind);
     const bool lacks_feed =
         feed != cycle.parameters.end() && (given >> (feed - cycle.parameters.begin()) & 1u) == 0;
     if (lacks_feed && (modal.lost & sema::kFeedBit) != 0)
-        return state_lost("the feed", "say F before it", at);
-    return true;
+        return refuse_lost_state("the feed", "say F before it", at);
+    return kDone;
 }
 
-bool Expander::State::knows_frame(bool turns, std::uint32_t at) {
-    if ((modal.lost & sema::kFrameBit) != 0) return state_lost("the frame", kFrameFix, at);
+Done Expander::State::require_frame(bool turns, std::uint32_t at) {
+    if ((modal.lost & sema::kFrameBit) != 0) return refuse_lost_state("the frame", kFrameFix, at);
     if (turns && (modal.lost & group_bit(Group::Plane)) != 0)
-        return state_lost("the plane", kPlaneFix, at);
-    return true;
+        return refuse_lost_state("the plane", kPlaneFix, at);
+    return kDone;
 }
 
 /// Reports a block that needs to know whether the cutter's radius is compensated, where that is the
 /// operator's choice and the block is not part of it.
-bool Expander::State::knows_compensation(const Block& block, std::uint32_t at) {
+Done Expander::State::require_sure_compensation(const Block& block, std::uint32_t at) {
     const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
     const nc::SlotMask plane = nc::SlotMask{1} << axes.first | nc::SlotMask{1} << axes.second;
     const bool needs = (block.given & (plane | nc::kCenterSlots)) != 0 ||
                        block.find(Function::Tool) != nullptr ||
                        block.find(Function::ToolChange) != nullptr ||
                        has_group(block, Group::Plane);  // an alarm beside a contour
-    if (!needs || block.skip == modal.comp_choice) return true;
+    if (!needs || block.skip == modal.comp_choice) return kDone;
     compensation_chosen(fault(diag::CompensationInDoubt, at));
-    return false;
+    return kFailed;
 }
 
 void Expander::State::compensation_chosen(DiagnosticBuilder builder) {
@@ -237,17 +239,17 @@ void Expander::State::compensation_chosen(DiagnosticBuilder builder) {
     builder.fix("leave out all of the contour: the same `/` in each of its blocks");
 }
 
-bool Expander::State::knows_feed_mode(std::uint32_t at) {
-    if ((modal.lost & group_bit(Group::FeedMode)) == 0) return true;
-    return state_lost("what F means", "say `G94`, `G95` or `G93`", at);
+Done Expander::State::require_feed_mode(std::uint32_t at) {
+    if ((modal.lost & group_bit(Group::FeedMode)) == 0) return kDone;
+    return refuse_lost_state("what F means", "say `G94`, `G95` or `G93`", at);
 }
 
-bool Expander::State::knows_speed_mode(std::uint32_t at) {
-    if ((modal.lost & group_bit(Group::SpeedMode)) == 0) return true;
+Done Expander::State::require_speed_mode(std::uint32_t at) {
+    if ((modal.lost & group_bit(Group::SpeedMode)) == 0) return kDone;
     // A control without constant cutting speed knows one meaning of S.
     const auto on = static_cast<std::size_t>(Function::CuttingSpeedOn);
-    if (target.tables().forms_of[on].empty()) return true;
-    return state_lost("what S means", "say `G96` or `G97`", at);
+    if (target.tables().forms_of[on].empty()) return kDone;
+    return refuse_lost_state("what S means", "say `G96` or `G97`", at);
 }
 
 // ---------------------------------------------------------------- what is said again
@@ -301,13 +303,13 @@ void Expander::State::warn_of_radius(const Block& block, std::uint32_t at) {
     fault(diag::DiameterNotSaid, at);
 }
 
-bool Expander::State::settle_unknown(Block& block, std::uint32_t at) {
-    if (modal.lost != 0 && !knows_state(block, at)) return false;
+Done Expander::State::settle_unknown(Block& block, std::uint32_t at) {
+    if (modal.lost != 0 && !require_state(block, at)) return kFailed;
     if (!recordings.empty() || !moves(block) || !nc::has_fact(modal[Group::Motion], nc::Fact::Cut))
-        return true;
+        return kDone;
     if (modal.restate != 0) say_again(block);
     if (modal.spindle_in_doubt) warn_of_choice(fault(diag::SpindleInDoubt, at));
-    return true;
+    return kDone;
 }
 
 void Expander::State::warn_of_choice(DiagnosticBuilder builder) {
@@ -319,16 +321,16 @@ void Expander::State::warn_of_choice(DiagnosticBuilder builder) {
 // ---------------------------------------------------------------- promises, the end, arcs
 
 /// What raw text in a cycle may have changed is set back where the cycle ends.
-bool Expander::State::keep_promise(const OpenWith& promise, std::uint32_t at) {
+Done Expander::State::keep_promise(const OpenWith& promise, std::uint32_t at) {
     const ModalState& before = promise.before;
     const sema::ModalMask lost = promise.mask & modal.lost & ~before.lost;
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         const auto group = static_cast<Group>(i);
         if ((lost & group_bit(group)) == 0 || before[group] != Function::None) continue;
         fault(diag::StateUnknown, at).arg(nc::group_name(group));
-        return false;
+        return kFailed;
     }
-    return lost == 0 || set_back({lost, before}, modal.lost_by, at, 0);
+    return lost == 0 ? kDone : set_back({lost, before}, modal.lost_by, at, 0);
 }
 
 void Expander::State::warn_after_end(std::uint32_t at) {
@@ -338,8 +340,8 @@ void Expander::State::warn_after_end(std::uint32_t at) {
         builder.note(code.statements[modal.ended_by.index], "the program ends here");
 }
 
-bool Expander::State::has_radius(const Block& block, std::uint32_t at) {
-    if (!moves(block)) return true;
+Done Expander::State::require_radius(const Block& block, std::uint32_t at) {
+    if (!moves(block)) return kDone;
     bool is_point = block.has(nc::Slot::Radius) && block.at(nc::Slot::Radius) == 0;
     if ((block.given & nc::kCenterSlots) != 0) {
         const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
@@ -350,15 +352,15 @@ bool Expander::State::has_radius(const Block& block, std::uint32_t at) {
             if (!block.has(slot)) continue;
             double distance = block.at(slot);
             if ((block.absolute & nc::bit(slot)) != 0) {
-                if ((modal.known >> axis & 1u) == 0) return true;
+                if ((modal.known >> axis & 1u) == 0) return kDone;
                 distance -= modal.position[axis];
             }
             is_point = is_point && std::fabs(distance) < kNoRadius;
         }
     }
-    if (!is_point) return true;
+    if (!is_point) return kDone;
     fault(diag::ArcWithoutRadius, at);
-    return false;
+    return kFailed;
 }
 
 }  // namespace kadr::expand

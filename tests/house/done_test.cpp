@@ -34,9 +34,7 @@ const std::vector<Room> kRooms = {
     {"compiler/driver", ""},
     {"compiler/repl", ""},
     {"compiler/cli", ""},
-    {"compiler/expand",
-     R"(\bfault(?:_\w+)?\()",
-     {"cycles.cpp", "modal.cpp", "modal.h", "native_cycles.cpp", "unknown.cpp"}},
+    {"compiler/expand", R"(\bfault(?:_\w+)?\()"},
 };
 
 /// The functions of a text that answer with bool, each from its head to the end of its body.
