@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "base/done.h"
 #include "base/text.h"
 #include "nc/letters.h"
 #include "nc/mode_words.h"
@@ -16,6 +18,10 @@ namespace kadr::nc {
 namespace {
 
 char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Whether what begins here is of the kind that was asked for; then it is in the line, or the fault
+/// says what is wrong with it.
+enum class Claimed : std::uint8_t { No, Yes };
 
 class Lexer {
   public:
@@ -32,7 +38,7 @@ class Lexer {
         while (!fault_ && skip_blanks()) {
             if (is_declared_name()) {
                 take_piece();
-            } else if (take_axis_word() || take_language()) {
+            } else if (take_axis_word() == Claimed::Yes || take_language() == Claimed::Yes) {
                 is_behind_statement_ = true;
             } else {
                 take_piece();
@@ -77,21 +83,20 @@ class Lexer {
             return fail(diag::IsoSyntax, end, end + colon.size(), {colon});
         if (is_program_call(tables_, written))
             return fail(diag::CallNotAlone, begin, end, {written});
-        if (!fail_at_unsupported()) fail(diag::IsoUnknownWord, begin, end, {written});
+        if (require_supported_words()) fail(diag::IsoUnknownWord, begin, end, {written});
     }
-    /// `XY1.` on a control whose words are letters with numbers: X has none. False: it is no
-    /// address.
-    bool fail_without_number(std::size_t begin) {
+    /// `XY1.` on a control whose words are letters with numbers: X has none.
+    Done require_number_behind(std::size_t begin) {
         const AddressId address =
             tables_.letters[static_cast<unsigned char>(peek_at(begin)) & 127u];
-        if (!notation_.blanks_inside_words || address == kNoAddress) return false;
+        if (!notation_.blanks_inside_words || address == kNoAddress) return kDone;
         const std::size_t next = begin + 1;
         const bool is_next_word =
             next + 1 < line_.size() && !is_letter(line_[next + 1]) &&
             tables_.letters[static_cast<unsigned char>(peek_at(next)) & 127u] != kNoAddress;
-        if (!is_next_word) return false;
+        if (!is_next_word) return kDone;
         fail(diag::IsoNoValue, begin, next, {std::string(line_.substr(begin, 1))});
-        return true;
+        return kFailed;
     }
     /// `A3=`: a letter with a number of its own, behind which `=` stands.
     void fail_assigned(std::size_t begin, const char* otherwise) {
@@ -117,20 +122,21 @@ class Lexer {
         if (is_axis && notation_.has_assignment) return fail_at_missing_axis(begin);
         fail_assigned(begin, "an address with a number of its own");
     }
-    /// What stands behind a word that Kadr does not know may have a form that it does not know.
-    bool fail_at_unsupported() {
+    /// What stands behind a word that Kadr does not know may have a form that it does not know: the
+    /// fault is that word then.
+    Done require_supported_words() {
         for (const Span& span : out_.spans) {
             const std::string written(line_.substr(span.begin, span.end - span.begin));
             const std::string known =
                 tables_.unsupported_words(notation_.ignores_case ? upper_ascii(written) : written);
             if (known.empty()) continue;
             fail(diag::IsoNotSupported, span.begin, span.end, {known});
-            return true;
+            return kFailed;
         }
-        return false;
+        return kDone;
     }
     void fail_here(const DiagnosticRow& row) {
-        if (&row == &diag::IsoSyntax && fail_at_unsupported()) return;
+        if (&row == &diag::IsoSyntax && !require_supported_words()) return;
         std::size_t end = at_ + 1;
         // A character of several bytes is shown whole.
         while (end < line_.size() && (static_cast<unsigned char>(line_[end]) & 0xc0u) == 0x80u)
@@ -191,14 +197,14 @@ class Lexer {
 
     // ------------------------------------------------------------ the control's language
 
-    bool take_language() {
+    Claimed take_language() {
         bool was_taken = false;
         if (compiler_ != nullptr) fault_ = compiler_->take_piece(at_, was_taken);
-        return was_taken || fault_;
+        return was_taken || fault_ ? Claimed::Yes : Claimed::No;
     }
 
     /// `AX[AXA]=10`: the address of X stands for the axis that is known when the line runs.
-    bool take_axis_word() {
+    Claimed take_axis_word() {
         const char first = upper(line_[at_]);
         const auto begins = [&](const std::string& name) {
             return !name.empty() && name[0] == first;
@@ -206,19 +212,19 @@ class Lexer {
         const Language& language = tables_.language;
         if (compiler_ == nullptr ||
             !(begins(language.axis_word) || std::ranges::any_of(language.lone_axis_words, begins)))
-            return false;
+            return Claimed::No;
         const std::size_t begin = at_;
         bool was_taken = false;
         fault_ =
             compiler_->take_axis(at_, static_cast<std::uint16_t>(out_.words.size()), was_taken);
-        if (!was_taken || fault_) return fault_.has_value();
+        if (!was_taken || fault_) return fault_ ? Claimed::Yes : Claimed::No;
         skip_blanks();
         if (peek() == '=') {
             take_assigned(tables_.find_address(kAxisNames[0]), begin);
         } else {
             fail(diag::IsoNoValue, begin, at_, {std::string(line_.substr(begin, at_ - begin))});
         }
-        return true;
+        return Claimed::Yes;
     }
 
     /// A value that is computed when the line runs.
@@ -324,12 +330,13 @@ class Lexer {
         const std::size_t begin = at_;
         const char letter = peek();
         ++at_;
-        if (take_spindle(begin) || take_computed_index(begin)) return;
-        if (is_digit(peek()) && take_extended(begin)) return;
-        if (take_code_of_group(begin)) return;
+        if (take_spindle(begin) == Claimed::Yes || take_computed_index(begin) == Claimed::Yes)
+            return;
+        if (is_digit(peek()) && take_extended(begin) == Claimed::Yes) return;
+        if (take_code_of_group(begin) == Claimed::Yes) return;
         const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
         if (address == kNoAddress) {
-            if (take_passed(begin)) return;
+            if (take_passed(begin) == Claimed::Yes) return;
             skip_inner_blanks();
             while (at_ < line_.size() && (is_digit(peek()) || peek() == '.' || peek() == '-'))
                 ++at_;
@@ -355,13 +362,14 @@ class Lexer {
     /// `S1=500`, `M1=3`, `SPOS[1]=90`, `S[SPI(1)]=500`: a word of the first spindle, which is the
     /// master unless the program says otherwise; `at_` is behind the letters that begin at `begin`.
     /// What the dialect declares for other spindles are addresses of their own.
-    bool take_spindle(std::size_t begin) {
+    Claimed take_spindle(std::size_t begin) {
         const bool has_index = peek() == '[';
-        if ((!has_index && !is_digit(peek())) || notation_.spindle_words.empty()) return false;
+        if ((!has_index && !is_digit(peek())) || notation_.spindle_words.empty())
+            return Claimed::No;
         std::string name(line_.substr(begin, at_ - begin));
         if (notation_.ignores_case) name = upper_ascii(name);
         if (std::ranges::find(notation_.spindle_words, name) == notation_.spindle_words.end())
-            return false;
+            return Claimed::No;
         std::size_t end = at_ + (has_index ? 1 : 0);
         // `S[SPI(2)]`: as `S[2]`.
         const bool is_named = has_index && upper_ascii(line_.substr(end, 4)) == "SPI(";
@@ -369,52 +377,52 @@ class Lexer {
         const std::size_t first = end;
         while (end < line_.size() && is_digit(line_[end])) ++end;
         const std::string_view number = line_.substr(first, end - first);
-        if (is_named && (end == line_.size() || line_[end++] != ')')) return false;
+        if (is_named && (end == line_.size() || line_[end++] != ')')) return Claimed::No;
         if (has_index) {
-            if (end == line_.size() || line_[end] != ']') return false;
+            if (end == line_.size() || line_[end] != ']') return Claimed::No;
             ++end;
         }
         const std::size_t sign = std::min(line_.find_first_not_of(" \t", end), line_.size());
-        if (number.empty() || sign == line_.size() || line_[sign] != '=') return false;
+        if (number.empty() || sign == line_.size() || line_[sign] != '=') return Claimed::No;
         if (has_index && number != "1" && is_declared(name, number, false)) {
             at_ = sign;
             take_assigned(tables_.find_address(name + std::string(number)), begin);
-            return true;
+            return Claimed::Yes;
         }
         if (number != "1") {
-            if (!is_named && is_declared(name, number, has_index)) return false;
+            if (!is_named && is_declared(name, number, has_index)) return Claimed::No;
             if (is_declared(name, "2", has_index)) {
                 fail(diag::SpindleMissing, begin, end, {std::string(number)});
-                return true;
+                return Claimed::Yes;
             }
             fail(diag::IsoNotSupported, begin, end,
                  {"`" + std::string(line_.substr(begin, end - begin)) + "` (another spindle)"});
-            return true;
+            return Claimed::Yes;
         }
         at_ = sign;
         const std::size_t word = out_.words.size();
         take_assigned(tables_.find_address(name), begin);
         if (word < out_.words.size()) out_.words[word].names_first = true;
-        return true;
+        return Claimed::Yes;
     }
 
     /// `S[R1]=500`, `SPOS[R1]=90`, `ACC[AXV]=50`: words of a spindle or of an axis that is known
     /// when the line runs; `at_` is behind the letters that begin at `begin`.
-    bool take_computed_index(std::size_t begin) {
-        if (compiler_ == nullptr || peek() != '[') return false;
+    Claimed take_computed_index(std::size_t begin) {
+        if (compiler_ == nullptr || peek() != '[') return Claimed::No;
         const std::string name = upper_ascii(line_.substr(begin, at_ - begin));
         AddressId address = tables_.find_address(name);
         const bool is_of_spindle =
             std::ranges::find(notation_.spindle_words, name) != notation_.spindle_words.end();
         if (!is_of_spindle) {
-            if (!takes_axis(tables_, name)) return false;
+            if (!takes_axis(tables_, name)) return Claimed::No;
             address = tables_.find_address(name + '[' + std::string(kAxisNames[0]) + ']');
         }
-        if (address == kNoAddress) return false;
+        if (address == kNoAddress) return Claimed::No;
         std::size_t at = begin;
         bool was_taken = false;
         fault_ = compiler_->take_axis(at, static_cast<std::uint16_t>(out_.words.size()), was_taken);
-        if (!was_taken || fault_) return fault_.has_value();
+        if (!was_taken || fault_) return fault_ ? Claimed::Yes : Claimed::No;
         at_ = at;
         skip_blanks();
         if (peek() == '=') {
@@ -422,7 +430,7 @@ class Lexer {
         } else {
             fail(diag::IsoNoValue, begin, at_, {std::string(line_.substr(begin, at_ - begin))});
         }
-        return true;
+        return Claimed::Yes;
     }
 
     bool is_declared(const std::string& name, std::string_view number, bool has_index) const {
@@ -434,25 +442,25 @@ class Lexer {
     }
 
     /// `G[6]=2`: a code by its place in the list of its group; `at_` is behind the letter.
-    bool take_code_of_group(std::size_t begin) {
+    Claimed take_code_of_group(std::size_t begin) {
         if (compiler_ == nullptr || peek() != '[' || tables_.language.code_lists.empty())
-            return false;
+            return Claimed::No;
         const AddressId address =
             tables_.letters[static_cast<unsigned char>(upper(line_[begin])) & 127u];
         if (address == kNoAddress ||
             std::ranges::find(notation_.code_words, tables_.addresses[address].name) ==
                 notation_.code_words.end())
-            return false;
+            return Claimed::No;
         fault_ = compiler_->take_code(at_, static_cast<std::uint16_t>(out_.words.size()));
-        if (fault_) return true;
+        if (fault_) return Claimed::Yes;
         add_word(address, begin);
-        return true;
+        return Claimed::Yes;
     }
 
     /// A word on which nothing here depends, with its brackets and its value; `at_` is behind the
     /// letters that begin at `begin`.
-    bool take_passed(std::size_t begin) {
-        if (tables_.passed.empty()) return false;
+    Claimed take_passed(std::size_t begin) {
+        if (tables_.passed.empty()) return Claimed::No;
         const auto named = [&](std::size_t end) {
             std::string text;
             for (const char c : line_.substr(begin, end - begin))
@@ -465,35 +473,34 @@ class Lexer {
         const std::string word = upper_ascii(line_.substr(begin, at_ - begin));
         if (found == tables_.passed.end() && tables_.unsupported_words(word).empty())
             found = named(at_);
-        if (found == tables_.passed.end()) return false;
+        if (found == tables_.passed.end()) return Claimed::No;
         at_ = found->second.takes_rest ? line_.size() : end;
-        if (!is_passed_value(found->second, begin)) return true;
+        if (!require_passed_value(found->second, begin)) return Claimed::Yes;
         const auto count =
             std::ranges::count(out_.passed, &found->second, &LexedLine::Passed::word);
         if (found->second.read_max != 0 && count >= found->second.read_max) {
             fail(diag::IsoAddressTwice, begin, at_, {found->first});
-            return true;
+            return Claimed::Yes;
         }
         out_.passed.push_back(
             {{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}, &found->second});
-        return true;
+        return Claimed::Yes;
     }
 
-    /// Whether the number behind `=`, if one stands there, is one that the word takes; `at_` is
-    /// behind it.
-    bool is_passed_value(const PassedWord& word, std::size_t begin) {
+    /// The number behind `=`, if one stands there, is one that the word takes; `at_` is behind it.
+    Done require_passed_value(const PassedWord& word, std::size_t begin) {
         const std::string_view text = line_.substr(begin, at_ - begin);
         const std::size_t sign = text.rfind('=');
-        if (sign == std::string_view::npos) return true;
+        if (sign == std::string_view::npos) return kDone;
         const std::size_t first = std::min(text.find_first_not_of(" \t", sign + 1), text.size());
         const Decimal decimal = parse_decimal(text.data() + first, text.data() + text.size());
-        if (first == text.size() || decimal.end != text.data() + text.size()) return true;
-        if (decimal.value >= word.least && decimal.value <= word.most) return true;
+        if (first == text.size() || decimal.end != text.data() + text.size()) return kDone;
+        if (decimal.value >= word.least && decimal.value <= word.most) return kDone;
         std::array<std::string, 2> bounds;
         append_shortest(bounds[0], word.least);
         append_shortest(bounds[1], word.most);
         fail(diag::PassedValue, begin, at_, {std::string(text), bounds[0], bounds[1]});
-        return false;
+        return kFailed;
     }
 
     /// Where a word ends whose letters end at `at_`: behind its number or brackets, and its value.
@@ -558,7 +565,7 @@ class Lexer {
         skip_inner_blanks();
         if (compiler_ != nullptr && compiler_->begins_value(at_))
             return take_computed(address, begin);
-        take_number(address, begin);
+        (void)take_number(address, begin);  // the piece ends here, with a fault or without
     }
 
     /// The address of a letter with a number of its own that stands at `begin`, if the dialect
@@ -581,13 +588,13 @@ class Lexer {
     }
 
     /// `X1=0`
-    bool take_extended(std::size_t begin) {
+    Claimed take_extended(std::size_t begin) {
         std::size_t end = 0;
         const AddressId address = extended_at(begin, end);
-        if (address == kNoAddress) return false;
+        if (address == kNoAddress) return Claimed::No;
         at_ = end;
         take_assigned(address, begin);
-        return true;
+        return Claimed::Yes;
     }
 
     void take_block_number(std::size_t begin) {
@@ -613,7 +620,7 @@ class Lexer {
     }
 
     /// `10`, `-5.25`, and on some controls `1 0 . 5`.
-    bool take_number(AddressId address, std::size_t begin) {
+    Done take_number(AddressId address, std::size_t begin) {
         Decimal decimal = parse_decimal(line_.data() + at_, line_.data() + line_.size());
         auto end = static_cast<std::size_t>(decimal.end - line_.data());
         const bool is_minus = peek() == '-';
@@ -632,15 +639,15 @@ class Lexer {
             end = has_sign ? at_ + 1 : at_;
             while (end > begin + 1 && is_blank(line_[end - 1])) --end;
             fail(diag::IsoNoValue, begin, end, {std::string(line_.substr(begin, end - begin))});
-            return false;
+            return kFailed;
         }
         at_ = end;
-        if (!take_exponent(decimal)) return false;
+        if (!take_exponent(decimal)) return kFailed;
         add_number(address, begin, decimal, is_minus);
-        return true;
+        return kDone;
     }
 
-    bool take_spaced_number(AddressId address, std::size_t begin) {
+    Done take_spaced_number(AddressId address, std::size_t begin) {
         compact_.clear();
         std::size_t i = at_;
         for (; i < line_.size(); ++i) {
@@ -657,18 +664,18 @@ class Lexer {
             }
             skip_blanks();
             fail_here(diag::IsoSyntax);
-            return false;
+            return kFailed;
         }
         at_ = i;
         while (at_ > begin && is_blank(line_[at_ - 1])) --at_;
         add_number(address, begin, decimal, compact_[0] == '-');
-        return true;
+        return kDone;
     }
 
     /// `1.5EX-3`, on controls whose words are told apart by blanks.
-    bool take_exponent(Decimal& decimal) {
+    Done take_exponent(Decimal& decimal) {
         if (!tables_.has_names || notation_.blanks_inside_words || peek() != 'E' || peek(1) != 'X')
-            return true;
+            return kDone;
         const std::size_t begin = at_;
         at_ += 2;
         const bool is_minus = peek() == '-';
@@ -678,11 +685,11 @@ class Lexer {
         while (is_digit(peek()) && exponent < 1000) exponent = exponent * 10 + (line_[at_++] - '0');
         if (at_ == first || exponent > 308) {
             fail(diag::IsoSyntax, begin, at_, {std::string(line_.substr(begin, at_ - begin))});
-            return false;
+            return kFailed;
         }
         decimal.value *= std::pow(10.0, is_minus ? -exponent : exponent);
         decimal.has_point = true;
-        return true;
+        return kDone;
     }
 
     void add_number(AddressId address, std::size_t begin, const Decimal& decimal, bool is_minus) {
@@ -709,7 +716,7 @@ class Lexer {
         at_ = end;
         skip_blanks();
         if (address == kNoAddress) {
-            if (peek() == '[' && take_bracketed_name(name, begin)) return;
+            if (peek() == '[' && take_bracketed_name(name, begin) == Claimed::Yes) return;
             if (peek() == ':' && tables_.language.label_sign == ":") {
                 ++at_;
                 const bool is_front =
@@ -723,15 +730,17 @@ class Lexer {
                 return;
             }
             at_ = end;
-            if (take_indexed(begin) || take_computed_index(begin) || fail_at_axis(begin) ||
-                take_passed(begin))
+            if (take_indexed(begin) == Claimed::Yes || take_computed_index(begin) == Claimed::Yes ||
+                !require_axis_index(begin) || take_passed(begin) == Claimed::Yes)
                 return;
-            return fail_without_number(begin) ? void() : fail_unknown(begin, end);
+            if (require_number_behind(begin)) fail_unknown(begin, end);
+            return;
         }
         const std::size_t next = at_;
         at_ = end;
-        if (take_spindle(begin) || (peek() == '[' && take_indexed(begin)) ||
-            take_computed_index(begin))
+        if (take_spindle(begin) == Claimed::Yes ||
+            (peek() == '[' && take_indexed(begin) == Claimed::Yes) ||
+            take_computed_index(begin) == Claimed::Yes)
             return;
         at_ = next;
         const Address& head = tables_.addresses[address];
@@ -749,24 +758,24 @@ class Lexer {
 
     /// `PO[X]=(10,2)`, which a dialect declares as a call of the name `PO[X]=`, and `ACC[X]=50`, an
     /// address `ACC[X]`; `at_` is behind the letters that begin at `begin`.
-    bool take_indexed(std::size_t begin) {
-        if (peek() != '[') return false;
+    Claimed take_indexed(std::size_t begin) {
+        if (peek() != '[') return Claimed::No;
         const std::size_t close = line_.find(']', at_);
-        if (close == std::string_view::npos) return false;
+        if (close == std::string_view::npos) return Claimed::No;
         std::string name;
         for (const char c : line_.substr(begin, close + 1 - begin))
             if (!is_blank(c)) name += notation_.ignores_case ? upper(c) : c;
         const std::size_t sign = line_.find_first_not_of(" \t", close + 1);
-        if (sign == std::string_view::npos || line_[sign] != '=') return false;
+        if (sign == std::string_view::npos || line_[sign] != '=') return Claimed::No;
         const AddressId value = tables_.find_address(name);
         if (value != kNoAddress && tables_.addresses[value].kind == Address::Kind::Value) {
             at_ = sign;
             take_assigned(value, begin);
-            return true;
+            return Claimed::Yes;
         }
         const AddressId address = tables_.find_address(name + '=');
         if (address == kNoAddress || tables_.addresses[address].kind != Address::Kind::Call)
-            return false;
+            return Claimed::No;
         at_ = sign + 1;
         skip_blanks();
         if (peek() == '(') {
@@ -774,21 +783,21 @@ class Lexer {
         } else {
             fail_here(diag::IsoSyntax);
         }
-        return true;
+        return Claimed::Yes;
     }
 
-    /// Whether the word, which names an axis between brackets (`ACC[X]=50`), names none here: it
-    /// was refused then. That of a spindle may be passed over. `at_` is behind its letters.
-    bool fail_at_axis(std::size_t begin) {
+    /// A word that names an axis between brackets (`ACC[X]=50`) names one that is there. That of a
+    /// spindle may be passed over. `at_` is behind its letters.
+    Done require_axis_index(std::size_t begin) {
         const std::size_t end = at_;
         const std::string name = upper_ascii(line_.substr(begin, end - begin));
-        if (!takes_axis(tables_, name)) return false;
+        if (!takes_axis(tables_, name)) return kDone;
         const std::size_t next = std::min(line_.find_first_not_of(" \t", end), line_.size());
         const std::size_t close =
             next < line_.size() && line_[next] == '[' ? end_of_brackets(next) : next;
         if (close == next) {
             fail(diag::AxisIndexMissing, begin, end, {name});
-            return true;
+            return kFailed;
         }
         std::size_t first = next + 1;
         std::size_t last = close - 1;
@@ -796,42 +805,42 @@ class Lexer {
         while (last > first && is_blank(line_[last - 1])) --last;
         const std::string index = upper_ascii(line_.substr(first, last - first));
         const bool is_spindle = is_spindle_name(index);
-        if (is_spindle && tables_.passed.contains(name)) return false;
+        if (is_spindle && tables_.passed.contains(name)) return kDone;
         fail(diag::AxisIndexWrong, first, std::max(last, first + 1),
              {index, name, is_spindle ? "it is a spindle" : why_no_axis(tables_, index)});
-        return true;
+        return kFailed;
     }
 
     /// `DIAMONA[X]`: a word of its own by the name with its brackets; `at_` stands at the bracket.
-    bool take_bracketed_name(const std::string& name, std::size_t begin) {
+    Claimed take_bracketed_name(const std::string& name, std::size_t begin) {
         const std::size_t close = line_.find(']', at_);
-        if (close == std::string_view::npos) return false;
+        if (close == std::string_view::npos) return Claimed::No;
         std::string whole = name;
         for (const char c : line_.substr(at_, close + 1 - at_))
             if (!is_blank(c)) whole += notation_.ignores_case ? upper(c) : c;
         const AddressId address = tables_.find_address(whole);
         if (address == kNoAddress || tables_.addresses[address].kind != Address::Kind::Word)
-            return false;
+            return Claimed::No;
         at_ = close + 1;
         add_word(address, begin);
-        return true;
+        return Claimed::Yes;
     }
 
     /// `F=FPO(100,5)`, which a dialect declares as a call of the name `F=FPO`; `at_` is behind the
     /// sign.
-    bool take_call_behind(const Address& head, std::size_t begin) {
+    Claimed take_call_behind(const Address& head, std::size_t begin) {
         std::size_t end = at_;
         std::string name = head.name + '=';
         for (; end < line_.size() && is_letter(line_[end]); ++end)
             name += notation_.ignores_case ? upper(line_[end]) : line_[end];
         const std::size_t open = std::min(line_.find_first_not_of(" \t", end), line_.size());
-        if (open == line_.size() || line_[open] != '(') return false;
+        if (open == line_.size() || line_[open] != '(') return Claimed::No;
         const AddressId address = tables_.find_address(name);
         if (address == kNoAddress || tables_.addresses[address].kind != Address::Kind::Call)
-            return false;
+            return Claimed::No;
         at_ = open;
         take_call(address, begin);
-        return true;
+        return Claimed::Yes;
     }
 
     /// `=10`, `=AC(10)`, `=IC(-5)`, `=DC(90)`, `="text"`; behind the address.
@@ -861,7 +870,7 @@ class Lexer {
             out_.spans.back().end = static_cast<std::uint32_t>(at_);
             return;
         }
-        if (is_letter(peek()) && take_call_behind(head, begin)) return;
+        if (is_letter(peek()) && take_call_behind(head, begin) == Claimed::Yes) return;
         if (is_computed(at_)) return take_computed(address, begin);
         if (is_letter(peek()) || peek() == '(' || peek() == '$') {
             std::size_t end = line_.find_first_of(" \t;", at_);
@@ -905,16 +914,16 @@ class Lexer {
         return close != std::string_view::npos && compiler_->continues(close + 1);
     }
 
-    bool take_text(std::size_t begin) {
+    Done take_text(std::size_t begin) {
         const std::size_t first = at_ + 1;
         const std::size_t close = line_.find('"', first);
         if (close == std::string_view::npos) {
             fail(diag::IsoSyntax, begin, line_.size(), {std::string(line_.substr(begin))});
-            return false;
+            return kFailed;
         }
         out_.text = line_.substr(first, close - first);
         at_ = close + 1;
-        return true;
+        return kDone;
     }
 
     void take_quoted(AddressId address, std::size_t begin) {
