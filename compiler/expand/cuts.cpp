@@ -94,10 +94,10 @@ void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
     if (!is_zx && block.find(Function::PlaneYz) == nullptr) return;
     const bool is_turned = modal[Group::Diameter] != Function::None;
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !is_turned;
-    if (!is_mill || !modal.has_tool_in || warned_of_plane ||
+    if (!is_mill || !modal.has_tool_in || told.is_plane_told() ||
         target.rules().length_axis == nc::LengthAxis::Z)
         return;
-    warned_of_plane = !is_allowed(diag::LengthTurns, at);
+    if (!is_allowed(diag::LengthTurns, at)) told.note_plane();
     fault(diag::LengthTurns, at)
         .arg(target.name())
         .arg(is_zx ? "G18" : "G19")
@@ -143,8 +143,7 @@ static void warn_of_selection(DiagnosticBuilder builder, double tool) {
 
 /// What the interpreter finds when the text is run, said where only the text is made.
 void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
-    if (needs_feed && !modal.has_feed && !warned_of_feed) {
-        warned_of_feed = true;
+    if (needs_feed && !modal.has_feed && told.is_first_feed()) {
         // Where the control alarms, no text is written that would; the common core has no alarms.
         if (const auto alarm = target.alarm(diag::FeedMissing)) {
             const std::string number = alarm->number.empty() ? alarm->text : alarm->number;

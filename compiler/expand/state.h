@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/done.h"
@@ -118,6 +119,23 @@ struct SaidCycle {
 struct OpenWith {
     sema::ModalMask mask = 0;
     ModalState before;
+};
+
+/// What is said once, or once at a place.
+class ToldOnce {
+  public:
+    bool is_first_feed() { return !std::exchange(feed_, true); }
+    bool is_plane_told() const { return plane_; }
+    void note_plane() { plane_ = true; }
+    /// That a control has no splines, or that its increments do not let a curve keep its tolerance.
+    bool is_first_spline(std::uint32_t at) { return std::exchange(spline_at_, at) != at; }
+    bool is_first_tolerance(std::uint32_t at) { return std::exchange(tolerance_at_, at) != at; }
+
+  private:
+    bool feed_ = false;
+    bool plane_ = false;
+    std::uint32_t spline_at_ = 0;
+    std::uint32_t tolerance_at_ = 0;
 };
 
 struct Expander::State {
@@ -467,9 +485,8 @@ struct Expander::State {
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
     SaidCycle said_cycle;
-    bool warned_of_feed = false;  // each is said once
-    bool warned_of_diameter = false;
-    bool warned_of_plane = false;
+    ToldOnce told;
+    bool warned_of_diameter = false;  // said once
 
     /// A contour whose blocks are being kept.
     struct Recording {
@@ -486,11 +503,9 @@ struct Expander::State {
     nc::Block kept_block;               // takes the words of a block that is kept
 
     std::optional<Following> following;
-    std::uint32_t tap_warned_at = 0;        // where a control without tapping was reported last
-    std::uint32_t spline_warned_at = 0;     // where a control without splines was reported last
-    std::uint32_t increment_warned_at = 0;  // … and a tolerance that increments do not let it keep
-    bool is_in_curve = false;               // a point of a curve is being calculated
-    std::vector<double> slopes;             // beside `stack`, while one is
+    std::uint32_t tap_warned_at = 0;  // where a control without tapping was reported last
+    bool is_in_curve = false;         // a point of a curve is being calculated
+    std::vector<double> slopes;       // beside `stack`, while one is
 
     nc::Block* batch = nullptr;
     std::size_t batch_size = 0;
