@@ -99,7 +99,7 @@ bool asks_for_nothing(const RunJob& job) {
            job.print.empty() && job.map.empty() && job.trace.empty() && job.breaks.empty();
 }
 
-/// Opens an output if it has a name. False: reported.
+/// Opens an output if it has a name.
 Done open_if_named(std::unique_ptr<Output>& output, const std::string& name, Session& session) {
     if (name.empty()) return kDone;
     output = Output::open(name, session.messages(), session.output_rules());
@@ -477,7 +477,7 @@ std::string Run::machine_title() const {
     return machine.title.empty() ? machine.name : machine.title;
 }
 
-/// What the operator does, from the options and from a file. False: reported.
+/// What the operator does, from the options and from a file.
 Done Run::open_events() {
     events_ = job_.operator_events;
     if (job_.events.empty()) return kDone;

@@ -250,7 +250,7 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
     return kDone;
 }
 
-/// Whether the function may change while the present frame acts: the control takes mirror, scale
+/// The function may change while the present frame acts: the control takes mirror, scale
 /// and rotation in this order, and inside them nothing before them.
 Done Expander::State::require_free_frame(Function function, std::uint32_t at) {
     bool of_mirror = false;  // it cannot change inside this

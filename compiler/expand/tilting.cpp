@@ -108,7 +108,7 @@ Done Expander::State::refuse_in_tilt(std::string_view what, std::uint32_t at) {
     return kFailed;
 }
 
-/// Origin, mm, and the angles about X, the new Y, the new Z, deg. False: it was reported.
+/// Origin, mm, and the angles about X, the new Y, the new Z, deg.
 Done Expander::State::read_plane(const sema::Plan& plan, const Instruction& instruction,
                                  const Slot* registers, std::uint32_t at,
                                  std::array<double, 6>& values) {

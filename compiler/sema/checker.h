@@ -180,8 +180,7 @@ class Checker {
     bool is_plain_number(const Value& value) const;
     bool is_diameter(const Value& value) const;
     Done match_diameters(Value& left, Value& right, const syntax::Expr& expr);
-    /// Whether a length stands where a diameter is needed, or a diameter where a length is:
-    /// reported.
+    /// No length stands where a diameter is needed, and no diameter where a length is.
     Done require_same_measure(const Value& value, Type target, const SourceRange& range,
                               std::string_view what);
     std::string quantity_name(Type type) const;

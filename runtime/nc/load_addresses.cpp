@@ -58,7 +58,7 @@ void read_format(const XmlElement& element, NumberFormat& format, Attributes& at
     attributes.read_flag(element, "plus", format.writes_plus);
 }
 
-/// More decimals than the writer's scaled integers hold. True if there are no more.
+/// No more decimals than the writer's scaled integers hold.
 Done check_decimals(const XmlElement& element, const NumberFormat& format, Attributes& attributes) {
     constexpr int kMost = 9;
     const std::pair<const char*, int> all[] = {
