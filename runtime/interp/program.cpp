@@ -609,7 +609,7 @@ Program::State::Outcome Program::State::run(CompiledLine& line, Block& out) {
 void Program::State::compile(CompiledLine& line, Block& out) {
     line.kind = CompiledLine::Kind::Nothing;
     line.context = context();
-    if (!lines.has_words(line.text)) {
+    if (lines.check_kind(line.text) != nc::LineReader::LineKind::Words) {
         if (lines.has_ended()) line.kind = CompiledLine::Kind::End;
         return;
     }

@@ -128,7 +128,7 @@ Program::State::Outcome Program::State::step_in_input(Block& out) {
 /// One line: assignments, or a block that writes data.
 Program::State::Outcome Program::State::run_input(CompiledLine& line, Block& out) {
     const nc::Span whole{0, static_cast<std::uint32_t>(line.text.size())};
-    if (!lines.has_words(line.text)) return Outcome::Nothing;
+    if (lines.check_kind(line.text) != nc::LineReader::LineKind::Words) return Outcome::Nothing;
     Outcome done = Outcome::Block;
     if (!lines.read_plain(line.text, out)) {
         line.context = context();

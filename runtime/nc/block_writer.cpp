@@ -202,14 +202,14 @@ void BlockWriter::check_arc_words(const Block& block) {
         for (std::size_t i = 0; i < kSlots; ++i) {
             const auto slot = static_cast<Slot>(i);
             if ((block.given & kArcSlots & bit(slot)) == 0) continue;
-            if (!is_new_message(block, slot_name(slot))) continue;
+            if (!fails_first_time(block, slot_name(slot))) continue;
             sink_.report(diag::ArcWordWithoutArc, place(block))
                 .arg(slot_name(slot))
                 .arg(info(motion).name);
         }
         return;
     } else if (!has_centre && !block.has(Slot::Radius)) {
-        if (is_new_message(block, "no centre")) {
+        if (fails_first_time(block, "no centre")) {
             sink_.report(diag::ArcSaidNowhere, place(block))
                 .fix(
                     "say its centre by `I`, `J`, `K` or its radius by `CR=`, in a FANUC's source "
@@ -217,7 +217,7 @@ void BlockWriter::check_arc_words(const Block& block) {
         }
         return;
     }
-    if (has_centre && block.has(Slot::Radius) && is_new_message(block, "centre and radius"))
+    if (has_centre && block.has(Slot::Radius) && fails_first_time(block, "centre and radius"))
         sink_.report(diag::ArcSaidTwice, place(block));
     if (!block.has(Slot::Turns)) return;
     const double turns = block.at(Slot::Turns);
@@ -239,18 +239,20 @@ void BlockWriter::check_knot(const Block& block, Function motion) {
 }
 
 /// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
-bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
+BlockWriter::Said BlockWriter::write_other_arc(const Block& block, std::string& out) {
     if (!is_arc(effective_motion(block))) return split_turns(block, out);
     const ModalFunctions meant = modal_.meant;
     follow_modal(rules_, block, modal_.meant);
-    if (split_turns(block, out) || straighten(block, out) || (!is_part_ && split_arc(block, out)))
-        return true;
+    if (split_turns(block, out) == Said::Already || straighten(block, out) == Said::Already ||
+        (!is_part_ && split_arc(block, out) == Said::Already))
+        return Said::Already;
     modal_.meant = meant;
-    return false;
+    return Said::NotYet;
 }
 
 void BlockWriter::write_block(const Block& block, std::string& out) {
-    if (write_other_arc(block, out) || write_thread(block, out)) return;
+    if (write_other_arc(block, out) == Said::Already || write_thread(block, out) == Said::Already)
+        return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     if (modal_.is_length_due) check_length_due(block);
     if (modal_.doubtful != 0) say_doubtful(block, out);
@@ -342,19 +344,20 @@ std::optional<std::size_t> BlockWriter::longer_way(const Block& block) const {
 
 /// The pitch of a thread stands where the control takes it: in F, or in the word of the axis that
 /// goes the longer way. True: the block is written.
-bool BlockWriter::write_thread(const Block& block, std::string& out) {
+BlockWriter::Said BlockWriter::write_thread(const Block& block, std::string& out) {
     if (effective_motion(block) != Function::Thread || (block.given & kTargetSlots) == 0 ||
         block.find(Function::Cycle) != nullptr)
-        return false;
+        return Said::NotYet;
     const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
-    if (forms.empty()) return false;
+    if (forms.empty()) return Said::NotYet;
     const bool is_feed = tables_.forms[forms[0]].feed_is_pitch;
     const SlotMask words = block.given & kCenterSlots;
     if (words == 0 && !block.has(Slot::Feed)) {
-        if (is_new_message(block, "no pitch")) sink_.report(diag::ThreadSaidNowhere, place(block));
-        return true;
+        if (fails_first_time(block, "no pitch"))
+            sink_.report(diag::ThreadSaidNowhere, place(block));
+        return Said::Already;
     }
-    if (is_feed ? words == 0 : words != 0) return false;
+    if (is_feed ? words == 0 : words != 0) return Said::NotYet;
     Block said = block;
     if (is_feed) {
         const auto word = static_cast<Slot>(std::countr_zero(words));
@@ -364,7 +367,7 @@ bool BlockWriter::write_thread(const Block& block, std::string& out) {
         const std::optional<std::size_t> axis = longer_way(block);
         if (!axis) {
             position_unknown(block, "F");
-            return true;
+            return Said::Already;
         }
         said.given &= ~bit(Slot::Feed);
         said.set(static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + *axis),
@@ -379,7 +382,7 @@ bool BlockWriter::write_thread(const Block& block, std::string& out) {
     modal_.meant_feed = feed;
     modal_.has_meant_feed = has_feed;
     if (is_feed) modal_.feed_is_other = true;
-    return true;
+    return Said::Already;
 }
 
 // ---------------------------------------------------------------- comments, raw text
@@ -432,7 +435,7 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         write_items(alone, items, {}, out);
     }
     const auto foreign = std::ranges::find_if(block.text, [](char c) { return (c & 0x80) != 0; });
-    if (tables_.comment.is_ascii && foreign != block.text.end() && is_unsaid(block, "raw")) {
+    if (tables_.comment.is_ascii && foreign != block.text.end() && first_time(block, "raw")) {
         const auto at = static_cast<std::size_t>(foreign - block.text.begin());
         sink_.report(diag::RawCharacter, place(block))
             .arg(code_points(std::string_view(block.text).substr(at), 0, 1))
@@ -460,7 +463,9 @@ void BlockWriter::choose_forms(const Block& block) {
             const auto function = static_cast<std::size_t>(invocation.function);
             if (tables_.said_with_others[function] != with_others || (done_ >> i & 1u) != 0)
                 continue;
-            if (is_suppressed(invocation.function) || is_left_to_machine(block, invocation)) {
+            const bool is_left = is_left_to_machine(invocation);
+            if (is_left) leave_to_machine(block, invocation);
+            if (is_left || is_suppressed(invocation.function)) {
                 done_ |= 1u << i;
                 continue;
             }
@@ -500,12 +505,14 @@ bool BlockWriter::is_suppressed(Function function) const {
 
 /// Whether X is a diameter, on a control that has neither a code for it nor a rule: its text is the
 /// same, and right where the machine is set so.
-bool BlockWriter::is_left_to_machine(const Block& block, const Invocation& invocation) {
-    if (info(invocation.function).group != Group::Diameter) return false;
-    const bool has_any = has_code(Function::DiameterOn) || has_code(Function::DiameterOff) ||
-                         tables_.power_on[index_of(Group::Diameter)] != Function::None;
-    if (has_any) return false;
-    if (is_unsaid(block, info(invocation.function).name)) {
+bool BlockWriter::is_left_to_machine(const Invocation& invocation) const {
+    return info(invocation.function).group == Group::Diameter && !has_code(Function::DiameterOn) &&
+           !has_code(Function::DiameterOff) &&
+           tables_.power_on[index_of(Group::Diameter)] == Function::None;
+}
+
+void BlockWriter::leave_to_machine(const Block& block, const Invocation& invocation) {
+    if (first_time(block, info(invocation.function).name)) {
         const bool is_diameter = invocation.function == Function::DiameterOn;
         sink_.report(diag::DiameterLeft, place(block))
             .arg(tables_.name)
@@ -513,7 +520,6 @@ bool BlockWriter::is_left_to_machine(const Block& block, const Invocation& invoc
             .fix("for a lathe take the dialect of one, as `fanuc-lathe` is");
     }
     modal_.text_of(Group::Diameter) = invocation.function;
-    return true;
 }
 
 /// The line that a form wants before its own: `M29 S800` before the tapping cycle.

@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_set>
 
+#include "base/done.h"
 #include "nc/arc_words.h"
 #include "nc/effects.h"
 #include "nc/writer.h"
@@ -94,7 +95,9 @@ class BlockWriter {
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out);
     void write_long(const Block& block, std::string& out);
-    bool write_thread(const Block& block, std::string& out);
+    /// Whether the block stands in the text, or has a message instead.
+    enum class Said : std::uint8_t { NotYet, Already };
+    Said write_thread(const Block& block, std::string& out);
     std::optional<std::size_t> longer_way(const Block& block) const;
     void check_front(const Block& block);
     void check_arc_words(const Block& block);
@@ -134,7 +137,8 @@ class BlockWriter {
     double on_part(std::size_t axis) const;
     void stand_without_codes();
     void forget_modal();
-    bool is_left_to_machine(const Block& block, const Invocation& invocation);
+    bool is_left_to_machine(const Invocation& invocation) const;
+    void leave_to_machine(const Block& block, const Invocation& invocation);
     void drop_function(const Block& block, Function function);
     void add_code(const Block& block, Function function, Items& items);
     bool needs_distance(const Block& block, Function distance) const;
@@ -216,7 +220,7 @@ class BlockWriter {
     ArcPoints arc_points(const WrittenPosition& start) const;
     bool is_exact_arc(const Block& block, double radius) const;
     void unknown_start(const Block& block);
-    bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
     struct MeantArc {
         double sweep;   // rad, above 0
         double radius;  // mm
@@ -231,9 +235,9 @@ class BlockWriter {
     PlanePoint meant_center(const Block& block, const PlanePoint& start,
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
-    bool are_turns_known(const Block& block);
-    bool write_other_arc(const Block& block, std::string& out);
-    bool split_turns(const Block& block, std::string& out);
+    Done require_known_turns(const Block& block);
+    Said write_other_arc(const Block& block, std::string& out);
+    Said split_turns(const Block& block, std::string& out);
     bool is_distance(const Block& block, std::size_t axis) const;
     bool is_chord_known(const Block& block, const WrittenPosition& start) const;
     /// An arc before its words are made: in its plane, on the part, in the text's units.
@@ -249,14 +253,14 @@ class BlockWriter {
     double end_increment() const;
     CenterGrid center_grid(const Block& block) const;
     double text_error(const Block& block, const PlannedArc& arc) const;
-    bool split_arc(const Block& block, std::string& out);
+    Said split_arc(const Block& block, std::string& out);
     void write_parts(const Block& block, const PlannedArc& arc, std::span<const double> ends,
                      std::string& out);
     bool is_compensated() const {
         const Function side = modal_.text_of(Group::RadiusComp);
         return has_fact(side, Fact::CompSide);
     }
-    bool straighten(const Block& block, std::string& out);
+    Said straighten(const Block& block, std::string& out);
     bool vanishes(const Block& block) const;
     bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
     /// Known, and from a word of the text.
@@ -333,8 +337,8 @@ class BlockWriter {
     SourceRange place(const Block& block) const;
     SourceRange word_place(const Block& block, std::string_view address) const;
     void cannot_express(const Block& block, const std::string& what);
-    bool is_new_message(const Block& block, std::string_view what);
-    bool is_unsaid(const Block& block, std::string_view what);
+    bool fails_first_time(const Block& block, std::string_view what);
+    bool first_time(const Block& block, std::string_view what);
     void take_position(const Block& block);
     void position_unknown(const Block& block, std::string_view name);
     /// value: in the unit of the text, before what a form makes of it.

@@ -135,7 +135,7 @@ void LineReader::note_machine_code(std::string_view line) {
     if (code.end != line.data() + at + 1) machine_code_ = code.value;
 }
 
-bool LineReader::has_words(std::string_view line) {
+LineReader::LineKind LineReader::check_kind(std::string_view line) {
     const LineKind kind = kind_of(line);
     if (kind == LineKind::Misplaced) {
         const std::size_t begin = line.find_first_not_of(" \t");
@@ -149,7 +149,7 @@ bool LineReader::has_words(std::string_view line) {
                                {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)},
                                {std::string(line.substr(begin, end - begin))}});
     }
-    return kind == LineKind::Words;
+    return kind;
 }
 
 bool LineReader::read_known(std::string_view line, Block& block) {
@@ -159,21 +159,21 @@ bool LineReader::read_known(std::string_view line, Block& block) {
     return true;
 }
 
-bool LineReader::read(std::string_view line, std::uint64_t number, Block& block) {
+LineReader::Makes LineReader::read(std::string_view line, std::uint64_t number, Block& block) {
     begin(number);
     line = without_head(line);
-    if (read_plain(line, block)) return true;
-    if (!has_words(line)) return false;
+    if (read_plain(line, block)) return Makes::Block;
+    if (check_kind(line) != LineKind::Words) return Makes::Nothing;
     if (read_slow(line, block)) {
         text_->has_content |= block.kind != Block::Kind::Comment;
         follow(block);
-        return true;
+        return Makes::Block;
     }
     note_fault();
-    return false;
+    return Makes::Nothing;
 }
 
-bool LineReader::read_words(std::string_view line, ControlLine& compiled,
+Done LineReader::read_words(std::string_view line, ControlLine& compiled,
                             std::span<const WordValue> values, Block& block, MatchedLine* known) {
     lexed_ = &compiled.words;
     set_values(compiled, values);
@@ -184,14 +184,14 @@ bool LineReader::read_words(std::string_view line, ControlLine& compiled,
     const bool is_known =
         known != nullptr && known->is_valid && is_whole && known->before == modal_;
     if (is_known) recall(*known, block);
-    const bool is_fine =
+    const Done is_read =
         is_known ? apply(block, line) : fill(line, block, is_whole ? known : nullptr, &compiled);
-    if (!is_fine) {
+    if (!is_read) {
         note_fault();
-        return false;
+        return kFailed;
     }
     follow_modal(tables_.rules, block, modal_);
-    return true;
+    return kDone;
 }
 
 /// The block as the words were understood before; the values are to be put in.
@@ -419,12 +419,12 @@ bool LineReader::match_verbatim(const Form& form, std::string_view text, Block& 
     return true;
 }
 
-bool LineReader::read_slow(std::string_view line, Block& block) {
-    if (read_verbatim(line, block)) return true;
+Done LineReader::read_slow(std::string_view line, Block& block) {
+    if (read_verbatim(line, block)) return kDone;
     lexed_ = &own_lexed_;
     if (auto fault = lex_line(tables_, line, own_lexed_)) {
         report(line, *fault);
-        return false;
+        return kFailed;
     }
     if (knows_masters_) name_spindles(own_lexed_);
     if (!lexed_->label.empty()) {
@@ -434,17 +434,17 @@ bool LineReader::read_slow(std::string_view line, Block& block) {
             block.comment = lexed_->comment;
             block.kind = Block::Kind::Label;
             block.text = lexed_->label;
-            return true;
+            return kDone;
         }
         report(line,
                LineFault{&diag::IsoNotSupported, lexed_->spans[0], {"a label in front of words"}});
-        return false;
+        return kFailed;
     }
     return fill(line, block);
 }
 
 /// The words of `lexed_` as a block.
-bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
+Done LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
                       const ControlLine* compiled) {
     block.skip = lexed_->skip;
     block.skip_also = lexed_->skip_also;
@@ -459,9 +459,9 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
     if (lexed_->words.empty()) {
         // A number, a comment or both say nothing that a control could execute.
         if (block.function_count == 0 && lexed_->passed.empty()) block.kind = Block::Kind::Comment;
-        return true;
+        return kDone;
     }
-    if (!check_code_points(line)) return false;
+    if (!check_code_points(line)) return kFailed;
     if (const auto fault =
             match_words(tables_, lexed_->words, lexed_->arguments, modal_, block, match_)) {
         if (pass_beside(*fault, line)) {
@@ -469,7 +469,7 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
             return fill(line, block, known, compiled);
         }
         report(line, *fault);
-        return false;
+        return kFailed;
     }
     if (known != nullptr) remember(*compiled, block, *known);
     return apply(block, line);
@@ -526,7 +526,7 @@ bool LineReader::pass_beside(const MatchFault& fault, std::string_view line) {
 }
 
 /// Puts the numbers where they belong. The block's own changes of units act in it already.
-bool LineReader::apply(Block& block, std::string_view line) {
+Done LineReader::apply(Block& block, std::string_view line) {
     for (std::size_t i = 0; i < match_.form_count; ++i) {
         note_form(match_.forms[i], line);
     }
@@ -534,17 +534,17 @@ bool LineReader::apply(Block& block, std::string_view line) {
     follow_modal(tables_.rules, block, modal_);
     follow_units();
     block.has_inch_feed = units_.inch_feed;
-    bool is_fine = true;
-    for (std::size_t i = 0; i < match_.claim_count && is_fine; ++i) {
-        is_fine = apply_claim(match_.claims[i], block, line);
+    Done applied = kDone;
+    for (std::size_t i = 0; i < match_.claim_count && applied; ++i) {
+        applied = apply_claim(match_.claims[i], block, line);
     }
-    if (!is_fine) modal_ = before;
+    if (!applied) modal_ = before;
     if (const Invocation* master = block.find(Function::MasterSpindle)) {
         knows_masters_ = true;
         has_other_master_ =
             block.argument(*master, parameter_of<Function::MasterSpindle>("spindle"), 1) != 1;
     }
-    return is_fine;
+    return applied;
 }
 
 /// What a form that was read leaves behind for the lines that follow.
@@ -577,7 +577,7 @@ Span LineReader::span_of_form(const Form& form, std::string_view line) const {
 
 /// Codes that have no decimals stand without a point; none has a sign, or begins with the point.
 /// Notes the M code on the way.
-bool LineReader::check_code_points(std::string_view line) {
+Done LineReader::check_code_points(std::string_view line) {
     for (std::size_t i = 0; i < lexed_->words.size(); ++i) {
         const GivenWord& word = lexed_->words[i];
         const Address& address = tables_.addresses[word.address];
@@ -593,15 +593,15 @@ bool LineReader::check_code_points(std::string_view line) {
         if (!has_sign && !has_point) continue;
         const DiagnosticRow& row = has_sign ? diag::IsoMinusNotAllowed : diag::IsoPointNotAllowed;
         report(line, LineFault{&row, lexed_->spans[i], {text}});
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
-bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view line) {
+Done LineReader::apply_claim(const Claim& claim, Block& block, std::string_view line) {
     const GivenWord& word = lexed_->words[claim.word];
     Invocation* invocation = claim.is_parameter ? &block.functions[claim.invocation] : nullptr;
-    if (claim.dimension == Dimension::Text) return true;
+    if (claim.dimension == Dimension::Text) return kDone;
     if (claim.argument >= 0) {
         const double number =
             lexed_->arguments[word.first_argument + static_cast<std::size_t>(claim.argument)]
@@ -612,13 +612,13 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
         const double sum =
             claim.adds ? block.argument(*invocation, claim.parameter) + std::fabs(value) : value;
         block.set_argument(*invocation, claim.parameter, sum);
-        return true;
+        return kDone;
     }
-    if (word.is_text && !word.is_known) return true;  // a name; it stands in the block's text
+    if (word.is_text && !word.is_known) return kDone;  // a name; it stands in the block's text
     if (word.is_text) block.text.clear();
     if (claim.is_named_only) {
         block.set_argument(*invocation, claim.parameter, 0);
-        return true;
+        return kDone;
     }
     const Decimal& decimal = lexed_->decimals[claim.word];
     if (claim.in_increments || claim.tail_digits > 0) return apply_whole(claim, block, line);
@@ -644,7 +644,7 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
                                    : fault == NumberFault::Negative ? diag::IsoMinusNotAllowed
                                                                     : diag::IsoTooManyDigits;
         report(line, LineFault{&row, lexed_->spans[claim.word], {word_text(line, claim.word)}});
-        return false;
+        return kFailed;
     }
     if (invocation == nullptr) {
         const auto slot = static_cast<Slot>(claim.place);
@@ -655,14 +655,14 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
         block.set(slot, is_time && meaning != 0 ? kMinute / meaning
                         : scale == 1            ? meaning
                                                 : meaning / scale);
-        return true;
+        return kDone;
     }
     // What a block sets for cycles behind it are strokes and allowances: `G71 U2000 R500`.
     const bool is_preset = invocation->function == Function::CyclePreset;
     if (points_.is_open() && !is_preset && is_place(claim)) watch_point(claim, line);
     const double scaled = meaning / text_scale(claim.dimension, units_, false);
     block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / factor);
-    return true;
+    return kDone;
 }
 
 /// Whether the word of a function is a place or a size at the part, as Z and R of a cycle, `,R`, or
@@ -683,7 +683,7 @@ bool LineReader::is_pitch(const Claim& claim, const Block& block) const {
 }
 
 /// A whole number that counts increments, or holds two parameters.
-bool LineReader::apply_whole(const Claim& claim, Block& block, std::string_view line) {
+Done LineReader::apply_whole(const Claim& claim, Block& block, std::string_view line) {
     Decimal decimal = lexed_->decimals[claim.word];
     if (lexed_->words[claim.word].is_computed) {
         decimal.value = std::round(decimal.value);
@@ -698,14 +698,14 @@ bool LineReader::apply_whole(const Claim& claim, Block& block, std::string_view 
                                                              : nullptr;
     if (fault != nullptr) {
         report(line, LineFault{fault, lexed_->spans[claim.word], {word_text(line, claim.word)}});
-        return false;
+        return kFailed;
     }
     Invocation& invocation = block.functions[claim.invocation];
     if (claim.in_increments) {
         const double size = increment_size(tables_, claim.dimension, units_);
         const double value = decimal.value * size / text_scale(claim.dimension, units_, false);
         block.set_argument(invocation, claim.parameter, round_to(value, 9));
-        return true;
+        return kDone;
     }
     const double front = std::pow(10.0, claim.tail_digits);
     block.set_argument(invocation, claim.parameter, std::floor(decimal.value / front));
@@ -713,7 +713,7 @@ bool LineReader::apply_whole(const Claim& claim, Block& block, std::string_view 
         block.set_argument(invocation, static_cast<std::size_t>(claim.tail_parameter),
                            std::fmod(decimal.value, front));
     }
-    return true;
+    return kDone;
 }
 
 // ---------------------------------------------------------------- modal state

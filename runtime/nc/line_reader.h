@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/done.h"
 #include "nc/control_line.h"
 #include "nc/lexer.h"
 #include "nc/number_text.h"
@@ -70,9 +71,11 @@ class LineReader {
     /// What a line is before its words are looked at.
     enum class LineKind : std::uint8_t { Nothing, Words, Misplaced, WrongNumber };
 
-    /// The meaning of a line of words and numbers. False: it makes no block; what is wrong has been
+    enum class Makes : std::uint8_t { Block, Nothing };
+
+    /// The meaning of a line of words and numbers. Where it makes nothing, what is wrong has been
     /// reported, and `failed()` says so.
-    bool read(std::string_view line, std::uint64_t number, Block& block);
+    Makes read(std::string_view line, std::uint64_t number, Block& block);
 
     // The same in steps, for who knows more kinds of lines.
     void begin(std::uint64_t number) {
@@ -85,8 +88,8 @@ class LineReader {
     /// Plain codes and numbers behind letters: nearly every block. The block is empty before. Gives
     /// up, without a word, on anything that needs a second look.
     bool read_plain(std::string_view line, Block& block);
-    /// Whether there are words to be read at all; reports what stands in a wrong place.
-    bool has_words(std::string_view line);
+    /// What kind of line it is; reports what stands in a wrong place.
+    LineKind check_kind(std::string_view line);
     /// A line of the control's own language that the dialect knows by its letters.
     bool read_known(std::string_view line, Block& block);
     /// Whether it is one; the block is empty before and after.
@@ -98,7 +101,7 @@ class LineReader {
     /// The words of a compiled line with the values that were computed for it.
     ///
     /// known  what an earlier run of the line has found; null: nobody keeps it
-    bool read_words(std::string_view line, ControlLine& compiled, std::span<const WordValue> values,
+    Done read_words(std::string_view line, ControlLine& compiled, std::span<const WordValue> values,
                     Block& block, MatchedLine* known = nullptr);
     /// The decimals to which the control rounds a value of the line.
     int value_decimals(const ControlLine& line, std::size_t computed) const;
@@ -175,11 +178,11 @@ class LineReader {
     static bool is_place(Slot slot) {
         return ((kTargetSlots | kCenterSlots | bit(Slot::Radius)) & bit(slot)) != 0;
     }
-    bool read_slow(std::string_view line, Block& block);
+    Done read_slow(std::string_view line, Block& block);
     bool read_fast(std::string_view line, Block& block);
     bool match_verbatim(const Form& form, std::string_view text, Block& block) const;
     bool read_verbatim(std::string_view line, Block& block) const;
-    bool fill(std::string_view line, Block& block, MatchedLine* known = nullptr,
+    Done fill(std::string_view line, Block& block, MatchedLine* known = nullptr,
               const ControlLine* compiled = nullptr);
     void recall(const MatchedLine& known, Block& block);
     void remember(const ControlLine& compiled, const Block& block, MatchedLine& known) const;
@@ -187,14 +190,14 @@ class LineReader {
     double whole_if_needed(AddressId id, double value) const;
     bool has_decimal_codes(AddressId id) const;
     double rounded(double value, const NumberFormat& format, Dimension dimension) const;
-    bool apply(Block& block, std::string_view line);
-    bool apply_claim(const Claim& claim, Block& block, std::string_view line);
-    bool apply_whole(const Claim& claim, Block& block, std::string_view line);
+    Done apply(Block& block, std::string_view line);
+    Done apply_claim(const Claim& claim, Block& block, std::string_view line);
+    Done apply_whole(const Claim& claim, Block& block, std::string_view line);
     bool is_pitch(const Claim& claim, const Block& block) const;
     void note_form(FormId id, std::string_view line);
     void note_machine_code(std::string_view line);
     bool name_spindles(LexedLine& words) const;
-    bool check_code_points(std::string_view line);
+    Done check_code_points(std::string_view line);
     Span span_of_form(const Form& form, std::string_view line) const;
     LineKind kind_of(std::string_view line);
     void note_program(std::string_view line);

@@ -39,7 +39,7 @@ std::size_t Reader::pull(std::span<Block> out) {
         }
         Block& block = out[count];
         block.reset();
-        if (!s.lines.read(line, s.line_number, block)) continue;
+        if (s.lines.read(line, s.line_number, block) == LineReader::Makes::Nothing) continue;
         block.line = static_cast<std::uint32_t>(s.line_number);
         s.kept.add(block.line, line);
         ++count;

@@ -39,7 +39,7 @@ bool has_direction(const Block& block) {
 }  // namespace
 
 /// Whether the points of a helix are known so far that its turns can be shared out; says so if not.
-bool BlockWriter::are_turns_known(const Block& block) {
+Done BlockWriter::require_known_turns(const Block& block) {
     const std::array<std::size_t, 3> axes = plane_axes();
     const WrittenPosition& start = modal_.position;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -50,9 +50,9 @@ bool BlockWriter::are_turns_known(const Block& block) {
         const bool is_coordinate = block.has(slot) && !is_distance(block, axis);
         if ((start.known >> axis & 1u) != 0 || !(is_coordinate || is_center_absolute)) continue;
         position_unknown(block, kAxisNames[axis]);
-        return false;
+        return kFailed;
     }
-    return true;
+    return kDone;
 }
 
 /// The arc of the block as it is meant and as the text has its ends, with the plane and the
@@ -177,22 +177,22 @@ bool BlockWriter::vanishes(const Block& block) const {
 /// Arcs that rounding spoils are written in two parts: almost a full circle, where the direction
 /// from end to start is noise of the rounding, and almost half a turn, where a control that moves
 /// the centre moves it far. True: it was one.
-bool BlockWriter::split_arc(const Block& block, std::string& out) {
+BlockWriter::Said BlockWriter::split_arc(const Block& block, std::string& out) {
     const std::optional<PlannedArc> arc = planned_arc(block);
-    if (!arc) return false;
+    if (!arc) return Said::NotYet;
     const auto& [start, end, text_start, text_end] = arc->points;
-    if (std::hypot(end[0] - start[0], end[1] - start[1]) < kSame) return false;
-    if (!is_on_circle(arc->points, arc->center)) return false;  // that has its message
+    if (std::hypot(end[0] - start[0], end[1] - start[1]) < kSame) return Said::NotYet;
+    if (!is_on_circle(arc->points, arc->center)) return Said::NotYet;  // that has its message
     const CenterGrid grid = center_grid(block);
     // Two roundings, and what the program itself misses the circle by.
     const double most =
         grid.end_increment + std::pow(10.0, -grid.decimals) + radius_miss(arc->points, arc->center);
-    if (text_error(block, *arc) <= most) return false;
+    if (text_error(block, *arc) <= most) return Said::NotYet;
     if (has_direction(block)) {
         cannot_express(block,
                        "an arc whose rounded words say another one, beside a direction of "
                        "the tool");
-        return false;
+        return Said::NotYet;
     }
     // No part is close to half a turn or to a full one, and by its radius none above a third.
     const double sweep = arc->sweep;
@@ -205,7 +205,7 @@ bool BlockWriter::split_arc(const Block& block, std::string& out) {
         constexpr double kAlmostFull = 5.5;  // rad
         write_parts(block, *arc, std::array{sweep < kAlmostFull ? 0.5 : 1.0 / 3, 1.0}, out);
     }
-    return true;
+    return Said::Already;
 }
 
 /// Writes the arc in parts that end at these shares of its angle, the last one at 1. What stops or
@@ -289,8 +289,8 @@ void BlockWriter::write_parts(const Block& block, const PlannedArc& arc,
 }
 
 /// An arc that the control cannot tell from its chord is written as that. True: it was one.
-bool BlockWriter::straighten(const Block& block, std::string& out) {
-    if (!vanishes(block)) return false;
+BlockWriter::Said BlockWriter::straighten(const Block& block, std::string& out) {
+    if (!vanishes(block)) return Said::NotYet;
     sink_.report(diag::ArcVanishes, place(block)).arg(dialect_.title());
     const Function motion = effective_motion(block);
     Block line = block;
@@ -298,12 +298,12 @@ bool BlockWriter::straighten(const Block& block, std::string& out) {
     line.given &= ~(kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns));
     write_block(line, out);
     modal_.meant_of(Group::Motion) = motion;
-    return true;
+    return Said::Already;
 }
 
 /// A helix of several turns on a control without a word for them: one block a turn.
-bool BlockWriter::split_turns(const Block& block, std::string& out) {
-    if (!block.has(Slot::Turns) || has_address(Slot::Turns)) return false;
+BlockWriter::Said BlockWriter::split_turns(const Block& block, std::string& out) {
+    if (!block.has(Slot::Turns) || has_address(Slot::Turns)) return Said::NotYet;
     const Function motion = effective_motion(block);
     const double asked = block.at(Slot::Turns);
     Block last = block;
@@ -311,9 +311,9 @@ bool BlockWriter::split_turns(const Block& block, std::string& out) {
     // No further turns are what every arc has; what cannot be turned has its message.
     const bool is_sane = asked > 0 && asked <= kMostTurns && is_arc(motion);
     if (asked > 0 && motion == Function::None) cannot_express(block, "turns of an unknown motion");
-    if (!is_sane || !are_turns_known(block)) {
+    if (!is_sane || !require_known_turns(block)) {
         write_block(last, out);
-        return true;
+        return Said::Already;
     }
     const auto turns = static_cast<int>(std::lround(asked));
     const std::array<std::size_t, 3> axes = plane_axes();
@@ -372,7 +372,7 @@ bool BlockWriter::split_turns(const Block& block, std::string& out) {
     last.function_count = 0;
     last.argument_count = 0;
     write_block(last, out);
-    return true;
+    return Said::Already;
 }
 
 }  // namespace kadr::nc

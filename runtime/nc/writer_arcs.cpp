@@ -22,9 +22,7 @@ ArcPoints halved(ArcPoints arc, std::size_t coordinate) {
 }  // namespace
 
 void BlockWriter::place_arc(const Block& block, const WrittenPosition& start, Targets& targets) {
-    if (block.has(Slot::Radius)) {
-        if (place_radius(block, start, targets)) return;
-    }
+    if (block.has(Slot::Radius)) return place_radius(block, start, targets);
     if ((block.given & kCenterSlots) != 0) place_center(block, start, targets);
 }
 
@@ -99,7 +97,7 @@ std::string BlockWriter::length_in_words(double length) const {
 /// MD21010; FANUC PS0020, No.3410): it is refused here already.
 void BlockWriter::check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center) {
     if (is_on_circle(arc, center)) return;
-    if (!is_new_message(block, "an arc off its circle")) return;
+    if (!fails_first_time(block, "an arc off its circle")) return;
     const double begin = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
     const double end = std::hypot(arc.end[0] - center[0], arc.end[1] - center[1]);
     sink_.report(diag::ArcOffCircle, place(block))
@@ -113,7 +111,7 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     const bool has_plane = modal_.meant_of(Group::Plane) != Function::None;
     if (const Slot across = center_slot(axes[2]);
         has_plane && (block.given & kCenterSlots & ~in_plane) != 0 && has_address(across)) {
-        if (!is_new_message(block, "a centre outside of the plane")) return;
+        if (!fails_first_time(block, "a centre outside of the plane")) return;
         sink_.report(diag::ArcWordOutsidePlane, word_place(block, address_of(across).name))
             .arg(address_of(across).name)
             .arg(std::string(kAxisNames[axes[0]]) + std::string(kAxisNames[axes[1]]));
@@ -269,14 +267,14 @@ bool BlockWriter::is_exact_arc(const Block& block, double radius) const {
 /// The centre of an arc by its radius follows from its start, and near half a turn the rounding of
 /// a word moves it by many times as much: from a start that nobody knows it may be anywhere.
 void BlockWriter::unknown_start(const Block& block) {
-    if (!is_new_message(block, "an arc by radius from an unknown position")) return;
+    if (!fails_first_time(block, "an arc by radius from an unknown position")) return;
     sink_.report(diag::ArcStartUnknown, place(block))
         .fix("say the start before it, `G0 X… Y…`, or the centre by `I` and `J`");
 }
 
 /// A radius stays a radius where the control has the word and the rounded points still give the
 /// same centre; near half a turn they do not, and the centre is written instead.
-bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start, Targets& targets) {
+void BlockWriter::place_radius(const Block& block, const WrittenPosition& start, Targets& targets) {
     const std::array<std::size_t, 3> axes = plane_axes();
     const double scale = to_text(static_cast<Slot>(axes[0]), 1);
     const double radius = block.at(Slot::Radius) * scale;
@@ -284,7 +282,7 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
     if (!has_word && !has_center) {
         cannot_express(block, "an arc by its radius");
-        return true;
+        return;
     }
     const int places = decimals(has_word ? Slot::Radius : center_slot(axes[0]));
     const bool is_cw = effective_motion(block) == Function::ArcCw;
@@ -300,7 +298,7 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
             cannot_express(block,
                            "an arc of almost half a turn by its radius, while nothing says "
                            "whether X is a diameter (`DIAMON`, `DIAMOF`),");
-            return true;
+            return;
         }
         if (other.fits_fairly || (!arc.exact && other.exact)) arc = other;
     }
@@ -308,36 +306,35 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     // Without a position of start and end nothing can be converted; the control judges.
     const bool is_comparable = is_chord_known(block, start);
     if (is_comparable && !exact && !reached) {
-        if (!is_new_message(block, "an arc by its radius")) return true;
+        if (!fails_first_time(block, "an arc by its radius")) return;
         sink_.report(diag::ArcRadiusImpossible, place(block))
             .arg(length_in_words(radius))
             .arg(length_in_words(
                 std::hypot(points.end[0] - points.start[0], points.end[1] - points.start[1])));
-        return true;
+        return;
     }
     if (has_word && !is_comparable && !is_exact_arc(block, radius)) {
         unknown_start(block);
-        return true;
+        return;
     }
     if (has_word && (fits || !exact || !has_center || !is_comparable)) {
         targets.written |= bit(Slot::Radius);
         targets.number[static_cast<std::size_t>(Slot::Radius)] = radius;
-        return true;
+        return;
     }
     if (!exact || !has_center || !is_comparable) {
         cannot_express(block, "an arc by radius from an unknown position");
-        return true;
+        return;
     }
     if (is_coordinate_center(center_slot(axes[0]))) {
         place_center_as_coordinates(block, start, *exact, targets);
-        return true;
+        return;
     }
     const PlanePoint words = center_words(points, *exact, center_grid(block));
     for (std::size_t i = 0; i < 2; ++i) {
         targets.written |= bit(center_slot(axes[i]));
         targets.number[static_cast<std::size_t>(center_slot(axes[i]))] = words[i];
     }
-    return true;
 }
 
 /// The centre as the block means it, in the plane; the start if the block does not say.

@@ -198,7 +198,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     }
     const std::string_view name = info(invocation.function).name;
     if (blocking != Function::None) {
-        if (is_new_message(block, name)) {
+        if (fails_first_time(block, name)) {
             DiagnosticBuilder builder = sink_.report(diag::WriterFrameOrder, place(block));
             builder.arg(tables_.name).arg(name).arg(info(blocking).name);
             if (info(blocking).group == Group::RadiusComp)
@@ -225,7 +225,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     }
     if (invocation.function != Function::MachineFunction || candidates.empty()) {
         cannot_express(block, what);
-    } else if (is_new_message(block, what)) {
+    } else if (fails_first_time(block, what)) {
         DiagnosticBuilder builder = sink_.report(diag::CannotExpress, place(block));
         builder.arg(tables_.name).arg(what);
         const double number =

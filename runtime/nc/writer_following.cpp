@@ -229,7 +229,7 @@ void BlockWriter::change_length(const Block& block) {
 void BlockWriter::check_message(const Block& block) {
     const std::size_t length = count_code_points(block.text);
     if (most_message_ == 0 || length <= most_message_) return;
-    if (!is_unsaid(block, "a long message")) return;
+    if (!first_time(block, "a long message")) return;
     sink_.report(diag::MessageTooLong, place(block))
         .arg(length)
         .arg(tables_.name)

@@ -33,7 +33,7 @@ void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
         if (idle_.level < 0 || i != 1 + idle_.level) most = std::max(most, lines);
     }
     if (idle_.moves < kContour || most <= rules_.comp_empty_blocks) return;
-    if (!is_new_message(block, "idle")) return;
+    if (!fails_first_time(block, "idle")) return;
     const std::string fix = "end the compensation before them, or move in the plane in between";
     if (!rules_.comp_more_empty_is_alarm) {
         sink_.report(diag::IdleCutsCorners, place(block))

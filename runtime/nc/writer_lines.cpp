@@ -566,7 +566,7 @@ void BlockWriter::append_factor(const Block& block, double number, bool in_thous
     if (in_thousandths) format.point = PointRule::Never;
     const NumberFault fault = append_number(out, number, format, Dimension::Factor, modal_.units);
     if (in_thousandths && std::fabs(number - std::nearbyint(number)) > kNoise) {
-        if (!is_new_message(block, name)) return;
+        if (!fails_first_time(block, name)) return;
         sink_.report(diag::FactorTooFine, place(block)).arg(number / 1000).arg(name);
         return;
     }

@@ -53,20 +53,20 @@ SourceRange BlockWriter::word_place(const Block& block, std::string_view address
 }
 
 /// The writing failed; whether the statement has not said this yet: a loop reports once.
-bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
+bool BlockWriter::fails_first_time(const Block& block, std::string_view what) {
     failed_ = true;
-    return is_unsaid(block, what);
+    return first_time(block, what);
 }
 
 /// Whether the statement has not been told this yet.
-bool BlockWriter::is_unsaid(const Block& block, std::string_view what) {
+bool BlockWriter::first_time(const Block& block, std::string_view what) {
     const std::uint64_t key =
         std::hash<std::string_view>()(what) ^ (std::uint64_t{block.source.index} << 32);
     return reported_.insert(key).second;
 }
 
 void BlockWriter::position_unknown(const Block& block, std::string_view name) {
-    if (!is_new_message(block, name)) return;
+    if (!fails_first_time(block, name)) return;
     DiagnosticBuilder builder = sink_.report(diag::WriterPositionUnknown, word_place(block, name));
     builder.arg(name);
     if (name == "F" && !block.has(Slot::Feed))
@@ -75,13 +75,13 @@ void BlockWriter::position_unknown(const Block& block, std::string_view name) {
 }
 
 void BlockWriter::cannot_express(const Block& block, const std::string& what) {
-    if (!is_new_message(block, what)) return;
+    if (!fails_first_time(block, what)) return;
     sink_.report(diag::CannotExpress, place(block)).arg(tables_.name).arg(what);
 }
 
 void BlockWriter::number_fault(const Block& block, NumberFault fault, double value,
                                Dimension dimension, std::string_view name) {
-    if (!is_new_message(block, name)) return;
+    if (!fails_first_time(block, name)) return;
     const std::string quantity = quantity_words(value, dimension, modal_.units);
     switch (fault) {
         case NumberFault::None: break;

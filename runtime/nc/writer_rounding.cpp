@@ -23,7 +23,7 @@ void BlockWriter::check_rounding(const Block& block, double number, int places, 
     if (share <= kWarning) return;
     const bool is_error = share > kError;
     const std::string key = std::string(name) + " rounded";
-    if (is_error ? !is_new_message(block, key) : !is_unsaid(block, key)) return;
+    if (is_error ? !fails_first_time(block, key) : !first_time(block, key)) return;
     sink_.report(is_error ? diag::RoundedFar : diag::RoundedAside, word_place(block, name))
         .arg(name)
         .arg(quantity_words(written, dimension, modal_.units))
