@@ -109,7 +109,8 @@ std::optional<Done> Expander::State::take_tool(const sema::Plan& plan,
         const bool is_outside =
             modal.tcp != Tcp::Off &&
             (nc::has_fact(function, nc::Fact::OutsideTcp) ||
-             (modal.tcp == Tcp::Length && nc::has_fact(function, nc::Fact::OutsideTcpLength)));
+             (modal.tcp == Tcp::Length && (nc::has_fact(function, nc::Fact::AlarmUnderTcpLength) ||
+                                           nc::has_fact(function, nc::Fact::OutsideTcpLength))));
         if (is_outside) return refuse_under_tcp(nc::info(function).name, at);
     }
     if (modal.tcp == Tcp::Length && names_rotary(plan))

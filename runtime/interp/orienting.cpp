@@ -187,12 +187,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
 
 /// Inside of a spline no other coordinate system begins. S 7.1: 14402.
 Done Executor::require_no_spline(const Block& block, Function function) {
-    switch (modal_.motion) {
-        case Function::Spline:
-        case Function::AkimaSpline:
-        case Function::CubicSpline: break;
-        default: return kDone;
-    }
+    if (!nc::has_fact(modal_.motion, nc::Fact::SplineMotion)) return kDone;
     report(diag::TransformationSpline, block, function).arg(word_of(block, function));
     return kFailed;
 }
@@ -291,22 +286,7 @@ Done Executor::require_allowed_under_tcp(const Block& block, Function function) 
         report(diag::SideCompOrder, block, function).arg(word_of(block, function));
         return kFailed;
     }
-    switch (function) {
-        case Function::RadiusCompLeft:
-        case Function::RadiusCompRight:
-        case Function::WorkOffset:
-        case Function::Shift:
-        case Function::ShiftAxes:
-        case Function::SetPositionAxes:
-        case Function::SetPosition:
-        case Function::Rotate:
-        case Function::Scale:
-        case Function::Mirror:
-        case Function::PolarOn:
-        case Function::Cycle: break;
-        default:
-            if (!nc::has_fact(function, nc::Fact::TiltsPlane)) return kDone;
-    }
+    if (!nc::has_fact(function, nc::Fact::AlarmUnderTcpLength)) return kDone;
     report(diag::TcpForbidden, block, function).arg(word_of(block, function));
     return kFailed;
 }

@@ -36,12 +36,6 @@ Function any_of(std::initializer_list<Function> functions) {
 
 bool maybe() { return *rc::gen::inRange(0, 2) == 1; }
 
-/// Whether the parameters of the function are names of axes: their numbers are always 0.
-bool names_axes(Function function) {
-    return function == Function::Mirror || function == Function::MirrorOff ||
-           function == Function::ReferencePoint;
-}
-
 void add_function(Block& block, const DialectTables& tables, Function function) {
     if (tables.forms_of[static_cast<std::size_t>(function)].empty()) return;
     const auto parameters = info(function).parameters;
@@ -64,7 +58,8 @@ void add_function(Block& block, const DialectTables& tables, Function function) 
                 while (!block.text.empty() && block.text.back() == ' ') block.text.pop_back();
                 break;
             default:
-                block.set_argument(*invocation, i, names_axes(function) ? 0 : any_length());
+                block.set_argument(*invocation, i,
+                                   has_fact(function, Fact::NamesAxes) ? 0 : any_length());
                 break;
         }
     }
