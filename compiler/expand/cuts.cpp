@@ -129,9 +129,8 @@ Done Expander::State::refuse_lost_feed(std::uint32_t at, std::size_t depth) {
 
 /// Whether a T by itself brings the tool in: on some controls it does, on others on lathes alone.
 static bool selection_changes(const nc::Dialect& target, const ModalState& modal) {
-    const bool turns =
-        target.is_of_lathe() || modal.is_diameter || modal[Group::Plane] == Function::PlaneZx;
-    return nc::selects_at_once(target.rules(), turns);
+    const nc::Changer changer = target.is_of_lathe() ? nc::Changer::Turret : modal.changer();
+    return nc::selects_at_once(target.rules(), changer);
 }
 
 /// A tool was selected, and nothing has changed it.

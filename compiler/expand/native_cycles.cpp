@@ -93,24 +93,24 @@ void Expander::State::warn_of_tap() {
     fault_in(diag::TapByMoves, at, frames.size() - 1).arg(frame.function->name);
 }
 
-Expander::State::CycleSaid Expander::State::emit_cycle(nc::CycleId cycle,
-                                                       const sema::Slot* registers) {
-    if (!recordings.empty()) return CycleSaid::Moves;
+Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
+                                                          const sema::Slot* registers) {
+    if (!recordings.empty()) return CycleOutcome::Moves;
     const CallFrame& frame = frames.back();
     if (modal.comp_choice != ModalState::kNoChoice && frame.return_to > 0) {
         compensation_chosen(
             fault_in(diag::CompensationInDoubt, frame.return_to - 1, frames.size() - 1));
-        return CycleSaid::Failed;
+        return CycleOutcome::Failed;
     }
     const Function compensation = modal[Group::RadiusComp];
     if (nc::has_fact(compensation, nc::Fact::CompSide)) {
         compensated_cycle(*frame.function);
-        return CycleSaid::Failed;
+        return CycleOutcome::Failed;
     }
-    if (!options.native_cycles || modal.tcp == ModalState::Tcp::Length) return CycleSaid::Moves;
+    if (!options.native_cycles || modal.tcp == ModalState::Tcp::Length) return CycleOutcome::Moves;
     if (is_between_places() && frame.return_to > 0) {
         (void)refuse_beside_cycle("another cycle", frame.return_to - 1);
-        return CycleSaid::Failed;
+        return CycleOutcome::Failed;
     }
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
@@ -128,7 +128,7 @@ Expander::State::CycleSaid Expander::State::emit_cycle(nc::CycleId cycle,
         values[i] = is_number ? slot.number : static_cast<double>(slot.integer);
         if (kind != Kind::Feed && kind != Kind::Speed) continue;
         // Cycles of controls know feeds per minute and speeds in turns only.
-        if (sema::is_second_form(values[i])) return CycleSaid::Moves;
+        if (sema::is_second_form(values[i])) return CycleOutcome::Moves;
         values[i] = neat(values[i] * kMinute);
     }
     const std::span<const double> arguments(values.data(), parameters.size());
@@ -138,30 +138,30 @@ Expander::State::CycleSaid Expander::State::emit_cycle(nc::CycleId cycle,
         const bool is_said = said_cycle.is_running;
         if (!is_said || !target.has_native_cycle(cycle, given, arguments, options.refusals)) {
             if (turns_spindle(parameters, given, values)) warn_of_tap();
-            return CycleSaid::Moves;
+            return CycleOutcome::Moves;
         }
     }
     // Under inverse time F belongs to a block, and a cycle is many.
-    if (modal[Group::FeedMode] == Function::FeedInverseTime) return CycleSaid::Moves;
-    if (modal.frame.has_scale() && spares_distances(cycle, given)) return CycleSaid::Moves;
+    if (modal[Group::FeedMode] == Function::FeedInverseTime) return CycleOutcome::Moves;
+    if (modal.frame.has_scale() && spares_distances(cycle, given)) return CycleOutcome::Moves;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
     if (modal.lost != 0 && !require_state_for_cycle(*frame.function, given, at))
-        return CycleSaid::Failed;
+        return CycleOutcome::Failed;
     const bool needs_feed = std::ranges::none_of(parameters, says_feed);
     if (needs_feed && modal.is_feed_lost) {
         (void)refuse_lost_feed(at, frames.size() - 1);
-        return CycleSaid::Failed;
+        return CycleOutcome::Failed;
     }
     if (options.warns_of_cuts && is_cut_doubtful() && !turns_spindle(parameters, given, values))
         warn_of_cut(at, needs_feed);
-    if (has_failed) return CycleSaid::Failed;
-    if (!require_room(at)) return CycleSaid::Failed;
+    if (has_failed) return CycleOutcome::Failed;
+    if (!require_room(at)) return CycleOutcome::Failed;
     if (modal.has_ended) warn_after_end(at);
     const Instruction& call = code.instructions[at];
     const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
     if (modal.diameter_due != Function::None) say_diameter_alone(source, at, frames.size() - 1);
     if (modal.unplaced != 0 && !say_places(source, at, static_cast<unsigned>(frames.size() - 1)))
-        return CycleSaid::Failed;
+        return CycleOutcome::Failed;
     if (modal.restate != 0) say_again_alone(source, at, frames.size() - 1);
     if (modal.spindle_in_doubt && !turns_spindle(parameters, given, values))
         warn_of_choice(fault_in(diag::SpindleInDoubt, at, frames.size() - 1));
@@ -184,7 +184,9 @@ Expander::State::CycleSaid Expander::State::emit_cycle(nc::CycleId cycle,
     });
     if (drills_in_z) modal.forget_drift(bit(Axis::Z));
     else modal.lost_drift |= modal.has_drift;
+    const AxisMask before = modal.known;
     go_back(parameters, given, values);
+    modal.note_lost_positions(before, source, Loss::Control);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if ((given >> i & 1u) == 0) continue;
         if (parameters[i].name == "initial") {
@@ -201,7 +203,7 @@ Expander::State::CycleSaid Expander::State::emit_cycle(nc::CycleId cycle,
         keep_trace(at, call.c, source);
         frames.push() = callee;
     }
-    return CycleSaid::Block;
+    return CycleOutcome::Block;
 }
 
 }  // namespace kadr::expand

@@ -122,9 +122,8 @@ void ProgramFrame::add_scale(const std::array<double, 3>& by, const std::array<d
     scale = scaled(scale, by);
 }
 
-bool ProgramFrame::add_mirror(const std::array<bool, 3>& axes) {
+void ProgramFrame::add_mirror(const std::array<bool, 3>& axes) {
     for (std::size_t i = 0; i < 3; ++i) is_mirrored[i] = is_mirrored[i] != axes[i];
-    return true;
 }
 
 void ProgramFrame::remove_mirror(std::uint32_t axes) {

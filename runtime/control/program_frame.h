@@ -1,5 +1,5 @@
-// frame.h — the programmable frame as the expander follows it: shift, rotation in a plane, scale,
-// mirrors.
+// program_frame.h — the programmable frame as the expander follows it: shift, rotation in a plane,
+// scale, mirrors.
 #pragma once
 
 #include <array>
@@ -55,8 +55,8 @@ struct ProgramFrame {
                             const std::array<double, 3>& about);
     /// Factors > 0 in the system reached so far, about a point of it.
     void add_scale(const std::array<double, 3>& by, const std::array<double, 3>& about);
-    /// Mirrors axes in the system reached so far; false: cannot be said as shift, rotate, mirror.
-    bool add_mirror(const std::array<bool, 3>& axes);
+    /// Mirrors axes in the system reached so far.
+    void add_mirror(const std::array<bool, 3>& axes);
     /// Ends the mirroring of the axes of a mask, 0: of all.
     void remove_mirror(std::uint32_t axes);
 

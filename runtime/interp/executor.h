@@ -156,6 +156,7 @@ class Executor {
     void end_of_blocks();
     void end_where_stopped();
     Actions apply_functions(const nc::Block& block);
+    nc::Changer changer() const { return is_lathe_ ? nc::Changer::Turret : nc::Changer::Magazine; }
     Done require_allowed(const nc::Block& block, nc::Function function);
     void apply(const nc::Block& block, const nc::Effect& effect, Actions& actions);
     void apply_own(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);

@@ -78,7 +78,6 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         case Function::RotateOff:
             if (rules_.place_behind_rotation && frames_.is_rotated()) unplaced_ = plane_mask();
             frames_.rotate_off();
-            if (rules_.rotation_off_ends_tilt) end_tilt(block);
             break;
         case Function::Mirror: frames_.mirror(words); break;
         case Function::MirrorOff: frames_.mirror_off(static_cast<AxisMask>(words.given)); break;

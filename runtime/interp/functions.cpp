@@ -27,7 +27,7 @@ Actions Executor::apply_functions(const Block& block) {
     Actions actions;
     std::uint8_t asked = nc::Effect::kMotionCode;  // the function that was looked at last …
     bool is_allowed = false;                       // … and whether it may stand here
-    for (const nc::Effect& effect : nc::effects_of(rules_, block, is_lathe_)) {
+    for (const nc::Effect& effect : nc::effects_of(rules_, block, changer())) {
         if (ended_) break;
         if (effect.invocation != asked)
             is_allowed = static_cast<bool>(require_allowed(block, effect.function));
@@ -88,7 +88,7 @@ Done Executor::require_allowed(const Block& block, Function function) {
 /// What an effect does, or that the block asks for it later.
 void Executor::apply(const Block& block, const nc::Effect& effect, Actions& actions) {
     using Kind = nc::EffectKind;
-    const Invocation& invocation = effect.said_in(block);
+    const Invocation& invocation = effect.invocation_in(block);
     switch (effect.kind) {
         case Kind::Sets: set_member(block, effect, actions); break;
         case Kind::Shift:
@@ -105,8 +105,8 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
                 block, count_of(block, invocation, parameter_of<Function::WorkOffset>("number")));
             orienting_.owes_offset = false;
             break;
-        case Kind::WritesOffset: actions.data = &invocation; break;
-        case Kind::CorrectsOffset: use_probed(block, invocation); break;
+        case Kind::WritesWorkOffset: actions.data = &invocation; break;
+        case Kind::CorrectsWorkOffset: use_probed(block, invocation); break;
         case Kind::EndsTilt: end_tilt(block); break;
         case Kind::SwitchesTcp: switch_tcp(block, invocation, actions); break;
         case Kind::SelectsTool: select_tool(block, invocation, actions); break;
@@ -156,7 +156,7 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
         case Group::CompCorner:
         case Group::CompCheck:
         case Group::CompSystem:
-        case Group::CompTurning: set_comp(block, effect.said_in(block), actions); break;
+        case Group::CompTurning: set_comp(block, effect.invocation_in(block), actions); break;
         case Group::Spindle:
             if (member == Function::SpindleOrient) break;
             actions.spindle = member == Function::SpindleCw    ? SpindleMode::Cw
@@ -172,7 +172,7 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
             cycles_said_.returns_to_retract = member == Function::CycleReturnRetract;
             break;
         case Group::Diameter: set_diameter(block, member); break;
-        case Group::Compressor: choose_smoothing(block, effect.said_in(block)); break;
+        case Group::Compressor: choose_smoothing(block, effect.invocation_in(block)); break;
         case Group::Turning: orienting_.turning = turn_way_of(member); break;
         case Group::OrientAngles:
             orienting_.angles = tool_angles_of(member);
@@ -202,9 +202,7 @@ void Executor::switch_tcp(const Block& block, const Invocation& invocation, Acti
         return begin_length_transformation(block, invocation, actions);
     if (function == Function::TcpBased && !require_transformation(block, invocation)) return;
     if (!require_no_carrier(block, function)) return;
-    const bool is_virtual = function == Function::FaceOn || function == Function::CylinderOn ||
-                            function == Function::InclinedOn;
-    if (is_virtual) return begin_virtual(block, invocation);
+    if (nc::has_fact(function, nc::Fact::VirtualAxes)) return begin_virtual(block, invocation);
     end_virtual(block);
     if (!ended_) switch_transformation(block, invocation);
 }

@@ -183,7 +183,7 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
             return count_of(block, invocation, parameter_of<Function::WorkOffset>("number")) ==
                    work_offset_;
         case Function::ToolSelect:
-            return !nc::selects_at_once(rules_, is_lathe_) &&
+            return !nc::selects_at_once(rules_, changer()) &&
                    !invocation.has(parameter_of<Function::ToolSelect>("offset"));
         case Function::SpindleCw:
         case Function::SpindleCcw:

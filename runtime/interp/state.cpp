@@ -1,12 +1,14 @@
 #include "interp/state.h"
 
+#include "base/assert.h"
+
 namespace kadr::interp {
 
 using nc::Function;
 using path::FeedMode;
 using path::Plane;
 
-bool Modal::set(Function function) {
+void Modal::set(Function function) {
     switch (function) {
         case Function::Rapid:
         case Function::Line:
@@ -16,15 +18,15 @@ bool Modal::set(Function function) {
         case Function::TapOut:
         case Function::ArcThrough:
         case Function::ArcTangent:
-        case Function::Thread: motion = function; return true;
-        case Function::PlaneXy: plane = Plane::Xy; return true;
-        case Function::PlaneZx: plane = Plane::Zx; return true;
-        case Function::PlaneYz: plane = Plane::Yz; return true;
-        case Function::Absolute: is_incremental = false; return true;
-        case Function::Incremental: is_incremental = true; return true;
-        case Function::FeedPerMinute: feed_mode = FeedMode::PerMinute; return true;
-        case Function::FeedPerRevolution: feed_mode = FeedMode::PerRevolution; return true;
-        case Function::FeedInverseTime: feed_mode = FeedMode::InverseTime; return true;
+        case Function::Thread: motion = function; return;
+        case Function::PlaneXy: plane = Plane::Xy; return;
+        case Function::PlaneZx: plane = Plane::Zx; return;
+        case Function::PlaneYz: plane = Plane::Yz; return;
+        case Function::Absolute: is_incremental = false; return;
+        case Function::Incremental: is_incremental = true; return;
+        case Function::FeedPerMinute: feed_mode = FeedMode::PerMinute; return;
+        case Function::FeedPerRevolution: feed_mode = FeedMode::PerRevolution; return;
+        case Function::FeedInverseTime: feed_mode = FeedMode::InverseTime; return;
         case Function::ExactStop:
         case Function::ContinuousPath:
         case Function::TappingMode:
@@ -34,8 +36,8 @@ bool Modal::set(Function function) {
             has_exact_stop = function == Function::ExactStop;
             taps = function == Function::TappingMode;
             blend = blend_of(function);
-            return true;
-        default: return false;  // not modal, or the state of something else than the block
+            return;
+        default: KADR_ASSERT(false, "no member of these groups");
     }
 }
 

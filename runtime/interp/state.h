@@ -31,8 +31,8 @@ struct Modal {
     bool has_feed = false;
     double feed = 0;  // unit of the feed mode
 
-    /// Sets what a member of a modal group says; false if the function is no such member.
-    bool set(nc::Function function);
+    /// Sets what a member of one of these groups says.
+    void set(nc::Function function);
 };
 
 /// What the program takes from the operator, and says of how fast its motions may be.

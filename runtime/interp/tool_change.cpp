@@ -110,7 +110,7 @@ void Executor::change_tool(const Block& block) {
         if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
         put(Op::Tool, block).tool = tool_.current;
     }
-    if (rules_.tool_change_stops_spindle && !is_lathe_) {
+    if (nc::stops_at_tool_change(rules_, changer())) {
         spindle_.mode = SpindleMode::Stop;
         told_.renew_spindle();
         update_spindle(block);

@@ -239,19 +239,20 @@ void BlockWriter::check_knot(const Block& block, Function motion) {
 }
 
 /// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
-BlockWriter::Said BlockWriter::write_other_arc(const Block& block, std::string& out) {
+BlockWriter::Written BlockWriter::write_other_arc(const Block& block, std::string& out) {
     if (!is_arc(effective_motion(block))) return split_turns(block, out);
     const ModalFunctions meant = modal_.meant;
     follow_modal(rules_, block, modal_.meant);
-    if (split_turns(block, out) == Said::Already || straighten(block, out) == Said::Already ||
-        (!is_part_ && split_arc(block, out) == Said::Already))
-        return Said::Already;
+    if (split_turns(block, out) == Written::Already || straighten(block, out) == Written::Already ||
+        (!is_part_ && split_arc(block, out) == Written::Already))
+        return Written::Already;
     modal_.meant = meant;
-    return Said::NotYet;
+    return Written::NotYet;
 }
 
 void BlockWriter::write_block(const Block& block, std::string& out) {
-    if (write_other_arc(block, out) == Said::Already || write_thread(block, out) == Said::Already)
+    if (write_other_arc(block, out) == Written::Already ||
+        write_thread(block, out) == Written::Already)
         return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     if (modal_.is_length_due) check_length_due(block);
@@ -316,8 +317,8 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     for (Pending& pending : pending_) pending.tool = own_offset(pending, block);
     if (block.find(Function::Cycle) != nullptr) leave_cycle(block, out);
     if (block.function_count == 0) return;
-    for (const Effect& effect : effects_of(rules_, block, dialect_.is_of_lathe()))
-        follow_effect(block, effect);
+    const Changer changer = dialect_.is_of_lathe() ? Changer::Turret : Changer::Magazine;
+    for (const Effect& effect : effects_of(rules_, block, changer)) follow_effect(block, effect);
     if (block.find(Function::Message) != nullptr) check_message(block);
 }
 
@@ -343,21 +344,21 @@ std::optional<std::size_t> BlockWriter::longer_way(const Block& block) const {
 }
 
 /// The pitch of a thread stands where the control takes it: in F, or in the word of the axis that
-/// goes the longer way. True: the block is written.
-BlockWriter::Said BlockWriter::write_thread(const Block& block, std::string& out) {
+/// goes the longer way.
+BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& out) {
     if (effective_motion(block) != Function::Thread || (block.given & kTargetSlots) == 0 ||
         block.find(Function::Cycle) != nullptr)
-        return Said::NotYet;
+        return Written::NotYet;
     const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
-    if (forms.empty()) return Said::NotYet;
+    if (forms.empty()) return Written::NotYet;
     const bool is_feed = tables_.forms[forms[0]].feed_is_pitch;
     const SlotMask words = block.given & kCenterSlots;
     if (words == 0 && !block.has(Slot::Feed)) {
         if (fails_first_time(block, "no pitch"))
             sink_.report(diag::ThreadSaidNowhere, place(block));
-        return Said::Already;
+        return Written::Already;
     }
-    if (is_feed ? words == 0 : words != 0) return Said::NotYet;
+    if (is_feed ? words == 0 : words != 0) return Written::NotYet;
     Block said = block;
     if (is_feed) {
         const auto word = static_cast<Slot>(std::countr_zero(words));
@@ -367,7 +368,7 @@ BlockWriter::Said BlockWriter::write_thread(const Block& block, std::string& out
         const std::optional<std::size_t> axis = longer_way(block);
         if (!axis) {
             position_unknown(block, "F");
-            return Said::Already;
+            return Written::Already;
         }
         said.given &= ~bit(Slot::Feed);
         said.set(static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + *axis),
@@ -382,7 +383,7 @@ BlockWriter::Said BlockWriter::write_thread(const Block& block, std::string& out
     modal_.meant_feed = feed;
     modal_.has_meant_feed = has_feed;
     if (is_feed) modal_.feed_is_other = true;
-    return Said::Already;
+    return Written::Already;
 }
 
 // ---------------------------------------------------------------- comments, raw text
@@ -463,9 +464,12 @@ void BlockWriter::choose_forms(const Block& block) {
             const auto function = static_cast<std::size_t>(invocation.function);
             if (tables_.said_with_others[function] != with_others || (done_ >> i & 1u) != 0)
                 continue;
-            const bool is_left = is_left_to_machine(invocation);
-            if (is_left) leave_to_machine(block, invocation);
-            if (is_left || is_suppressed(invocation.function)) {
+            if (is_suppressed(invocation.function)) {
+                done_ |= 1u << i;
+                continue;
+            }
+            if (is_left_to_machine(invocation)) {
+                leave_to_machine(block, invocation);
                 done_ |= 1u << i;
                 continue;
             }

@@ -96,8 +96,8 @@ class BlockWriter {
     void write_block(const Block& block, std::string& out);
     void write_long(const Block& block, std::string& out);
     /// Whether the block stands in the text, or has a message instead.
-    enum class Said : std::uint8_t { NotYet, Already };
-    Said write_thread(const Block& block, std::string& out);
+    enum class Written : std::uint8_t { NotYet, Already };
+    Written write_thread(const Block& block, std::string& out);
     std::optional<std::size_t> longer_way(const Block& block) const;
     void check_front(const Block& block);
     void check_arc_words(const Block& block);
@@ -181,8 +181,9 @@ class BlockWriter {
     void call_tool(const Block& block, const Effect& effect);
     void call_edge(const Block& block, const Effect& effect);
     void forget_words(const Block& block, const Effect& effect);
-    /// A length that waits for its axis is said by the program itself.
-    void drop_pending(bool is_length);
+    // What waits is said by the program itself: a length for its axis, a radius for its side.
+    void drop_pending_length();
+    void drop_pending_radius();
     void turn_axes(std::size_t axis);
     void forget_unsaid(const Block& block);
     void change_length(const Block& block);
@@ -236,8 +237,8 @@ class BlockWriter {
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
     Done require_known_turns(const Block& block);
-    Said write_other_arc(const Block& block, std::string& out);
-    Said split_turns(const Block& block, std::string& out);
+    Written write_other_arc(const Block& block, std::string& out);
+    Written split_turns(const Block& block, std::string& out);
     bool is_distance(const Block& block, std::size_t axis) const;
     bool is_chord_known(const Block& block, const WrittenPosition& start) const;
     /// An arc before its words are made: in its plane, on the part, in the text's units.
@@ -253,14 +254,14 @@ class BlockWriter {
     double end_increment() const;
     CenterGrid center_grid(const Block& block) const;
     double text_error(const Block& block, const PlannedArc& arc) const;
-    Said split_arc(const Block& block, std::string& out);
+    Written split_arc(const Block& block, std::string& out);
     void write_parts(const Block& block, const PlannedArc& arc, std::span<const double> ends,
                      std::string& out);
     bool is_compensated() const {
         const Function side = modal_.text_of(Group::RadiusComp);
         return has_fact(side, Fact::CompSide);
     }
-    Said straighten(const Block& block, std::string& out);
+    Written straighten(const Block& block, std::string& out);
     bool vanishes(const Block& block) const;
     bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
     /// Known, and from a word of the text.

@@ -15,6 +15,7 @@ class OfFunction {
         : effects_(effects), function_(function), invocation_(invocation) {}
 
     OfFunction& at_once(EffectKind kind) { return add(kind, When::AtOnce); }
+    OfFunction& with_tool(EffectKind kind) { return add(kind, When::ToolChange); }
     OfFunction& before_motion(EffectKind kind) { return add(kind, When::BeforeMotion); }
     OfFunction& behind(EffectKind kind) { return add(kind, When::Behind); }
     void own() { add(EffectKind::Own, When::AtOnce); }
@@ -42,7 +43,7 @@ When time_of_group(const Rules& rules, Function function) {
 }
 
 /// All but that on its group.
-void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFunction& does) {
+void add_own_effects(const Rules& rules, Function function, Changer changer, OfFunction& does) {
     switch (function) {
         case Function::None:
         case Function::Rapid:
@@ -141,7 +142,7 @@ void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFun
         case Function::MachineCoordinates:
         case Function::WayOffset: does.behind(Kind::LeavesWords).own(); break;
         case Function::OffsetToEdge:
-        case Function::OffsetToMiddle: does.at_once(Kind::CorrectsOffset); break;
+        case Function::OffsetToMiddle: does.at_once(Kind::CorrectsWorkOffset); break;
         case Function::RadiusOffset: does.at_once(Kind::SelectsRadius); break;
         case Function::LengthCompOn:
         case Function::LengthCompOff:
@@ -163,7 +164,7 @@ void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFun
         case Function::Mirror: does.at_once(Kind::Mirror); break;
         case Function::MirrorOff: does.at_once(Kind::MirrorOff); break;
         case Function::SetPosition: does.at_once(Kind::SetPosition); break;
-        case Function::WorkOffsetData: does.before_motion(Kind::WritesOffset); break;
+        case Function::WorkOffsetData: does.before_motion(Kind::WritesWorkOffset); break;
         case Function::ToolOffsetData:
         case Function::LatheOffsetData:
             if (rules.tool_offsets_act_at_once) does.before_motion(Kind::WritesLength);
@@ -171,13 +172,11 @@ void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFun
             break;
         case Function::ToolSelect:
             does.at_once(Kind::SelectsTool);
-            if (selects_at_once(rules, on_lathe)) does.before_motion(Kind::ChangesTool);
+            if (selects_at_once(rules, changer)) does.with_tool(Kind::ChangesTool);
             break;
-        case Function::ToolChange: does.before_motion(Kind::ChangesTool); break;
+        case Function::ToolChange: does.with_tool(Kind::ChangesTool); break;
         case Function::ToolEdge: does.at_once(Kind::SelectsEdge); break;
-        case Function::Tool:
-            does.at_once(Kind::SelectsTool).before_motion(Kind::ChangesTool);
-            break;
+        case Function::Tool: does.at_once(Kind::SelectsTool).with_tool(Kind::ChangesTool); break;
         case Function::TcpLength:
         case Function::TcpVector:
         case Function::TcpOn:
@@ -187,16 +186,18 @@ void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFun
         case Function::CylinderOn:
         case Function::InclinedOn: does.at_once(Kind::SwitchesTcp); break;
         case Function::OrientReset: does.before_motion(Kind::TurnsAxes).own(); break;
-        case Function::Tilt:
+        case Function::Tilt: does.at_once(Kind::Tilts).before_motion(Kind::TurnsAxes).own(); break;
         case Function::TiltEuler:
-        case Function::TiltAlign:
         case Function::TiltPlane:
         case Function::TiltPoint:
         case Function::TiltVector:
         case Function::TiltAlongTool:
-        case Function::TurnInSpace:
+        case Function::TurnInSpace: does.at_once(Kind::Tilts).own(); break;
+        case Function::TiltAlign:
         case Function::TiltAlignTip:
-        case Function::Swivel: does.at_once(Kind::Tilts).own(); break;
+        case Function::Swivel:
+            does.before_motion(Kind::TurnsSystem).before_motion(Kind::TurnsAxes).own();
+            break;
         case Function::TiltOff: does.at_once(Kind::EndsTilt); break;
         case Function::End:
         case Function::EndRewind: does.behind(Kind::EndsProgram); break;
@@ -330,11 +331,11 @@ void add_own_effects(const Rules& rules, Function function, bool on_lathe, OfFun
     }
 }
 
-void add_effects(const Rules& rules, const Block& block, std::size_t place, bool on_lathe,
+void add_effects(const Rules& rules, const Block& block, std::size_t place, Changer changer,
                  Effects& effects) {
     const Function function = block.functions[place].function;
     OfFunction does(effects, function, static_cast<std::uint8_t>(place));
-    add_own_effects(rules, function, on_lathe, does);
+    add_own_effects(rules, function, changer, does);
     // At last: those above depend on the member that acted before.
     if (info(function).group != Group::Once) does.sets(time_of_group(rules, function));
 }
@@ -347,14 +348,18 @@ constexpr std::array kNames = {
 
 }  // namespace
 
-bool selects_at_once(const Rules& rules, bool on_lathe) {
+bool selects_at_once(const Rules& rules, Changer changer) {
     return rules.tool_select_changes == ToolSelectChanges::Yes ||
-           (rules.tool_select_changes == ToolSelectChanges::Lathe && on_lathe);
+           (rules.tool_select_changes == ToolSelectChanges::Lathe && changer == Changer::Turret);
+}
+
+bool stops_at_tool_change(const Rules& rules, Changer changer) {
+    return rules.tool_change_stops_spindle && changer == Changer::Magazine;
 }
 
 std::string_view effect_name(EffectKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
-Effects effects_of(const Rules& rules, const Block& block, bool on_lathe) {
+Effects effects_of(const Rules& rules, const Block& block, Changer changer) {
     Effects effects;
     if (block.motion != Function::None)
         effects.add({EffectKind::Sets, When::AtOnce, block.motion, Effect::kMotionCode});
@@ -364,9 +369,9 @@ Effects effects_of(const Rules& rules, const Block& block, bool on_lathe) {
         return info(block.functions[place].function).group == Group::Plane;
     };
     for (std::size_t i = 0; plane_first && i < block.function_count; ++i)
-        if (is_plane(i)) add_effects(rules, block, static_cast<std::uint8_t>(i), on_lathe, effects);
+        if (is_plane(i)) add_effects(rules, block, static_cast<std::uint8_t>(i), changer, effects);
     for (std::size_t i = 0; i < block.function_count; ++i)
-        if (!plane_first || !is_plane(i)) add_effects(rules, block, i, on_lathe, effects);
+        if (!plane_first || !is_plane(i)) add_effects(rules, block, i, changer, effects);
     return effects;
 }
 
@@ -391,7 +396,7 @@ std::size_t first_value(Function function) {
 }  // namespace
 
 FrameChange frame_change(const Block& block, const Effect& effect) {
-    const Invocation& said = effect.said_in(block);
+    const Invocation& said = effect.invocation_in(block);
     const std::size_t first = first_value(effect.function);
     FrameChange change;
     change.values = three_of(block, said, first);

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "base/assert.h"
 #include "nc/block.h"
 #include "nc/rules.h"
 #include "nc/vocabulary.h"
@@ -31,7 +32,8 @@ std::string_view effect_name(EffectKind kind);
 /// When it comes true.
 enum class When : std::uint8_t {
     AtOnce,        // the words of the block are read so already
-    BeforeMotion,  // once all functions of the block are known
+    ToolChange,    // with the tool that comes into the spindle, before the others …
+    BeforeMotion,  // … once all functions of the block are known
     Behind,        // where the motion of the block has ended
 };
 
@@ -44,7 +46,10 @@ struct Effect {
     static constexpr std::uint8_t kMotionCode = 0xff;
 
     Group group() const { return info(function).group; }
-    const Invocation& said_in(const Block& block) const { return block.functions[invocation]; }
+    const Invocation& invocation_in(const Block& block) const {
+        KADR_ASSERT(invocation != kMotionCode, "a motion code has no arguments");
+        return block.functions[invocation];
+    }
 };
 
 /// The effects of one block, function after function.
@@ -56,20 +61,27 @@ class Effects {
     const Effect* begin() const { return list_.data(); }
     const Effect* end() const { return list_.data() + count_; }
 
-    void add(const Effect& effect) { list_[count_++] = effect; }
+    void add(const Effect& effect) {
+        KADR_ASSERT(count_ < kMost, "a function has more effects than kMost counts");
+        list_[count_++] = effect;
+    }
 
   private:
     std::array<Effect, kMost> list_;  // not filled beforehand: nearly all blocks have one or two
     std::size_t count_ = 0;
 };
 
+/// Where the tools stand. A turret has nothing to prepare, turns in a moment, and leaves the
+/// spindle, which is the part, as it is.
+enum class Changer : std::uint8_t { Magazine, Turret };
+
 /// What the functions of a block and its motion do under the rules of a control.
-///
-/// on_lathe  the tools stand in a turret, which has nothing to prepare
-Effects effects_of(const Rules& rules, const Block& block, bool on_lathe);
+Effects effects_of(const Rules& rules, const Block& block, Changer changer);
 
 /// Whether a tool that is selected is in the spindle at once.
-bool selects_at_once(const Rules& rules, bool on_lathe);
+bool selects_at_once(const Rules& rules, Changer changer);
+/// Whether the spindle stands behind a change of tool.
+bool stops_at_tool_change(const Rules& rules, Changer changer);
 
 /// What a change of the programmable frame says.
 struct FrameChange {

@@ -32,8 +32,8 @@ void follow_effect(const Block& block, const Effect& effect, ModalFunctions& mod
         case EffectKind::MirrorOff:
         case EffectKind::SetPosition:
         case EffectKind::WorkOffset:
-        case EffectKind::WritesOffset:
-        case EffectKind::CorrectsOffset:
+        case EffectKind::WritesWorkOffset:
+        case EffectKind::CorrectsWorkOffset:
         case EffectKind::WritesLength:
         case EffectKind::Tilts:
         case EffectKind::EndsTilt:
@@ -56,8 +56,8 @@ void follow_effect(const Block& block, const Effect& effect, ModalFunctions& mod
 }  // namespace
 
 void follow_modal(const Rules& rules, const Block& block, ModalFunctions& modal) {
-    // A turret has no group of its own.
-    for (const Effect& effect : effects_of(rules, block, false))
+    // Where the tools stand is no matter of a group.
+    for (const Effect& effect : effects_of(rules, block, Changer::Magazine))
         follow_effect(block, effect, modal);
 }
 

@@ -176,23 +176,23 @@ bool BlockWriter::vanishes(const Block& block) const {
 
 /// Arcs that rounding spoils are written in two parts: almost a full circle, where the direction
 /// from end to start is noise of the rounding, and almost half a turn, where a control that moves
-/// the centre moves it far. True: it was one.
-BlockWriter::Said BlockWriter::split_arc(const Block& block, std::string& out) {
+/// the centre moves it far.
+BlockWriter::Written BlockWriter::split_arc(const Block& block, std::string& out) {
     const std::optional<PlannedArc> arc = planned_arc(block);
-    if (!arc) return Said::NotYet;
+    if (!arc) return Written::NotYet;
     const auto& [start, end, text_start, text_end] = arc->points;
-    if (std::hypot(end[0] - start[0], end[1] - start[1]) < kSame) return Said::NotYet;
-    if (!is_on_circle(arc->points, arc->center)) return Said::NotYet;  // that has its message
+    if (std::hypot(end[0] - start[0], end[1] - start[1]) < kSame) return Written::NotYet;
+    if (!is_on_circle(arc->points, arc->center)) return Written::NotYet;  // that has its message
     const CenterGrid grid = center_grid(block);
     // Two roundings, and what the program itself misses the circle by.
     const double most =
         grid.end_increment + std::pow(10.0, -grid.decimals) + radius_miss(arc->points, arc->center);
-    if (text_error(block, *arc) <= most) return Said::NotYet;
+    if (text_error(block, *arc) <= most) return Written::NotYet;
     if (has_direction(block)) {
         cannot_express(block,
                        "an arc whose rounded words say another one, beside a direction of "
                        "the tool");
-        return Said::NotYet;
+        return Written::NotYet;
     }
     // No part is close to half a turn or to a full one, and by its radius none above a third.
     const double sweep = arc->sweep;
@@ -205,7 +205,7 @@ BlockWriter::Said BlockWriter::split_arc(const Block& block, std::string& out) {
         constexpr double kAlmostFull = 5.5;  // rad
         write_parts(block, *arc, std::array{sweep < kAlmostFull ? 0.5 : 1.0 / 3, 1.0}, out);
     }
-    return Said::Already;
+    return Written::Already;
 }
 
 /// Writes the arc in parts that end at these shares of its angle, the last one at 1. What stops or
@@ -288,9 +288,9 @@ void BlockWriter::write_parts(const Block& block, const PlannedArc& arc,
     modal_.feed_is_other = true;
 }
 
-/// An arc that the control cannot tell from its chord is written as that. True: it was one.
-BlockWriter::Said BlockWriter::straighten(const Block& block, std::string& out) {
-    if (!vanishes(block)) return Said::NotYet;
+/// An arc that the control cannot tell from its chord is written as that.
+BlockWriter::Written BlockWriter::straighten(const Block& block, std::string& out) {
+    if (!vanishes(block)) return Written::NotYet;
     sink_.report(diag::ArcVanishes, place(block)).arg(dialect_.title());
     const Function motion = effective_motion(block);
     Block line = block;
@@ -298,12 +298,12 @@ BlockWriter::Said BlockWriter::straighten(const Block& block, std::string& out) 
     line.given &= ~(kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns));
     write_block(line, out);
     modal_.meant_of(Group::Motion) = motion;
-    return Said::Already;
+    return Written::Already;
 }
 
 /// A helix of several turns on a control without a word for them: one block a turn.
-BlockWriter::Said BlockWriter::split_turns(const Block& block, std::string& out) {
-    if (!block.has(Slot::Turns) || has_address(Slot::Turns)) return Said::NotYet;
+BlockWriter::Written BlockWriter::split_turns(const Block& block, std::string& out) {
+    if (!block.has(Slot::Turns) || has_address(Slot::Turns)) return Written::NotYet;
     const Function motion = effective_motion(block);
     const double asked = block.at(Slot::Turns);
     Block last = block;
@@ -313,7 +313,7 @@ BlockWriter::Said BlockWriter::split_turns(const Block& block, std::string& out)
     if (asked > 0 && motion == Function::None) cannot_express(block, "turns of an unknown motion");
     if (!is_sane || !require_known_turns(block)) {
         write_block(last, out);
-        return Said::Already;
+        return Written::Already;
     }
     const auto turns = static_cast<int>(std::lround(asked));
     const std::array<std::size_t, 3> axes = plane_axes();
@@ -372,7 +372,7 @@ BlockWriter::Said BlockWriter::split_turns(const Block& block, std::string& out)
     last.function_count = 0;
     last.argument_count = 0;
     write_block(last, out);
-    return Said::Already;
+    return Written::Already;
 }
 
 }  // namespace kadr::nc

@@ -90,13 +90,13 @@ void BlockWriter::follow_effect(const Block& block, const Effect& effect) {
             break;
         case EffectKind::SetPosition: name_position(frame_change(block, effect)); break;
         case EffectKind::Tilts: modal_.tilted = Activity::Yes; [[fallthrough]];
+        case EffectKind::TurnsSystem:
         case EffectKind::WorkOffset: forget_unsaid(block); break;
         case EffectKind::EndsTilt: end_tilt(block, effect); break;
-        case EffectKind::WritesOffset:
-        case EffectKind::CorrectsOffset:
-        case EffectKind::TurnsSystem: modal_.position.forget(); break;
+        case EffectKind::WritesWorkOffset:
+        case EffectKind::CorrectsWorkOffset: modal_.position.forget(); break;
         case EffectKind::SwitchesTcp:
-            if (effect.group() == Group::LengthComp) drop_pending(true);
+            if (effect.group() == Group::LengthComp) drop_pending_length();
             modal_.position.forget();
             break;
         case EffectKind::TurnsAxes:
@@ -108,13 +108,13 @@ void BlockWriter::follow_effect(const Block& block, const Effect& effect) {
             break;
         case EffectKind::ChangesTool: call_tool(block, effect); break;
         case EffectKind::SelectsEdge: call_edge(block, effect); break;
-        case EffectKind::ChangesLength: drop_pending(true); [[fallthrough]];
+        case EffectKind::ChangesLength: drop_pending_length(); [[fallthrough]];
         case EffectKind::WritesLength:
         case EffectKind::SelectsLength: change_length(block); break;
-        case EffectKind::SelectsRadius: drop_pending(false); break;
+        case EffectKind::SelectsRadius: drop_pending_radius(); break;
         case EffectKind::LeavesWords: forget_words(block, effect); break;
         case EffectKind::GoesToPoint:
-            defer_length(block, effect.said_in(block));
+            defer_length(block, effect.invocation_in(block));
             modal_.position.forget();
             break;
         case EffectKind::RunsCycle: forget_motion(); break;
@@ -123,8 +123,12 @@ void BlockWriter::follow_effect(const Block& block, const Effect& effect) {
     }
 }
 
-void BlockWriter::drop_pending(bool is_length) {
-    std::erase_if(pending_, [&](const Pending& p) { return (p.deferred->axis >= 0) == is_length; });
+void BlockWriter::drop_pending_length() {
+    std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
+}
+
+void BlockWriter::drop_pending_radius() {
+    std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis < 0; });
 }
 
 void BlockWriter::follow_shift_add(const FrameChange& change) {
@@ -163,7 +167,7 @@ void BlockWriter::call_tool(const Block& block, const Effect& effect) {
     modal_.tool.is_known = effect.function == Function::Tool;
     if (modal_.tool.is_known) {
         modal_.tool.value =
-            block.argument(effect.said_in(block), parameter_of<Function::Tool>("tool"));
+            block.argument(effect.invocation_in(block), parameter_of<Function::Tool>("tool"));
         for (const Deferred& deferred : tables_.deferred) {
             std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
             pending_.push_back({&deferred, modal_.tool.value});
@@ -178,8 +182,8 @@ void BlockWriter::call_tool(const Block& block, const Effect& effect) {
 }
 
 void BlockWriter::call_edge(const Block& block, const Effect& effect) {
-    modal_.edge = {true,
-                   block.argument(effect.said_in(block), parameter_of<Function::ToolEdge>("edge"))};
+    modal_.edge = {true, block.argument(effect.invocation_in(block),
+                                        parameter_of<Function::ToolEdge>("edge"))};
     modal_.is_edge_lost = false;
     modal_.waiting_edge = 0;
     modal_.is_length_due = false;

@@ -132,6 +132,10 @@ struct WriterModal {
         if (scale != other.scale) scale = Activity::Unknown;
         if (tilted != other.tilted) tilted = Activity::Unknown;
         if (factors != other.factors) factors = {1, 1, 1};
+        // `turn` and `tilt` are misses of the text's own words; the edges that wait and the units
+        // are those of blocks that cannot be left out.
+        position.told |= other.position.told;
+        position.reframed |= other.position.reframed;
         position.known &= other.position.known;
         for (std::size_t i = 0; i < kAxes; ++i) {
             const bool is_same = position.text[i] == other.position.text[i] &&

@@ -59,7 +59,7 @@ TEST(SourceCycles, LevelsThatAPlaceChangesStay) {
 /// As the control does: R counts from where the mode began, Z from R, whichever was said last.
 TEST(SourceCycles, LevelsThatAreDistancesStaySo) {
     EXPECT_EQ(blocks(fanuc("G91 G81 X10. Z-15. R-40.; G82 X10. R-38. P500; G80;"), "fanuc"),
-              "incremental\nrapid X10\nabsolute\ncycle#0(0=-5, 1=10, 2=50, 3=0)\nincremental\n"
+              "rapid X10 | incremental\nabsolute\ncycle#0(0=-5, 1=10, 2=50, 3=0)\nincremental\n"
               "rapid X10\nabsolute\ncycle#0(0=-3, 1=12, 2=50, 3=0.5)\nincremental");
 }
 

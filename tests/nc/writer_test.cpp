@@ -242,6 +242,7 @@ TEST(Writer, WhetherXIsADiameter) {
     EXPECT_EQ(write("fanuc-lathe", "DIAMOF").codes, "K4201");
     EXPECT_EQ(write("fanuc-lathe-b", "DIAMOF").codes, "K4201");
     EXPECT_EQ(write("fanuc", "DIAMON\nG0 X10").codes, "K4217");
+    EXPECT_EQ(write("fanuc", "DIAMON\nG0 X10\nDIAMON").codes, "K4217");
     EXPECT_EQ(write("fanuc", "DIAMON\nG0 X10").text, "X10.\n");
     EXPECT_EQ(write("fanuc", "DIAMOF\nG0 X10").codes, "K4217");
 }
@@ -348,6 +349,16 @@ TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
     block.skip = 0;  // `/` is level 1 here, and there is none below
     writer.write(block, text);
     EXPECT_EQ(testing::codes(sink), "K4201");
+}
+
+/// Behind a tool change X is named by a word that acts, not by one that may be left out.
+TEST(Writer, AWordThatMayBeLeftOutNamesNoAxis) {
+    std::vector<Block> blocks;
+    for (const char* statement : {"G0 X10 Y2", "tool(2)", "G0 X10", "G0 X10 Y10"})
+        blocks.push_back(testing::source_block(shipped("iso"), statement));
+    blocks[2].skip = 1;
+    const Written written = write_blocks("fanuc", blocks);
+    EXPECT_EQ(written.text.substr(written.text.find("M06")), "M06\n/ G00 X10.\nG00 X10. Y10.\n");
 }
 
 TEST(Writer, RadiusThatNoLongerFitsBecomesACentre) {
