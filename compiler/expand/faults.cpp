@@ -64,6 +64,9 @@ void Expander::State::not_given(std::string_view name, std::uint32_t at) {
         builder.arg(axis);
         if (is_callers)
             builder.note(code.places[at], "`" + frame.function->name + "` needs it here");
+        const auto* const found = std::ranges::find(kAxisNames, axis);
+        if (found != kAxisNames.end())
+            tell_lost_position(builder, static_cast<std::size_t>(found - kAxisNames.begin()));
         builder.fix("move the axis first, for example `G0 " + axis + "50`");
         return;
     }

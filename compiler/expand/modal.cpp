@@ -124,9 +124,11 @@ void ModalState::lose_corrected(double axis) {
 }
 
 void ModalState::say_frame(const control::ProgramFrame& next, SourceId source) {
+    const AxisMask before = known;
     steps.say(next);
     said_steps = steps;
     set_frame(next, source);
+    note_lost_positions(before, source, Loss::Control);
 }
 
 /// In the frames that blocks have said and in those of their text alike.
@@ -194,18 +196,25 @@ void ModalState::go_to_point(const nc::Block& block, const nc::Effect& effect) {
     known = 0;
     if (effect.function != Function::ReferencePoint) return;
     constexpr std::size_t kFirstAxis = parameter_of<Function::ReferencePoint>("x");
-    forget_drift(static_cast<AxisMask>(effect.said_in(block).given >> kFirstAxis & kLinearXYZ));
+    forget_drift(
+        static_cast<AxisMask>(effect.invocation_in(block).given >> kFirstAxis & kLinearXYZ));
 }
 
-/// The changer stands somewhere else and takes the spindle over. A turret does not: what turns in
-/// G18 is the part.
+/// Where the tools of a program are, as far as it says: what turns in G18, or has diameters, is the
+/// part.
+nc::Changer ModalState::changer() const {
+    const bool turns = is_diameter || (*this)[Group::Plane] == Function::PlaneZx;
+    return turns ? nc::Changer::Turret : nc::Changer::Magazine;
+}
+
+/// The changer stands somewhere else and takes the spindle over.
 void ModalState::change_tool(const nc::Block& block, const nc::Rules& target) {
     lacks_tool = false;
     has_tool_in = has_tool;
     tool_in = tool;
     known = 0;
     lost_drift |= has_drift;
-    if (target.tool_change_stops_spindle && (*this)[Group::Plane] != Function::PlaneZx)
+    if (nc::stops_at_tool_change(target, changer()))
         switch_spindle(Function::SpindleStop, block.source);
 }
 
@@ -214,7 +223,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
     const SourceId source = block.source;
     const auto change = [&] { return frame_change(block, effect); };
     const auto number = [&](std::size_t parameter) {
-        return block.argument(effect.said_in(block), parameter);
+        return block.argument(effect.invocation_in(block), parameter);
     };
     switch (effect.kind) {
         case Kind::Sets: set_member(block, effect); break;
@@ -235,24 +244,25 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::RotateOff: change_steps(source, [](auto& all) { all.rotate_off(); }); break;
         case Kind::ScaleOff: change_steps(source, [](auto& all) { all.scale_off(); }); break;
         case Kind::MirrorOff:
-            change_steps(source,
-                         [axes = effect.said_in(block).given](auto& all) { all.mirror_off(axes); });
+            change_steps(source, [axes = effect.invocation_in(block).given](auto& all) {
+                all.mirror_off(axes);
+            });
             break;
         case Kind::SetPosition: name_position(change()); break;
         case Kind::WorkOffset:
             select_work_offset(number(parameter_of<Function::WorkOffset>("number")));
             break;
-        case Kind::WritesOffset:
+        case Kind::WritesWorkOffset:
             write_offset(number(parameter_of<Function::WorkOffsetData>("number")));
             break;
-        case Kind::CorrectsOffset:
+        case Kind::CorrectsWorkOffset:
             lose_corrected(number(
                 parameter_of_all<"axis", Function::OffsetToEdge, Function::OffsetToMiddle>()));
             break;
         case Kind::Tilts:
         case Kind::EndsTilt:
             lose_system();
-            is_turned = true;
+            is_turned = true;  // as the plane before had left the axes
             break;
         case Kind::SwitchesTcp: lose_axes(kLinearXYZ); break;
         case Kind::TurnsAxes:
@@ -268,7 +278,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::ChangesLength:
             if (effect.function != Function::LengthCompOn) break;
             has_length_offset =
-                effect.said_in(block).has(parameter_of<Function::LengthCompOn>("offset"));
+                effect.invocation_in(block).has(parameter_of<Function::LengthCompOn>("offset"));
             length_offset = number(parameter_of<Function::LengthCompOn>("offset"));
             break;
         case Kind::LeavesWords: lose_words(block, effect); break;
@@ -333,11 +343,18 @@ void ModalState::set_spindle(double code, SourceId source) {
     if (member != (*this)[Group::Spindle]) switch_spindle(member, source);
 }
 
+void ModalState::note_lost_positions(AxisMask before, SourceId by, Loss how) {
+    for (std::size_t i = 0; i < kAxes; ++i)
+        if (((before & ~known) >> i & 1u) != 0) position_lost_by[i] = {by, how};
+}
+
 void ModalState::take_functions(const nc::Block& block, const nc::Rules& target) {
-    const nc::Effects effects = effects_of(kLanguage, block, false);
-    for (const nc::When when : {nc::When::AtOnce, nc::When::BeforeMotion})
+    const AxisMask before = known;
+    const nc::Effects effects = effects_of(kLanguage, block, nc::Changer::Magazine);
+    for (const nc::When when : {nc::When::AtOnce, nc::When::ToolChange, nc::When::BeforeMotion})
         for (const nc::Effect& effect : effects)
             if (effect.when == when) take(block, effect, target);
+    note_lost_positions(before, block.source, Loss::Control);
 }
 
 void ModalState::take_words(const nc::Block& block) {
@@ -361,8 +378,10 @@ void ModalState::take_words(const nc::Block& block) {
     }
     if ((block.given & nc::kTargetSlots) != 0) take_targets(block);
     if (block.function_count == 0) return;
-    for (const nc::Effect& effect : effects_of(kLanguage, block, false))
+    const AxisMask before = known;
+    for (const nc::Effect& effect : effects_of(kLanguage, block, nc::Changer::Magazine))
         if (effect.when == nc::When::Behind) take(block, effect, kLanguage);
+    note_lost_positions(before, block.source, Loss::Control);
 }
 
 /// Where the words of a block lead.

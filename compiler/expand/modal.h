@@ -16,7 +16,13 @@
 namespace kadr::expand {
 
 /// What has made modal state unknown.
-enum class Loss : std::uint8_t { RawText, SkippedBlock, EndOfWith };
+enum class Loss : std::uint8_t { RawText, SkippedBlock, EndOfWith, Control };
+
+/// … and by which statement.
+struct LostBy {
+    SourceId statement;
+    Loss how = Loss::Control;  // Control: it alone knows what its block has done
+};
 
 struct ModalState {
     std::array<nc::Function, nc::kGroups> active{};  // None: not known
@@ -34,9 +40,10 @@ struct ModalState {
     bool lacks_tool = true;  // none was called, and no text of unknown meaning stood there
     double tool = 0;         // that was called last
     bool has_tool_in = false;
-    double tool_in = 0;     // that was changed in last
-    AxisValues position{};  // in the programmable frame, mm, degrees
-    AxisMask known = 0;     // which of them are known
+    double tool_in = 0;                            // that was changed in last
+    AxisValues position{};                         // in the programmable frame, mm, degrees
+    AxisMask known = 0;                            // which of them are known
+    std::array<LostBy, kAxes> position_lost_by{};  // holds if it was known before
     // Position less the coordinate that was programmed last: what changes of the frame have made
     // of it since. Some controls travel it with the next increment.
     AxisValues drift{};
@@ -103,6 +110,7 @@ struct ModalState {
     void take_functions(const nc::Block& block, const nc::Rules& target);
     /// … and then its words, and what is so behind the motion.
     void take_words(const nc::Block& block);
+    nc::Changer changer() const;
     /// Whether the spindle turns, as far as the program says.
     bool is_spindle_turning() const {
         const nc::Function spindle = (*this)[nc::Group::Spindle];
@@ -118,6 +126,8 @@ struct ModalState {
                    nc::has_fact(wanted, nc::Fact::CompSide);
     }
     void switch_spindle(nc::Function member, SourceId source);
+    /// Positions that were known before the statement and are not any more.
+    void note_lost_positions(AxisMask before, SourceId by, Loss how);
     /// Text of unknown meaning: nothing is known any more.
     void forget(SourceId source);
     /// Behind a `with` that set the first F: what held before it was none.

@@ -331,12 +331,12 @@ struct Expander::State {
     void warn_of_tap();
     void go_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
                  std::span<const double> values);
-    enum class CycleSaid : std::uint8_t {
+    enum class CycleOutcome : std::uint8_t {
         Moves,   // the control has no such cycle: its body is executed
         Block,   // a block stands for it
         Failed,  // told
     };
-    CycleSaid emit_cycle(nc::CycleId cycle, const Slot* registers);
+    CycleOutcome emit_cycle(nc::CycleId cycle, const Slot* registers);
 
     // ---- frame_blocks.cpp
     Done change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
@@ -365,6 +365,7 @@ struct Expander::State {
     Done require_feed_mode(std::uint32_t at);
     Done require_speed_mode(std::uint32_t at);
     Done refuse_lost_state(std::string_view what, std::string_view fix, std::uint32_t at);
+    void tell_lost_position(DiagnosticBuilder& builder, std::size_t axis) const;
     void tell_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
     void say_again(nc::Block& block);
     void say_again_alone(SourceId source, std::uint32_t at, std::size_t depth);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/diagnostics/expand.h"
 #include "expand/plane.h"
@@ -62,6 +63,16 @@ std::string words_of_lost(sema::ModalMask lost) {
     return words;
 }
 
+std::string words_of(Loss how) {
+    switch (how) {
+        case Loss::RawText: return "nobody knows what this text changes";
+        case Loss::SkippedBlock: return "nobody knows whether this block is executed";
+        case Loss::EndOfWith: return "what was set for the block of `with` ends here";
+        case Loss::Control: return "behind this block the control alone knows it";
+    }
+    return {};
+}
+
 bool has_group(const Block& block, Group group) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (nc::info(block.functions[i].function).group == group) return true;
@@ -74,7 +85,8 @@ bool has_group(const Block& block, Group group) {
 // ---------------------------------------------------------------- what becomes unknown
 
 void ModalState::forget(SourceId source) {
-    known = 0;
+    const AxisMask before = std::exchange(known, AxisMask{0});
+    note_lost_positions(before, source, Loss::RawText);
     // What X of the program is does not change by that: the text says it again.
     const Function diameter = (*this)[Group::Diameter];
     active.fill(Function::None);
@@ -107,6 +119,12 @@ void ModalState::join(const ModalState& without, SourceId block) {
         const bool is_same = (without.known >> i & 1u) != 0 && position[i] == without.position[i];
         if (!is_same) known &= static_cast<AxisMask>(~(1u << i));
     }
+    note_lost_positions(without.known, block, Loss::SkippedBlock);
+    // The tool may stand as it did; what was unknown of the drift stays so (take_words).
+    is_turned |= without.is_turned;
+    is_leaning |= without.is_leaning;
+    has_tool &= without.has_tool && tool == without.tool;
+    has_tool_in &= without.has_tool_in && tool_in == without.tool_in;
     if (has_feed != without.has_feed || feed != without.feed) restate |= sema::kFeedBit;
     if (has_speed != without.has_speed || speed != without.speed) restate |= sema::kSpeedBit;
     for (std::size_t i = 0; i < nc::kGroups; ++i)
@@ -144,6 +162,13 @@ void ModalState::lose_to_choice(sema::ModalMask what, SourceId block) {
 
 // ---------------------------------------------------------------- what needs it
 
+/// Which statement has made the position of an axis unknown, if one did.
+void Expander::State::tell_lost_position(DiagnosticBuilder& builder, std::size_t axis) const {
+    const LostBy& lost = modal.position_lost_by[axis];
+    if (lost.statement.is_valid() && lost.statement.index < code.statements.size())
+        builder.note(code.statements[lost.statement.index], words_of(lost.how));
+}
+
 Done Expander::State::refuse_lost_state(std::string_view what, std::string_view fix,
                                         std::uint32_t at) {
     tell_loss(fault(diag::StateLost, at), what, fix);
@@ -154,11 +179,7 @@ void Expander::State::tell_loss(DiagnosticBuilder builder, std::string_view what
                                 std::string_view fix) {
     builder.arg(what);
     if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size()) {
-        builder.note(code.statements[modal.lost_by.index],
-                     modal.lost_in == Loss::RawText ? "nobody knows what this text changes"
-                     : modal.lost_in == Loss::SkippedBlock
-                         ? "nobody knows whether this block is executed"
-                         : "what was set for the block of `with` ends here");
+        builder.note(code.statements[modal.lost_by.index], words_of(modal.lost_in));
     }
     builder.fix(std::string(fix));
     if (modal.lost_in == Loss::RawText)

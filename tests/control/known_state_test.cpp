@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <random>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -121,8 +122,12 @@ class OneByOne final : public Stream<nc::Block> {
 
 // ---------------------------------------------------------------- comparing
 
+/// Not known, or not before the output has said it again: behind a block that may be left out.
+bool is_lost(const ModalState& known, sema::ModalMask what) {
+    return ((known.lost | known.restate) & what) != 0;
+}
 bool is_lost(const ModalState& known, Group group) {
-    return (known.lost & sema::group_bit(group)) != 0;
+    return is_lost(known, sema::group_bit(group));
 }
 
 /// The mode of the feed as the interpreter has it; nothing where the expander does not know it.
@@ -163,12 +168,12 @@ std::string contradiction(const Known& behind, const interp::Interpreter& interp
     const auto mode = feed_mode_of(known);
     if (mode && *mode != now.feed_mode) return "another feed mode";
     const bool has_feed =
-        behind.has_feed_of_text && known.has_feed && (known.lost & sema::kFeedBit) == 0;
+        behind.has_feed_of_text && known.has_feed && !is_lost(known, sema::kFeedBit);
     if (has_feed && mode && now.feed &&
         std::abs(known.feed - *now.feed) > 0.006 + 1e-6 * known.feed)
         return pair("F", known.feed, *now.feed);
     if (has_feed && mode && !now.feed) return "no F";
-    const bool has_speed = known.has_speed && (known.lost & sema::kSpeedBit) == 0;
+    const bool has_speed = known.has_speed && !is_lost(known, sema::kSpeedBit);
     if (has_speed && std::abs(known.speed - now.speed) > 0.6)
         return pair("S", known.speed, now.speed);
     const auto spindle = spindle_of(known);
@@ -246,6 +251,48 @@ struct Compared {
     std::string contradiction;
 };
 
+constexpr std::uint16_t kAllLevels = 0x3ff;
+
+/// Executes the text line by line, and asks behind each.
+///
+/// skip_levels  of the blocks that the operator leaves out
+void execute(const Evaluated& evaluated, std::uint16_t skip_levels, driver::Session& session,
+             const nc::Dialect& dialect, const machine::Machine& machine, Compared& out) {
+    DiagnosticList said;
+    struct Text final : nc::TextSource {
+        explicit Text(std::string_view all) : rest(all) {}
+        std::string_view next() override { return std::exchange(rest, {}); }
+        std::string_view rest;
+    } source(evaluated.text);
+    driver::LibraryCycles cycles(session, dialect);
+    interp::ProgramOptions reading;
+    reading.skip_levels = skip_levels;
+    interp::Program lines(dialect, source, "known", reading, said);
+    const interp::Interpreter* onlooker = nullptr;
+    OneByOne blocks(lines, [&](std::uint32_t line) {
+        const auto known = evaluated.known.find(line);
+        if (known == evaluated.known.end() || !out.contradiction.empty()) return;
+        ++out.blocks;
+        std::string found = contradiction(known->second, *onlooker);
+        if (found.empty()) found = misreading(known->second, *onlooker);
+        if (found.empty()) return;
+        std::istringstream in(evaluated.text);
+        std::string shown;
+        for (std::uint32_t i = 0; i < line; ++i) std::getline(in, shown);
+        out.contradiction = "line " + std::to_string(line) + " `" + shown + "`: " + found;
+        if (skip_levels != 0) out.contradiction += ", where `/` is left out";
+    });
+    interp::InterpreterOptions stepping;
+    stepping.in_step = true;
+    stepping.skip_levels = skip_levels;
+    interp::Interpreter interpreter(dialect, machine, blocks, &lines, &cycles, stepping, said);
+    onlooker = &interpreter;
+    lines.follow(interpreter);
+    std::vector<path::Command> batch(64);
+    while (interpreter.pull(batch) > 0) {
+    }
+}
+
 Compared compared(const std::string& path, const std::string& text, const std::string& target,
                   bool is_for_lathe = false) {
     Compared out;
@@ -261,35 +308,9 @@ Compared compared(const std::string& path, const std::string& text, const std::s
     if (!program || dialect == nullptr || machine == nullptr) return out;
     const Evaluated text_of_it = evaluated(*program->code, *dialect, messages);
     if (messages.errors() > 0) return out;  // such a text is never given to a control
-    DiagnosticList said;
-    struct Text final : nc::TextSource {
-        explicit Text(std::string_view all) : rest(all) {}
-        std::string_view next() override { return std::exchange(rest, {}); }
-        std::string_view rest;
-    } source(text_of_it.text);
-    driver::LibraryCycles cycles(session, *dialect);
-    interp::Program lines(*dialect, source, "known", {}, said);
-    const interp::Interpreter* onlooker = nullptr;
-    OneByOne blocks(lines, [&](std::uint32_t line) {
-        const auto known = text_of_it.known.find(line);
-        if (known == text_of_it.known.end() || !out.contradiction.empty()) return;
-        ++out.blocks;
-        std::string found = contradiction(known->second, *onlooker);
-        if (found.empty()) found = misreading(known->second, *onlooker);
-        if (found.empty()) return;
-        std::istringstream in(text_of_it.text);
-        std::string shown;
-        for (std::uint32_t i = 0; i < line; ++i) std::getline(in, shown);
-        out.contradiction = "line " + std::to_string(line) + " `" + shown + "`: " + found;
-    });
-    interp::InterpreterOptions stepping;
-    stepping.in_step = true;
-    interp::Interpreter interpreter(*dialect, *machine, blocks, &lines, &cycles, stepping, said);
-    onlooker = &interpreter;
-    lines.follow(interpreter);
-    std::vector<path::Command> batch(64);
-    while (interpreter.pull(batch) > 0) {
-    }
+    execute(text_of_it, 0, session, *dialect, *machine, out);
+    if (text_of_it.text.find("\n/") != std::string::npos)
+        execute(text_of_it, kAllLevels, session, *dialect, *machine, out);
     return out;
 }
 
@@ -330,6 +351,42 @@ TEST(KnownState, OfRandomProgramsIsWhatTheControlDoes) {
         EXPECT_EQ(result.contradiction, "") << seed << " on " << target << "\n" << text;
     }
     EXPECT_GT(blocks, 6000u);
+}
+
+/// A program of which the operator may leave out some blocks.
+std::string any_with_skips(std::uint64_t seed) {
+    static const std::vector<const char*> kBlocks = {
+        "G0 X{} Y{};", "G1 X{} F{}00;", "G1 Y{};",   "X{};",     "Z{};",          "G0 Z{};",
+        "M3;",         "M4;",           "M5;",       "S{}00;",   "F{}0;",         "M8;",
+        "M9;",         "G95 F0.{};",    "G94 F{}0;", "A={}deg;", "G0 A=0deg X{};"};
+    static const std::vector<const char*> kAlways = {
+        "G91;",          "G90;", "T{} M6;", "M3 T{} M6;", "shift(x: {}mm);", "rotate({}deg);",
+        "rotate_off();", "G55;", "G54;",    "M3 S{}00;",  "G1 X{} Y{} F200;"};
+    std::mt19937_64 random(seed);
+    const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+    std::string text = "program p() {\nG90 G17 G54; T1 M6; S500 M3; G0 X1 Y2 Z3 A=0deg;\nF100;\n";
+    for (int i = 0; i < 16; ++i) {
+        const bool is_skipped = below(3) == 0;
+        const auto& from = is_skipped || below(2) == 0 ? kBlocks : kAlways;
+        std::string line = from[below(from.size())];
+        for (std::size_t at; (at = line.find("{}")) != std::string::npos;)
+            line.replace(at, 2, std::to_string(1 + below(8)));
+        text += (is_skipped ? "/ " : "") + line + '\n';
+    }
+    return text + "G1 X9 Y9 Z9 F150;\n}\n";
+}
+
+/// What is known holds whether the operator lets such a block run or not.
+TEST(KnownState, OfBlocksThatMayBeLeftOut) {
+    std::size_t blocks = 0;
+    for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+        const std::string text = "// machine: five-axis\n" + any_with_skips(seed);
+        const char* target = seed % 2 == 0 ? "sinumerik" : "fanuc";
+        const Compared result = compared("skips.kadr", text, target);
+        blocks += result.blocks;
+        EXPECT_EQ(result.contradiction, "") << seed << " on " << target << "\n" << text;
+    }
+    EXPECT_GT(blocks, 4000u);
 }
 
 }  // namespace

@@ -54,6 +54,23 @@ TEST(Faults, StandWhereTheyHappen) {
     }
 }
 
+/// Why a position is not known, and by which statement.
+TEST(Faults, NameWhatHasLostAPosition) {
+    struct Row {
+        const char* source;
+        const char* note;
+    };
+    for (const auto& [source, note] : {Row{"program p() { G0 X1; T1 M6; X=position.x; }",
+                                           "1:22 behind this block the control alone knows it"},
+                                       Row{"program p() { G0 X1; / X2; X=position.x; }",
+                                           "1:22 nobody knows whether this block is executed"},
+                                       Row{"program p() { G0 X1; raw \"G4\"; X=position.x; }",
+                                           "1:22 nobody knows what this text changes"}}) {
+        const Outcome outcome = run(source);
+        EXPECT_EQ(outcome.notes, std::vector<std::string>{note}) << source;
+    }
+}
+
 TEST(Faults, AnUnfinishedBlockIsNotDelivered) {
     const Outcome outcome =
         run("program p(length d = 1mm) { X1; for (int i = 0; i < 60; i++) d *= 2; X5 Y=d; }");
