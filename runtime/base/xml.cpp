@@ -247,8 +247,8 @@ bool belongs_to_xml(std::string_view attribute) {
     return attribute.starts_with("xmlns") || attribute.starts_with("xsi:");
 }
 
-/// The attributes of one element; whether they are as the rule says.
-bool check_attributes(const XmlElement& element, const XmlRule& rule, DiagnosticSink& sink) {
+/// The attributes of one element are as the rule says.
+Done check_attributes(const XmlElement& element, const XmlRule& rule, DiagnosticSink& sink) {
     bool is_good = true;
     const std::vector<std::string_view> names = attribute_names(rule);
     std::vector<std::string_view> meant;  // needed ones that stand there misspelt
@@ -284,7 +284,7 @@ bool check_attributes(const XmlElement& element, const XmlRule& rule, Diagnostic
                 .arg(element.name);
         }
     }
-    return is_good;
+    return Done{is_good};
 }
 
 }  // namespace
@@ -333,17 +333,17 @@ std::map<std::string, std::string> first_tag(const std::string& path) {
     return attributes;
 }
 
-bool check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink& sink) {
+Done check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink& sink) {
     const XmlRule* rule = find_rule(shape, element.name);
     KADR_ASSERT(rule != nullptr, "every element that may stand somewhere has a rule");
-    bool is_good = check_attributes(element, *rule, sink);
+    bool is_good{check_attributes(element, *rule, sink)};
     if (rule->text == XmlRule::Text::None && element.text_range.file.is_valid()) {
         is_good = false;
         sink.report(diag::XmlStrayText, element.text_range).arg(element.name);
     }
     for (const XmlElement& child : element.children) {
         if (std::ranges::find(rule->children, child.name) != rule->children.end()) {
-            is_good &= check_xml(child, shape, sink);
+            if (!check_xml(child, shape, sink)) is_good = false;
             continue;
         }
         is_good = false;
@@ -356,7 +356,7 @@ bool check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink&
                              std::string(home.element) + ">`");
         }
     }
-    return is_good;
+    return Done{is_good};
 }
 
 bool has_needed_attributes(const XmlElement& element, const XmlShape& shape) {

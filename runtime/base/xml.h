@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/done.h"
 
 namespace kadr {
 
@@ -83,10 +84,10 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const X
 /// if the file cannot be read; of a broken tag what stands before the break.
 std::map<std::string, std::string> first_tag(const std::string& path);
 
-/// Whether an element and everything below it is as the shape says: every element and attribute
-/// known, nothing doubled, nothing missing, no stray text. Reports each mistake at its place, with
-/// the name that may have been meant. Attributes of XML itself (`xmlns`, `xsi:…`) pass.
-bool check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink& sink);
+/// An element and everything below it is as the shape says: every element and attribute known,
+/// nothing doubled, nothing missing, no stray text. Reports each mistake at its place, with the
+/// name that may have been meant. Attributes of XML itself (`xmlns`, `xsi:…`) pass.
+Done check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink& sink);
 
 /// The element without what is below it and does not fit the shape: unknown elements, and those
 /// that lack an attribute which they need. For looking at the rest of a file with mistakes.

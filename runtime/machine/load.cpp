@@ -540,9 +540,9 @@ std::optional<DescribedMachine> load_text(FileId file, Sources& sources, Diagnos
     if (!root) return std::nullopt;
     // One look at the file finds the mistakes of its shape and those of its values.
     CountingSink counting(sink);
-    (void)check_xml(*root, machine_shape(), counting);
+    const Done has_shape = check_xml(*root, machine_shape(), counting);
     DescribedMachine machine = MachineBuilder(*root, sources, counting).build();
-    if (counting.has_errors()) return std::nullopt;
+    if (!has_shape || counting.has_errors()) return std::nullopt;
     return machine;
 }
 

@@ -28,7 +28,7 @@ struct Read {
     explicit Read(const std::string& text) {
         file = sources.add("plan.xml", text);
         root = parse_xml(file, sources, shape(), messages);
-        if (root) is_good = check_xml(*root, shape(), messages);
+        if (root) is_good = bool{check_xml(*root, shape(), messages)};
     }
     Sources sources;
     DiagnosticList messages;
