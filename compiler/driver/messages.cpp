@@ -72,8 +72,9 @@ bool Messages::is_silenced(const Diagnostic& diagnostic) const {
     });
 }
 
-bool Messages::is_known(const std::string& text) {
-    return !shown_.insert(std::hash<std::string>{}(text)).second;
+/// Whether these words are to be written: from here on they count as written.
+bool Messages::first_time(const std::string& text) {
+    return shown_.insert(std::hash<std::string>{}(text)).second;
 }
 
 void Messages::take(Diagnostic diagnostic) {
@@ -87,7 +88,7 @@ void Messages::take(Diagnostic diagnostic) {
         return;
     }
     const std::string text = rendered(diagnostic);
-    if (is_known(text)) return;
+    if (!first_time(text)) return;
     ++seen;
     count(diagnostic);
     write_(text);

@@ -52,7 +52,7 @@ class Messages final : public DiagnosticSink {
 
   private:
     void count(const Diagnostic& diagnostic);
-    bool is_known(const std::string& rendered);
+    bool first_time(const std::string& rendered);
     std::string rendered(const Diagnostic& diagnostic) const;
 
     const Sources& sources_;

@@ -30,8 +30,9 @@ class OutputLimit {
     bool take(std::size_t bytes) {
         return written_.fetch_add(bytes, std::memory_order_relaxed) + bytes <= most_;
     }
-    /// Whether nobody has been told yet that it is over. Asked by one thread.
-    bool is_first_told() { return !std::exchange(is_told_, true); }
+    /// Whether nobody has been told yet that it is over: from here on it counts as told. Asked by
+    /// one thread.
+    bool first_time_over() { return !std::exchange(is_told_, true); }
 
   private:
     std::uint64_t most_;

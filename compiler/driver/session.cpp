@@ -204,7 +204,7 @@ const machine::Machine* Session::machine() {
 
 Done Session::require_output_room() {
     if (!output_limit_.is_over()) return kDone;
-    if (output_limit_.is_first_told()) {
+    if (output_limit_.first_time_over()) {
         messages_.report(diag::OutputLimit)
             .arg(bytes_text(output_limit_.most()))
             .fix("if so much is meant, raise the limit: `--max-output`");

@@ -231,7 +231,7 @@ Done Expander::State::contour_value(const Instruction& instruction, Slot* regist
         case ContourFunction::Offset: {
             const double distance = arguments[1].number;
             const auto pieces =
-                path::offset(contour.elements, distance, [this] { return is_to_end(); });
+                path::offset(contour.elements, distance, [this] { return look_for_end(); });
             if (!pieces) {
                 offset_fault(pieces.error(), distance, where);
                 return kFailed;
@@ -344,7 +344,7 @@ Done Expander::State::offset_all(const Instruction& instruction, Slot* registers
         like.is_diameter = one.is_diameter;
     }
     const double distance = arguments[1].number;
-    const auto pieces = path::offset(contours, distance, [this] { return is_to_end(); });
+    const auto pieces = path::offset(contours, distance, [this] { return look_for_end(); });
     if (!pieces) {
         offset_fault(pieces.error(), distance, where);
         return kFailed;
@@ -543,7 +543,7 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     const Contour wall = contour.elements;
     if (distance != 0) {
         const auto pieces =
-            path::offset(contour.elements, distance, [this] { return is_to_end(); });
+            path::offset(contour.elements, distance, [this] { return look_for_end(); });
         if (!pieces) {
             offset_fault(pieces.error(), distance, where);
             return std::nullopt;

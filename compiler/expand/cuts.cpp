@@ -142,7 +142,7 @@ static void warn_of_selection(DiagnosticBuilder builder, double tool) {
 
 /// What the interpreter finds when the text is run, said where only the text is made.
 void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
-    if (needs_feed && !modal.has_feed && told.is_first_feed()) {
+    if (needs_feed && !modal.has_feed && told.first_time_of_feed()) {
         // Where the control alarms, no text is written that would; the common core has no alarms.
         if (const auto alarm = target.alarm(diag::FeedMissing)) {
             const std::string number = alarm->number.empty() ? alarm->text : alarm->number;

@@ -124,12 +124,14 @@ struct OpenWith {
 /// What is said once, or once at a place.
 class ToldOnce {
   public:
-    bool is_first_feed() { return !std::exchange(feed_, true); }
+    bool first_time_of_feed() { return !std::exchange(feed_, true); }
     bool is_plane_told() const { return plane_; }
     void note_plane() { plane_ = true; }
     /// That a control has no splines, or that its increments do not let a curve keep its tolerance.
-    bool is_first_spline(std::uint32_t at) { return std::exchange(spline_at_, at) != at; }
-    bool is_first_tolerance(std::uint32_t at) { return std::exchange(tolerance_at_, at) != at; }
+    bool first_time_of_spline(std::uint32_t at) { return std::exchange(spline_at_, at) != at; }
+    bool first_time_of_tolerance(std::uint32_t at) {
+        return std::exchange(tolerance_at_, at) != at;
+    }
 
   private:
     bool feed_ = false;
@@ -181,7 +183,8 @@ struct Expander::State {
     std::int64_t make_table(const sema::TableSchema& schema, const sema::TableRows& rows);
     void collect_garbage(const Slot* registers);
     bool collect_in_time(const Slot* registers);
-    bool is_to_end();
+    /// Looks whether somebody wants the evaluation to end, and at the clock. True: it is to end.
+    bool look_for_end();
     void tell_end(std::uint32_t at);
     void offset_fault(path::OffsetFault why, double distance, std::uint32_t at);
 

@@ -47,13 +47,13 @@ void Expander::State::reserve_stack(std::size_t slots) {
 /// none, or somebody wants the evaluation to end.
 bool Expander::State::more_turns(std::uint64_t& turns) {
     constexpr std::uint64_t kSlice = 1u << 16;  // turns between two looks at `stop` and the clock
-    if (is_to_end()) return false;
+    if (look_for_end()) return false;
     turns = std::min(turns_reserve, kSlice);
     turns_reserve -= turns;
     return turns > 0;
 }
 
-bool Expander::State::is_to_end() {
+bool Expander::State::look_for_end() {
     was_stopped = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
     is_late = options.limits.seconds > 0 &&
               std::chrono::duration<double>(Clock::now() - began).count() > options.limits.seconds;
@@ -74,7 +74,7 @@ void Expander::State::tell_end(std::uint32_t at) {
 /// Few turns can make very much: texts and arrays that are copied look at the clock, too.
 bool Expander::State::collect_in_time(const Slot* registers) {
     collect_garbage(registers);
-    return !is_to_end();
+    return !look_for_end();
 }
 
 std::size_t Expander::State::pull(std::span<nc::Block> out) {

@@ -98,7 +98,7 @@ std::optional<nc::BlockPlan> Checker::plan_source(const nc::Dialect& dialect,
 
 /// What to write for the cycle of another control, `G83` or `CYCLE81`; empty: it is none.
 std::string Checker::hint_of_cycle(std::string_view word) {
-    if (!may_propose()) return "";
+    if (!take_proposal()) return "";
     const auto cycle = loader_.cycle_of_control(word);
     if (!cycle) return "";
     return "this cycle is `" + cycle->function + "(…)` for every control, `import " +
@@ -109,7 +109,7 @@ std::string Checker::hint_of_cycle(std::string_view word) {
 /// What to write for a word of another control that begins no cycle, `G68` or `G65`; empty: no
 /// control has it.
 std::string Checker::hint_of_command(std::string_view word) {
-    if (!may_propose()) return "";
+    if (!take_proposal()) return "";
     const auto command = loader_.command_of_control(word);
     if (!command) return "";
     if (command->function.empty()) return syntax::kCallByName;
@@ -120,7 +120,7 @@ std::string Checker::hint_of_command(std::string_view word) {
 /// `M98 P100`: to the common core an M function of the machine's builder, with a word too many.
 std::string Checker::hint_of_call(std::span<const nc::SourceWord> source) {
     for (const nc::SourceWord& word : source) {
-        if (word.value != nc::SourceWord::Value::Literal || !may_propose()) continue;
+        if (word.value != nc::SourceWord::Value::Literal || !take_proposal()) continue;
         std::string text(word.address);
         append_shortest(text, word.number);
         const auto command = loader_.command_of_control(text);

@@ -60,7 +60,7 @@ Value Checker::call(ExprId id, Reg hint) {
                     " name(…) { … }`, and call a cycle by its name");
         return error_value();
     }
-    if (!may_propose()) return error_value();
+    if (!take_proposal()) return error_value();
     if (const auto module = loader_.library_module_of(name)) {
         builder.fix("it is in the library: `import " + *module + ";`");
         return error_value();

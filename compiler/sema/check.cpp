@@ -167,15 +167,13 @@ std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& d
     return std::move(code_);
 }
 
-/// Whether there is no time left. Asked in front of each statement; the clock is looked at now and
-/// then.
-bool Checker::is_late() {
+/// Asked in front of each statement, it finds now and then whether there is time left.
+void Checker::look_at_clock() {
     constexpr std::uint32_t kSlice = 256;
-    if (is_late_ || ++looked_ < kSlice || !options_.is_over) return is_late_;
+    if (is_late_ || ++looked_ < kSlice || !options_.is_over) return;
     looked_ = 0;
     is_late_ = options_.is_over();
     sink_.is_quiet = sink_.is_quiet || is_late_;  // what is not looked at any more is no mistake
-    return is_late_;
 }
 
 void Checker::finish() {

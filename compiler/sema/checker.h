@@ -79,10 +79,10 @@ class Checker {
     void bind_parameters(const FunctionDecl& function);
     ParameterInfo describe_parameter(const ParameterDecl& parameter);
     void report_unused_parameters();
-    bool is_late();
+    void look_at_clock();
     void report_missing_return(const FunctionDecl& function, const syntax::Decl& decl,
                                const SourceRange& end);
-    bool may_propose();
+    bool take_proposal();
     void report_overflow(std::string_view name, const SourceRange& range);
     void export_enums();
     void finish();
@@ -250,7 +250,7 @@ class Checker {
         Value right;
     };
     std::optional<Comparison> comparison(const syntax::Expr& expr);
-    bool is_as_given(syntax::ExprId id);
+    bool is_as_given(syntax::ExprId id) const;
     void warn_equality(const syntax::Expr& expr, const Value& left, const Value& right);
     std::optional<Sides> compared_sides(const syntax::Expr& expr);
     std::optional<Comparison> compare(const syntax::Expr& expr, Value left, Value right);
@@ -269,7 +269,7 @@ class Checker {
     void warn_of_origin(const Value& value, Type target, const SourceRange& range);
     // places.cpp
     std::optional<Place> place(syntax::ExprId id);
-    bool is_read(syntax::ExprId id);
+    bool is_read(syntax::ExprId id) const;
     std::optional<Place> name_place(syntax::ExprId id);
     std::optional<Place> member_place(syntax::ExprId id);
     std::optional<Place> element_place(syntax::ExprId id);
@@ -331,7 +331,7 @@ class Checker {
     std::optional<Value> contour_function(std::string_view name, const syntax::Expr& expr);
     Value contour_value(ContourFunction function, Type result, Reg arguments,
                         const SourceRange& range);
-    bool is_contour_argument(const syntax::Expr& expr);
+    bool takes_contour(const syntax::Expr& expr);
     Value follow_call(const syntax::Expr& expr, std::string_view name);
 
     // curves.cpp
@@ -372,7 +372,7 @@ class Checker {
     void warn_of_empty_range(const syntax::Expr& range);
     Completion if_statement(const syntax::Stmt& stmt);
     Completion switch_statement(const syntax::Stmt& stmt);
-    bool is_own_local(syntax::ExprId id);
+    bool is_own_local(syntax::ExprId id) const;
     void return_statement(const syntax::Stmt& stmt);
     void leave_function(const SourceRange& range);
     void check_statement(const syntax::Stmt& stmt, bool is_require);
@@ -438,7 +438,7 @@ class Checker {
     std::string word_text(const syntax::Word& word) const;
 
     // orienting.cpp
-    bool is_orient(syntax::ExprId id);
+    bool is_orient(syntax::ExprId id) const;
     Done take_direction(const syntax::Expr& expr, Reg first);
     Done take_parts(std::span<const syntax::ExprId> bound, Reg first);
     Done take_angles(std::span<const syntax::ExprId> bound, const SourceRange& range, Reg first);

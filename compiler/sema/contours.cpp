@@ -97,7 +97,7 @@ std::optional<Value> Checker::contour_property(const Value& contour, const Expr&
 // ---------------------------------------------------------------- functions
 
 /// `shift`, `rotate` and `mirror` are commands as well; with a contour in front they make one.
-bool Checker::is_contour_argument(const Expr& expr) {
+bool Checker::takes_contour(const Expr& expr) {
     const auto arguments = ast().exprs(expr.list);
     if (arguments.empty()) return false;
     const Expr& first = ast()[arguments[0]];
@@ -180,7 +180,7 @@ std::optional<Value> Checker::contour_function(std::string_view name, const Expr
     if (name == "follow" || name == "follow_start") return follow_call(expr, name);
     for (const ContourRow& row : kFunctions) {
         if (row.name != name) continue;
-        if (row.is_command_too && !is_contour_argument(expr)) return std::nullopt;
+        if (row.is_command_too && !takes_contour(expr)) return std::nullopt;
         std::vector<std::string_view> names;
         unsigned slots = 0;
         for (const ContourParameter& parameter : row.parameters) {

@@ -682,7 +682,9 @@ void Checker::report_missing_return(const FunctionDecl& function, const Decl& de
 
 /// Says so if what was emitted needs more registers than there are.
 void Checker::report_overflow(std::string_view name, const SourceRange& range) {
-    if (emit_.has_overflowed()) report(diag::FunctionTooLarge, range).arg(name);
+    if (!emit_.has_overflowed()) return;
+    emit_.forget_overflow();
+    report(diag::FunctionTooLarge, range).arg(name);
 }
 
 void Checker::report_unused_parameters() {

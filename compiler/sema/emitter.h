@@ -1,7 +1,6 @@
 // emitter.h — appends instructions to the code: registers, labels, jumps.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "sema/code.h"
@@ -39,8 +38,9 @@ class Emitter {
     void release_to(Reg mark) { next_ = mark; }
     void begin_function();
     std::uint32_t registers_used() const { return most_; }
-    /// Whether something has asked for more registers than there are since this was asked last.
-    bool has_overflowed() { return std::exchange(overflowed_, false); }
+    /// Whether something has asked for more registers than there are.
+    bool has_overflowed() const { return overflowed_; }
+    void forget_overflow() { overflowed_ = false; }
 
     Code& code() { return code_; }
 

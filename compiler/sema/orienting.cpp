@@ -31,7 +31,7 @@ constexpr std::size_t kComponents = 3;
 }  // namespace
 
 /// Whether the expression is a call of `orient`, and of no function of the program.
-bool Checker::is_orient(ExprId id) {
+bool Checker::is_orient(ExprId id) const {
     if (!id.is_valid() || ast()[id].kind != ExprKind::Call) return false;
     const Expr& callee = ast()[ast()[id].child[0]];
     if (callee.kind != ExprKind::Name || text(callee.text) != "orient") return false;

@@ -25,7 +25,7 @@ std::optional<Place> Checker::place(ExprId id) {
 
 /// Whether anything has read the local variable of this name so far. Assigning it is no reading,
 /// but what is assigned to a reference the caller reads.
-bool Checker::is_read(ExprId id) {
+bool Checker::is_read(ExprId id) const {
     if (ast()[id].kind != ExprKind::Name) return true;
     const Found found = find(text(ast()[id].text));
     if (found.symbol < 0) return true;

@@ -369,9 +369,10 @@ bool Checker::fix_lookalike(std::string_view name, const SourceRange& range,
     return false;
 }
 
-/// Whether a name that was meant is looked for among all names: behind so many mistakes of this
-/// kind nobody reads what it would say, and each look takes as long as there are names.
-bool Checker::may_propose() {
+/// Another look for a name that was meant, among all names. False: there were enough. Behind so
+/// many mistakes of this kind nobody reads what it would say, and each takes as long as there are
+/// names.
+bool Checker::take_proposal() {
     constexpr std::uint32_t kMost = 100;
     return ++proposals_ <= kMost;
 }
@@ -403,7 +404,7 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         syntax::advise(builder, *habit, range);
         return;
     }
-    if (!may_propose() || fix_lookalike(name, range, builder)) return;
+    if (!take_proposal() || fix_lookalike(name, range, builder)) return;
     const std::vector<std::string_view> functions = known_names(true);
     const std::string lower = syntax::lower_ascii(name);
     for (const std::string_view function : {name, std::string_view(lower)}) {

@@ -44,7 +44,9 @@ Checker::Completion Checker::block(syntax::List list) {
 }
 
 Checker::Completion Checker::statement(StmtId id) {
-    if (!id.is_valid() || is_late()) return Completion::Normal;
+    if (!id.is_valid()) return Completion::Normal;
+    look_at_clock();
+    if (is_late_) return Completion::Normal;
     const Stmt& stmt = ast()[id];
     const SourceRange before = emit_.place();
     emit_.set_place(stmt.range);
@@ -408,7 +410,7 @@ void Checker::return_statement(const Stmt& stmt) {
     emit_.emit(Op::Return, reg, 0, slots);
 }
 
-bool Checker::is_own_local(ExprId id) {
+bool Checker::is_own_local(ExprId id) const {
     if (ast()[id].kind != ExprKind::Name) return false;
     const Found found = find(text(ast()[id].text));
     return found.symbol >= 0 &&

@@ -2,7 +2,8 @@
 
 namespace kadr::interp {
 
-bool CodeList::is_up_to_date() {
+/// Keeps what the list depends on. True: it is as it was when the list was made.
+bool CodeList::catch_up() {
     const std::size_t groups = reader_.tables().groups.size();
     forms_.resize(groups, nc::kNoForm);
     bool is_same = is_filled_ && modal_ == reader_.modal();
@@ -15,7 +16,7 @@ bool CodeList::is_up_to_date() {
 }
 
 const std::vector<ActiveCode>& CodeList::now() {
-    if (is_up_to_date()) return codes_;
+    if (catch_up()) return codes_;
     is_filled_ = true;
     codes_.clear();
     const auto& groups = reader_.tables().groups;

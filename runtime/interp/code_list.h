@@ -26,7 +26,7 @@ class CodeList {
     const std::vector<ActiveCode>& now();
 
   private:
-    bool is_up_to_date();
+    bool catch_up();
 
     const ControlVariables& variables_;
     const nc::LineReader& reader_;

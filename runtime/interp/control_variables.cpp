@@ -321,7 +321,7 @@ std::string ControlVariables::word_of(nc::Operation operation) const {
     return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
 }
 
-bool ControlVariables::has_program(std::string_view name) {
+bool ControlVariables::find_program(std::string_view name) {
     return is_program_ && is_program_(name);
 }
 

@@ -81,7 +81,7 @@ class ControlVariables final : public Variables {
     std::optional<std::int64_t> axis_number(Axis axis) const override;
     bool has_name(std::string_view name) const override { return type_of(name).has_value(); }
     std::optional<nc::ValueType> type_of(std::string_view name) const override;
-    bool has_program(std::string_view name) override;
+    bool find_program(std::string_view name) override;
     bool has_spindle(std::int64_t number) const override;
     std::string word_of(nc::Operation operation) const override;
     bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;

@@ -46,8 +46,8 @@ bool Executor::is_allowed(const DiagnosticRow& row, const Block& block) const {
            options_.is_allowed(row, places_->place(origin(block)));
 }
 
-/// Whether a feed is warned of here, once of each.
-bool Executor::tells_feed(const DiagnosticRow& row, const Block& block) {
+/// Whether a feed is to be warned of here: from here on it counts as told, if no comment allows it.
+bool Executor::first_time_of_feed(const DiagnosticRow& row, const Block& block) {
     if (!is_allowed(row, block)) return told_.first_time_of_feed(modal_.feed);
     dangers_.feed = std::numeric_limits<double>::quiet_NaN();  // the next cut is looked at again
     return false;
@@ -66,7 +66,7 @@ void Executor::watch_feed(const Block& block) {
     switch (modal_.feed_mode) {
         case FeedMode::PerRevolution:
             if (modal_.feed > danger::kMostTurnFeed) {
-                if (tells_feed(diag::TurnFeedTooGreat, block))
+                if (first_time_of_feed(diag::TurnFeedTooGreat, block))
                     at_feed(diag::TurnFeedTooGreat).arg(modal_.feed).arg(danger::kMostTurnFeed);
                 return;
             }
@@ -74,7 +74,7 @@ void Executor::watch_feed(const Block& block) {
             break;
         case FeedMode::PerMinute:
             if (modal_.feed < danger::kLeastFeed) {
-                if (tells_feed(diag::FeedTooSmall, block))
+                if (first_time_of_feed(diag::FeedTooSmall, block))
                     at_feed(diag::FeedTooSmall).arg(modal_.feed);
                 return;
             }
@@ -83,7 +83,7 @@ void Executor::watch_feed(const Block& block) {
         case FeedMode::InverseTime: return;
     }
     const bool is_too_fast = most > 0 && per_minute > most * (1 + 1e-9);
-    if (is_too_fast && tells_feed(diag::FeedAboveMachine, block))
+    if (is_too_fast && first_time_of_feed(diag::FeedAboveMachine, block))
         at_feed(diag::FeedAboveMachine).arg(round_to(per_minute, kShownDecimals)).arg(most);
 }
 

@@ -61,8 +61,8 @@ class Variables {
     virtual std::string word_of(nc::Operation operation) const = 0;
     /// Whether the machine has a spindle with this number; 0 is the master.
     virtual bool has_spindle(std::int64_t number) const = 0;
-    /// Whether a program has it.
-    virtual bool has_program(std::string_view name) = 0;
+    /// Whether a program has it; texts may be read for that.
+    virtual bool find_program(std::string_view name) = 0;
     /// Sets one element of a variable that the program has declared; false: its type takes no real.
     virtual bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) = 0;
 };

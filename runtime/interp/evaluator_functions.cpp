@@ -50,7 +50,7 @@ Done Evaluator::question(Operation operation, Value* a) {
         return kDone;
     }
     *a = Value::truth(operation == Operation::HasName ? variables_.has_name(asked)
-                                                      : variables_.has_program(asked));
+                                                      : variables_.find_program(asked));
     return kDone;
 }
 

@@ -674,7 +674,7 @@ class Executor {
     void watch_missing_length(const nc::Block& block);
     void watch_turret_offset(const nc::Block& block, std::int64_t number);
     bool is_allowed(const DiagnosticRow& row, const nc::Block& block) const;
-    bool tells_feed(const DiagnosticRow& row, const nc::Block& block);
+    bool first_time_of_feed(const DiagnosticRow& row, const nc::Block& block);
     void watch_diameter(const nc::Block& block, nc::Function function);
     void watch_dwell(const nc::Block& block);
     void watch_tap(const nc::Block& block, nc::Function function);

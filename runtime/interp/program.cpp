@@ -66,7 +66,7 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
     resume_frame(*frames[0]);
     variables.ask_modal_call([this] { return modal_call_code(); });
     variables.ask_programs([this](std::int64_t level) { return name_at(level); },
-                           [this](std::string_view asked) { return has_program(asked); });
+                           [this](std::string_view asked) { return find_program(asked); });
     variables.ask_missing([this](const std::string& missing, const std::string& meaning) {
         missing_inputs.push_back({missing, meaning, evaluator.place()});
     });
@@ -89,7 +89,7 @@ std::size_t Program::State::pull(std::span<Block> out) {
     given = 0;
     has_visible_fault = lines.failed();
     variables.begin_batch();
-    while (given < out.size() && !has_ended && may_go_on()) {
+    while (given < out.size() && !has_ended && take_step()) {
         Block& block = out[given];
         block.reset();
         const bool had_fault = lines.failed();
@@ -151,7 +151,7 @@ bool Program::State::runs_flat() {
 void Program::State::take_flat(std::span<Block> out) {
     nc::LineSource& from = source();
     nc::LineSource::Ahead ahead;
-    while (given < out.size() && may_go_on() && from.look(ahead)) {
+    while (given < out.size() && take_step() && from.look(ahead)) {
         Block& block = out[given];
         block.reset();
         const std::uint64_t number = frame->here.line;
@@ -173,8 +173,9 @@ void Program::State::take_flat(std::span<Block> out) {
     }
 }
 
-/// Loops without a block give nobody else the occasion to look at the clock.
-bool Program::State::may_go_on() {
+/// Loops without a block give nobody else the occasion to look at the clock. False: the time is
+/// over, and the program ends.
+bool Program::State::take_step() {
     constexpr std::uint32_t kStepsBetween = 1u << 14;
     if (++steps % kStepsBetween != 0 || !options.is_over || !options.is_over()) return true;
     was_stopped = has_ended = true;
@@ -182,7 +183,7 @@ bool Program::State::may_go_on() {
 }
 
 /// Shows the line to who looks on. False: the program ends in front of it.
-bool Program::State::shows(std::string_view text) {
+bool Program::State::show(std::string_view text) {
     if (is_only_checking) return true;
     const nc::LineFront front = nc::front_of(tables, text);
     WatchedLine line;
@@ -216,7 +217,7 @@ Program::State::Outcome Program::State::step(Block& out) {
         has_ended = true;
         return Outcome::Nothing;
     }
-    if (watch != nullptr && !shows(line->as_written.empty() ? line->text : line->as_written))
+    if (watch != nullptr && !show(line->as_written.empty() ? line->text : line->as_written))
         return Outcome::Nothing;
     lines.begin(frame->here.line);
     frame->goes_on = line->place.next;
@@ -260,7 +261,7 @@ Program::State::Outcome Program::State::first_time(Block& out) {
     std::string_view text;
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
-    if (watch != nullptr && !shows(text)) return Outcome::Nothing;
+    if (watch != nullptr && !show(text)) return Outcome::Nothing;
     text = with_macros(text);
     const LinePosition next{source().offset(), frame->here.line + 1};
     frame->goes_on = next;
@@ -472,7 +473,7 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
     }
     const bool is_followed = cycle.parameters.size() == 2;
     const bool is_next = begin.line.offset >= frame->here.offset &&
-                         map().is_empty_between(frame->here, begin.line) && !is_followed;
+                         map().finds_nothing_between(frame->here, begin.line) && !is_followed;
     frame->repeats.push_back({begin.line, end.next, is_next ? end.next : frame->here, 1, true});
     frame->here = begin.line;
     frame->next_line = nullptr;

@@ -693,7 +693,7 @@ std::optional<std::string> Program::State::name_at(std::int64_t level) const {
                : head;
 }
 
-bool Program::State::has_program(std::string_view name) {
+bool Program::State::find_program(std::string_view name) {
     const std::string wanted =
         nc::program_of_path(language.calls, name, tables.notation.ignores_case);
     if (control_files.knows(file_name(name))) return control_files.has(file_name(name));

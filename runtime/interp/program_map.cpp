@@ -223,7 +223,7 @@ ProgramMap::Fault ProgramMap::find_label_between(std::string_view label, const L
     return Fault::None;
 }
 
-bool ProgramMap::is_empty_between(const LinePosition& from, const LinePosition& to) {
+bool ProgramMap::finds_nothing_between(const LinePosition& from, const LinePosition& to) {
     bool all_empty = true;
     const Fault fault = scan(from, [&](std::string_view line, const Place& place) {
         if (place.line.offset >= to.offset) return false;

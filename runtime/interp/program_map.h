@@ -81,7 +81,7 @@ class ProgramMap {
                              const LinePosition& to, Place& out);
 
     /// Whether nothing but comments and numbers of blocks stands between two places.
-    bool is_empty_between(const LinePosition& from, const LinePosition& to);
+    bool finds_nothing_between(const LinePosition& from, const LinePosition& to);
 
   private:
     /// Calls `look` with each line from `from` on and its place, until it says false.

@@ -314,14 +314,14 @@ struct Program::State {
     Outcome begin_with_arguments();
     Outcome prepare_arguments(CompiledLine& line);
     Done require_definition(CompiledLine& line, const nc::ControlStatement& statement);
-    bool may_go_on();
+    bool take_step();
     bool is_in_cycle_mode() const {
         return lines.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle;
     }
     bool is_at_limit() const {
         return options.max_blocks != 0 && executed + blocks >= options.max_blocks;
     }
-    bool shows(std::string_view text);
+    bool show(std::string_view text);
     Outcome first_time(nc::Block& out);
     Outcome finish_first(Outcome done, std::string_view text, LinePosition next, nc::Block& out);
     Outcome run(CompiledLine& line, nc::Block& out);
@@ -452,7 +452,7 @@ struct Program::State {
     double modal_call_code() const;
     /// The program that so many calls have led to; nothing: there are not as many.
     std::optional<std::string> name_at(std::int64_t level) const;
-    bool has_program(std::string_view name);
+    bool find_program(std::string_view name);
     nc::LineContext context() const;
     void call_behind(const nc::Block& block, std::string_view text, std::uint64_t number);
     Outcome begin_due();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "path/command.h"
@@ -31,15 +32,13 @@ class SplineSaid {
     /// Another block with a point; returns its number, from 1.
     std::uint32_t count() { return ++blocks_; }
 
-    /// Whether a command stands in front of the span of a block; it is taken with `take`.
-    bool has_before(std::uint32_t block) {
+    /// The next command in front of the span of a block; nothing: all have been taken.
+    std::optional<path::Command> take_before(std::uint32_t block) {
         while (!waiting_.empty() && waiting_.front().block <= block && waiting_.front().is_span) {
             span_ = std::move(waiting_.front().command);
             waiting_.pop_front();
         }
-        return !waiting_.empty() && waiting_.front().block <= block;
-    }
-    path::Command take() {
+        if (waiting_.empty() || waiting_.front().block > block) return std::nullopt;
         path::Command command = std::move(waiting_.front().command);
         waiting_.pop_front();
         return command;

@@ -233,7 +233,7 @@ Command Executor::span_as_said(const Block& block) {
 
 /// Puts out what stands in front of the span of a block of the open spline.
 void Executor::put_said_before(std::uint32_t number) {
-    while (said_in_spline_.has_before(number)) behind_corners() = said_in_spline_.take();
+    while (auto said = said_in_spline_.take_before(number)) behind_corners() = std::move(*said);
 }
 
 /// Puts out the spans that are known by now.

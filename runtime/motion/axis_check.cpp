@@ -62,7 +62,7 @@ Done AxisCheck::require_all_axes(const path::Command& command, const Segment& pi
             i < 3 ? box.upper[k] - box.lower[k] : std::abs(piece.follower_rate[i - 3]) * length;
         if (way <= kStill) continue;
         has_all = false;
-        if (!told_.is_first_missing(i)) continue;
+        if (!told_.first_time_missing(i)) continue;
         report(sink_, diag::AxisNotOnMachine, {command.line, command.source, axis},
                options_.place_of)
             .arg(kAxisNames[i])
@@ -82,7 +82,7 @@ Done AxisCheck::require_limits(const path::Command& command, const AxisTable::Tr
             continue;
         }
         keeps_all = false;
-        if (!told_.is_first_outside(i)) continue;
+        if (!told_.first_time_outside(i)) continue;
         report(sink_, diag::AxisBeyondLimit, {command.line, command.source, axis.axis},
                options_.place_of)
             .arg(axis.name)

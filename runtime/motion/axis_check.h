@@ -21,8 +21,8 @@ namespace kadr::motion {
 /// limits again when it has been back.
 class ToldAxes {
   public:
-    bool is_first_missing(std::size_t logical) { return !std::exchange(missing_[logical], true); }
-    bool is_first_outside(std::size_t slot) { return !std::exchange(outside_[slot], true); }
+    bool first_time_missing(std::size_t logical) { return !std::exchange(missing_[logical], true); }
+    bool first_time_outside(std::size_t slot) { return !std::exchange(outside_[slot], true); }
     void forget_outside(std::size_t slot) { outside_[slot] = false; }
 
   private:

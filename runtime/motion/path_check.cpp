@@ -229,7 +229,7 @@ struct PathCheck::State {
     };
 
     Done follow(const Setpoint& setpoint);
-    bool is_on_plain();
+    bool follow_plain();
     bool is_next(std::size_t at, const Vec3& tip, double come) const;
     const ProgrammedMotion& motion_at(std::size_t i);
     Done go_on();
@@ -333,7 +333,7 @@ Done PathCheck::State::follow(const Setpoint& next) {
     time = next.time;
     is_tool_known = false;
     if (motions.empty()) return kDone;  // nothing has moved yet
-    if (is_on_plain()) return kDone;
+    if (follow_plain()) return kDone;
     if (!go_on()) return kFailed;
     const ProgrammedMotion& here = motion_at(0);
     before = tool_for(here).tip;
@@ -345,7 +345,7 @@ Done PathCheck::State::follow(const Setpoint& next) {
 
 /// On the motion on which the tip was, or one of the next, as far as these are plain; false: that
 /// is not known.
-bool PathCheck::State::is_on_plain() {
+bool PathCheck::State::follow_plain() {
     using Side = PlainLook::Side;
     if (motions.size() >= kMostWaiting) return false;
     const std::size_t followers = layer.followers();

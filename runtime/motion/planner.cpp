@@ -92,7 +92,7 @@ void Planner::State::share_crowd() {
 }
 
 /// Whether no corner that is still to come lies within a tick of the piece that waits longest.
-bool Planner::State::is_out_of_reach() {
+bool Planner::State::is_out_of_reach() const {
     if (axes.limits_jerk()) return true;
     double time = 0;
     for (std::size_t k = 0; k + 1 < waiting && time < tick; ++k) {

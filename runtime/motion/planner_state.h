@@ -49,7 +49,7 @@ struct Planner::State {
     void fill();
     void hand_on_oldest(std::size_t fresh_ones);
     void share_crowd();
-    bool is_out_of_reach();
+    bool is_out_of_reach() const;
     void hand_on_waiting(std::size_t behind, const Piece& next);
     void hand_on(const Piece& piece, double exit_limit);
     void append_complete();

@@ -533,7 +533,7 @@ double Preparer::State::programmed_feed(const Command& command, const Segment& s
     const auto feed = path_feed(command, segment, length, spindle, &axes);
     if (feed) return *feed * programmed_override(command);
     const bool no_feed = feed.error() == FeedFault::NoFeed;
-    if (told.is_first_feed()) {
+    if (told.first_time_of_feed()) {
         report(sink, no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle, command,
                options.place_of);
     }

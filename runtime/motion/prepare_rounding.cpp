@@ -260,7 +260,7 @@ double Preparer::State::time_along(std::span<const Segment> ways, const Command&
 }
 
 /// Whether the way around a corner takes less time than the corner as it is, or than a stop there.
-bool Preparer::State::is_quicker(const TurnedRounding& around, const Command& command,
+bool Preparer::State::gains_time(const TurnedRounding& around, const Command& command,
                                  const TurningWay& before, const TurningWay& behind,
                                  CornerAsItIs as_it_is) {
     const double way = around.way;
@@ -308,7 +308,7 @@ TurnAtCorner Preparer::State::rounded_turn(const Command& command, const Turning
     auto found = turned_rounding(axes.chain(), before, wish, behind, command.blending);
     if (!found) return {};
     const bool rests = axes.limits_jerk();
-    if (is_quicker(*found, command, before, behind,
+    if (gains_time(*found, command, before, behind,
                    rests ? CornerAsItIs::Stop : CornerAsItIs::Passed))
         return {std::move(found), false};
     return {std::nullopt, rests};
@@ -322,7 +322,7 @@ std::optional<TurnedRounding> Preparer::State::smoothed_way(const Command& comma
     const path::Blending& wish = held.command.blending;
     if (!wish.smooths_turns) return std::nullopt;
     auto found = smoothed_turn(axes.chain(), before, behind, wish.orientation);
-    if (found && !is_quicker(*found, command, before, behind, CornerAsItIs::OfTheTip))
+    if (found && !gains_time(*found, command, before, behind, CornerAsItIs::OfTheTip))
         found.reset();
     return found;
 }

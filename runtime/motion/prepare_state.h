@@ -156,9 +156,9 @@ struct WayPart {
 class ToldOnce {
   public:
     /// That a motion has no feed; until the spindle changes.
-    bool is_first_feed() { return !std::exchange(feed_, true); }
+    bool first_time_of_feed() { return !std::exchange(feed_, true); }
     void forget_feed() { feed_ = false; }
-    bool is_first_thread_corner() { return !std::exchange(thread_corner_, true); }
+    bool first_time_of_thread_corner() { return !std::exchange(thread_corner_, true); }
 
   private:
     bool feed_ = false;
@@ -282,7 +282,7 @@ struct Preparer::State {
                         const Arrival& arrival);
     double round_turned_corner(const path::Command& command, const Segment& segment, double length);
     double time_along(std::span<const Segment> ways, const path::Command& command) const;
-    bool is_quicker(const TurnedRounding& around, const path::Command& command,
+    bool gains_time(const TurnedRounding& around, const path::Command& command,
                     const TurningWay& before, const TurningWay& behind, CornerAsItIs as_it_is);
     TurnAtCorner rounded_turn(const path::Command& command, const TurningWay& before,
                               const TurningWay& behind);

@@ -300,7 +300,7 @@ class BlockWriter {
         std::array<std::uint8_t, 256> words{};
         std::uint64_t groups = 0;
     };
-    bool has_room(const Block& block, const Item& item, LineRoom& room);
+    bool take_room(const Block& block, const Item& item, LineRoom& room);
     void check_takers(const Block& block, const Items& items);
     bool takes_word(const Item& item, const Form& other, const FormWord& word) const;
     const std::vector<FormWord>* words_of(const Item& item) const;

@@ -15,7 +15,7 @@ constexpr std::uint32_t kSeriesStep = 3;
 
 }  // namespace
 
-bool CallCompiler::is_at_end() {
+bool CallCompiler::comes_to_end() {
     skip();
     return words_.is_end(at_);
 }
@@ -96,7 +96,7 @@ bool CallCompiler::is_in_macro_call() const {
 
 Try CallCompiler::take_words_of_macro() {
     const std::size_t begin = at_;
-    while (!is_at_end()) {
+    while (!comes_to_end()) {
         if (take_word_of_call() == Try::Taken) continue;
         Call& call = out_.calls[static_cast<std::size_t>(open_call_)];
         if (fault_ || !take_letter_argument(call, false)) return not_taken();
@@ -209,7 +209,7 @@ Done CallCompiler::take_letter_argument(Call& call, bool is_block) {
 }
 
 Try CallCompiler::take_line_as_arguments() {
-    if (is_at_end()) return not_taken();  // a comment that is not closed is none
+    if (comes_to_end()) return not_taken();  // a comment that is not closed is none
     const std::size_t first = at_;
     if (out_.calls.empty()) {
         ControlStatement statement;
@@ -221,7 +221,7 @@ Try CallCompiler::take_line_as_arguments() {
     // Behind a comment between its words the same line goes on.
     Call& call = out_.calls.back();
     const std::size_t begin = out_.statements.back().span.begin;
-    while (!is_at_end()) {
+    while (!comes_to_end()) {
         if (!is_letter(line_[at_])) return tried(fail_here(diag::ArgumentLetter));
         if (!take_letter_argument(call, true)) return not_taken();
     }
@@ -332,7 +332,7 @@ Try CallCompiler::take_named_call() {
     if (!added.repeats.is_given && words_.upper(peek()) == form->repeats &&
         take_repeats(*form, added.repeats) != Try::Taken)
         return give_up();
-    if (!is_at_end()) {
+    if (!comes_to_end()) {
         const LineFault not_alone{&diag::CallNotAlone, added.span, {added.name}};
         give_up();
         if (has_list && !is_own) fault_ = not_alone;
@@ -470,7 +470,7 @@ Done CallCompiler::take_procedure(ControlStatement& out) {
         }
         if (!take_close(language_.close)) return kFailed;
     }
-    while (!is_at_end()) {
+    while (!comes_to_end()) {
         const Word word = words_.word_at(at_);
         const bool is_option = std::ranges::any_of(
             language_.calls.options,

@@ -46,7 +46,7 @@ class CallCompiler : protected ExpressionCompiler {
     std::string program_name(std::size_t& at) const;
     const CallForm* form_of_name(std::string_view name) const;
     bool is_known_name(std::string_view name) const;
-    bool is_at_end();
+    bool comes_to_end();
 
     std::int32_t open_call_ = -1;  // whose words may follow
     std::vector<char> series_;     // letters of the series that were said in this round

@@ -192,7 +192,7 @@ bool BlockWriter::find_places(const Block& block, const Items& items, Places& pl
         for (std::size_t i = 0; i < items.count; ++i) {
             const Item& item = items.list[i];
             if (stops(item) != is_stop) continue;
-            const bool has_place = has_room(block, item, room);
+            const bool has_place = take_room(block, item, room);
             places[i] = has_place ? Place::Here : moves && !is_stop ? Place::Before : Place::Behind;
             has_all &= has_place;
         }
@@ -216,11 +216,11 @@ void BlockWriter::write_apart(const Block& block, const Items& items, const Plac
     write_items(rest, apart, {}, out);
 }
 
-/// Whether the line takes the item beside those that it has; counts its words if so. A control that
-/// takes one M a block gets the others in lines of their own. What else does not go together is an
-/// error: in one line the control would raise an alarm or drop the first, and a line further on it
-/// would act behind the motion.
-bool BlockWriter::has_room(const Block& block, const Item& item, LineRoom& room) {
+/// Counts the item's words. False: the line does not take it beside those that it has. A control
+/// that takes one M a block gets the others in lines of their own. What else does not go together
+/// is an error: in one line the control would raise an alarm or drop the first, and a line further
+/// on it would act behind the motion.
+bool BlockWriter::take_room(const Block& block, const Item& item, LineRoom& room) {
     if (words_of(item) == nullptr) return true;
     const Form* form = item.form == kNoForm ? nullptr : &tables_.forms[item.form];
     if (form != nullptr && form->is_comment) return true;

@@ -212,8 +212,8 @@ bool CurveFit::is_within(const Candidate& candidate, const Cubic& cubic, double 
            is_within(candidate, right, limit, depth + 1);
 }
 
-bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSample& begin,
-                         double to, const CurveSample& end, int depth) {
+bool CurveFit::stays_within(const Candidate& candidate, double from, const CurveSample& begin,
+                            double to, const CurveSample& end, int depth) {
     const double inside = from + (to - from) * kInside;
     const std::optional<CurveSample> middle = sample(inside);
     if (!middle) return false;
@@ -230,11 +230,11 @@ bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSam
         is_within(candidate, cubic, options_.tolerance - 2 * error - kSame, 0))
         return true;
     if (error <= kWellMeasured * options_.tolerance || depth >= kDeepest) return false;
-    return is_within(candidate, from, begin, inside, *middle, depth + 1) &&
-           is_within(candidate, inside, *middle, to, end, depth + 1);
+    return stays_within(candidate, from, begin, inside, *middle, depth + 1) &&
+           stays_within(candidate, inside, *middle, to, end, depth + 1);
 }
 
-bool CurveFit::is_within(const Candidate& candidate) {
+bool CurveFit::stays_within(const Candidate& candidate) {
     if (candidate.pieces == 0) return false;
     const double share = (candidate.to - at_) / (options_.to - options_.from);
     const int intervals =
@@ -247,7 +247,7 @@ bool CurveFit::is_within(const Candidate& candidate) {
         const std::optional<CurveSample> end =
             is_last ? std::optional(candidate.end) : sample(from + width);
         if (!end) return false;
-        if (!is_within(candidate, from, begin, is_last ? candidate.to : from + width, *end, 0))
+        if (!stays_within(candidate, from, begin, is_last ? candidate.to : from + width, *end, 0))
             return false;
         begin = *end;
     }
@@ -267,7 +267,7 @@ std::optional<CurveFit::Candidate> CurveFit::longest() {
     const auto try_step = [&](double step) -> std::optional<Candidate> {
         const double to = step == rest ? options_.to : at_ + step;
         std::optional<Candidate> candidate = make(to);
-        if (!candidate || !is_within(*candidate)) return std::nullopt;
+        if (!candidate || !stays_within(*candidate)) return std::nullopt;
         return candidate;
     };
     double step = limited(step_);

@@ -106,9 +106,9 @@ class CurveFit {
     /// Unit vector of travel beside a parameter; looks a little further where the curve stands.
     std::optional<Vec3> direction(const CurveSample& at, double parameter, double side);
     std::optional<Candidate> make(double to);
-    bool is_within(const Candidate& candidate);
-    bool is_within(const Candidate& candidate, double from, const CurveSample& begin, double to,
-                   const CurveSample& end, int depth);
+    bool stays_within(const Candidate& candidate);
+    bool stays_within(const Candidate& candidate, double from, const CurveSample& begin, double to,
+                      const CurveSample& end, int depth);
     bool is_within(const Candidate& candidate, const Cubic& cubic, double limit, int depth) const;
     bool is_bounded(const Candidate& candidate, const Cubic& cubic, double limit) const;
     double distance(const Candidate& candidate, const Vec3& point) const;

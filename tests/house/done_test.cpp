@@ -78,7 +78,8 @@ std::vector<std::string> reporting_questions(const std::string& text, const Room
 TEST(House, NoFunctionThatAnswersWithBoolReports) {
     std::size_t questions = 0;
     for (const Room& room : kRooms) {
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / room.folder)) {
+        for (const fs::directory_entry& entry :
+             fs::recursive_directory_iterator(kRoot / room.folder)) {
             const std::string extension = entry.path().extension();
             if (extension != ".h" && extension != ".cpp" && extension != ".inc") continue;
             if (room.except.contains(entry.path().filename().string())) continue;
