@@ -192,8 +192,7 @@ Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             return kFailed;
         }
         if (target.rules().shift_in_diameter) scale_frame_x(block, 2);
-        if (modal[Group::Diameter] == Function::None && options.warns_of_cuts &&
-            !warned_of_diameter)
+        if (modal[Group::Diameter] == Function::None && options.warns_of_cuts)
             warn_of_radius(block, at);
         if (says_rapid && motion != Function::Rapid) {
             modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
@@ -269,7 +268,7 @@ Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     if (modal.tcp != ModalState::Tcp::Off && !check_leading(block, at)) return kFailed;
     if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
         say_diameter(block);
-    if (options.warns_of_cuts && !modal.warned_of_rapid && recordings.empty())
+    if (options.warns_of_cuts && !modal.told.has_told(Once::Rapid) && recordings.empty())
         check_rapid(block, at);
     modal.take_words(block);
     if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]

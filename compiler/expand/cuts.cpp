@@ -94,10 +94,10 @@ void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
     if (!is_zx && block.find(Function::PlaneYz) == nullptr) return;
     const bool is_turned = modal[Group::Diameter] != Function::None;
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !is_turned;
-    if (!is_mill || !modal.has_tool_in || told.is_plane_told() ||
+    if (!is_mill || !modal.has_tool_in || told.has_told(Once::Plane) ||
         target.rules().length_axis == nc::LengthAxis::Z)
         return;
-    if (!is_allowed(diag::LengthTurns, at)) told.note_plane();
+    if (!is_allowed(diag::LengthTurns, at)) told.count_as_told(Once::Plane);
     fault(diag::LengthTurns, at)
         .arg(target.name())
         .arg(is_zx ? "G18" : "G19")
@@ -142,7 +142,7 @@ static void warn_of_selection(DiagnosticBuilder builder, double tool) {
 
 /// What the interpreter finds when the text is run, said where only the text is made.
 void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
-    if (needs_feed && !modal.has_feed && told.first_time_of_feed()) {
+    if (needs_feed && !modal.has_feed && told.first_time(Once::Feed)) {
         // Where the control alarms, no text is written that would; the common core has no alarms.
         if (const auto alarm = target.alarm(diag::FeedMissing)) {
             const std::string number = alarm->number.empty() ? alarm->text : alarm->number;
@@ -154,13 +154,14 @@ void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
         }
         fault(diag::FeedNeverSet, at);
     }
-    if (modal.is_spindle_turning() && modal.lacks_tool) {
-        modal.lacks_tool = false;  // said once
+    if (modal.is_spindle_turning() && misses_tool()) {
+        modal.told.count_as_told(Once::NoTool);
         if (!modal.has_tool) fault(diag::ToolNeverCalled, at);
         else if (!selection_changes(target, modal))
             warn_of_selection(fault(diag::ToolNeverCalled, at), modal.tool);
     }
-    if (!modal.is_spindle_turning() && !modal.warned_of_spindle) warn_of_spindle(at);
+    if (!modal.is_spindle_turning() && !modal.told.has_told(Once::SpindleStopped))
+        warn_of_spindle(at);
 }
 
 void Expander::State::warn_of_spindle(std::uint32_t at) {
@@ -169,7 +170,7 @@ void Expander::State::warn_of_spindle(std::uint32_t at) {
     const DiagnosticRow& row = is_on && modal.lacks_speed
                                    ? static_cast<const DiagnosticRow&>(diag::SpindleWithoutSpeed)
                                    : diag::FeedWithSpindleStopped;
-    modal.warned_of_spindle = !is_allowed(row, at);
+    if (!is_allowed(row, at)) modal.told.count_as_told(Once::SpindleStopped);
     DiagnosticBuilder builder = fault(row, at);
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Spindle)];
     if (modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
@@ -197,7 +198,7 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     const double way = block.at(nc::Slot::Z);
     const double target_z = is_way ? modal.position[kZ] + way : way;
     if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
-    modal.warned_of_rapid = !is_allowed(diag::RapidBelowPlane, at);
+    if (!is_allowed(diag::RapidBelowPlane, at)) modal.told.count_as_told(Once::Rapid);
     // As a word of the program says it.
     const bool is_inch = modal[Group::Units] == Function::Inch;
     fault(diag::RapidBelowPlane, at).arg(is_inch ? target_z / kMmPerInch : target_z);

@@ -286,6 +286,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::EndsProgram:
             has_ended = block.skip < 0;
             ended_by = source;
+            told.renew(Once::AfterEnd);
             break;
         case Kind::SelectsEdge:
         case Kind::SelectsLength:
@@ -313,7 +314,7 @@ void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
     if (group == Group::SpeedMode && member != effect.function) has_speed = false;
     member = effect.function;
     changed_by[static_cast<std::size_t>(group)] = block.source;
-    if (group == Group::Spindle) warned_of_spindle = warned_of_rapid = false;
+    if (group == Group::Spindle) told.renew_spindle();
 }
 
 /// Follows what acts if the operator leaves out the blocks that he may, beside what acts if not.
@@ -333,7 +334,7 @@ void ModalState::choose_compensation(Function side, int skip, SourceId source) {
 void ModalState::switch_spindle(Function member, SourceId source) {
     active[static_cast<std::size_t>(Group::Spindle)] = member;
     changed_by[static_cast<std::size_t>(Group::Spindle)] = source;
-    warned_of_spindle = warned_of_rapid = false;
+    told.renew_spindle();
 }
 
 void ModalState::set_spindle(double code, SourceId source) {

@@ -9,6 +9,7 @@
 #include "base/axes.h"
 #include "control/frame_steps.h"
 #include "control/program_frame.h"
+#include "expand/told_once.h"
 #include "nc/block.h"
 #include "nc/effects.h"
 #include "sema/code.h"
@@ -92,10 +93,8 @@ struct ModalState {
     sema::ModalMask restate = 0;    // set by a block that may be left out: the output says it again
     bool spindle_in_doubt = false;  // likewise, but the operator's choice
     bool lacks_speed = true;        // no S was said, and no text of unknown meaning stood there
-    // What was said since the spindle was switched last; anew for each time that it is.
-    bool warned_of_spindle = false;
-    bool warned_of_rapid = false;
-    bool has_ended = false;  // behind M30
+    ToldOnce told;                  // of this state; a change of it renews that
+    bool has_ended = false;         // behind M30
     SourceId ended_by;
 
     nc::Function operator[](nc::Group group) const {

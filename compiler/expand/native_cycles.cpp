@@ -88,8 +88,7 @@ void Expander::State::warn_of_tap() {
     const bool is_called = frames.size() > 1 && frame.return_to > 0;
     if (!is_called || !target.rules().modal_cycles) return;
     const std::uint32_t at = frame.return_to - 1;
-    if (tap_warned_at == at) return;
-    tap_warned_at = at;
+    if (!told_at.first_time(OnceAt::Tap, at)) return;
     fault_in(diag::TapByMoves, at, frames.size() - 1).arg(frame.function->name);
 }
 
@@ -163,7 +162,8 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
     if (modal.unplaced != 0 && !say_places(source, at, static_cast<unsigned>(frames.size() - 1)))
         return CycleOutcome::Failed;
     if (modal.restate != 0) say_again_alone(source, at, frames.size() - 1);
-    if (modal.spindle_in_doubt && !turns_spindle(parameters, given, values))
+    if (modal.spindle_in_doubt && !turns_spindle(parameters, given, values) &&
+        modal.told.first_time(Once::SpindleInDoubt))
         warn_of_choice(fault_in(diag::SpindleInDoubt, at, frames.size() - 1));
     Block& block = next_block(source);
     nc::Invocation* invocation = block.add(Function::Cycle, parameters.size());

@@ -14,7 +14,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/done.h"
@@ -22,6 +21,7 @@
 #include "expand/expander.h"
 #include "expand/heap.h"
 #include "expand/modal.h"
+#include "expand/told_once.h"
 #include "path/command.h"
 #include "path/contour.h"
 #include "path/contour_offset.h"
@@ -119,25 +119,6 @@ struct SaidCycle {
 struct OpenWith {
     sema::ModalMask mask = 0;
     ModalState before;
-};
-
-/// What is said once, or once at a place.
-class ToldOnce {
-  public:
-    bool first_time_of_feed() { return !std::exchange(feed_, true); }
-    bool is_plane_told() const { return plane_; }
-    void note_plane() { plane_ = true; }
-    /// That a control has no splines, or that its increments do not let a curve keep its tolerance.
-    bool first_time_of_spline(std::uint32_t at) { return std::exchange(spline_at_, at) != at; }
-    bool first_time_of_tolerance(std::uint32_t at) {
-        return std::exchange(tolerance_at_, at) != at;
-    }
-
-  private:
-    bool feed_ = false;
-    bool plane_ = false;
-    std::uint32_t spline_at_ = 0;
-    std::uint32_t tolerance_at_ = 0;
 };
 
 struct Expander::State {
@@ -319,9 +300,11 @@ struct Expander::State {
     bool is_allowed(const DiagnosticRow& row, std::uint32_t at) const {
         return options.is_allowed && options.is_allowed(row, code.places[at]);
     }
+    /// Whether no tool was called, and that has not been told yet.
+    bool misses_tool() const { return modal.lacks_tool && !modal.told.has_told(Once::NoTool); }
     bool is_cut_doubtful() const {
         return !modal.has_feed ||
-               (options.warns_of_cuts && (modal.lacks_tool || !modal.is_spindle_turning()));
+               (options.warns_of_cuts && (misses_tool() || !modal.is_spindle_turning()));
     }
     /// A rapid below the zero of the workpiece while the spindle stands. The block has not moved
     /// yet.
@@ -489,8 +472,8 @@ struct Expander::State {
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
     SaidCycle said_cycle;
-    ToldOnce told;
-    bool warned_of_diameter = false;  // said once
+    ToldOnce told;  // of the whole program; see also ModalState::told
+    ToldAt told_at;
 
     /// A contour whose blocks are being kept.
     struct Recording {
@@ -507,9 +490,8 @@ struct Expander::State {
     nc::Block kept_block;               // takes the words of a block that is kept
 
     std::optional<Following> following;
-    std::uint32_t tap_warned_at = 0;  // where a control without tapping was reported last
-    bool is_in_curve = false;         // a point of a curve is being calculated
-    std::vector<double> slopes;       // beside `stack`, while one is
+    bool is_in_curve = false;    // a point of a curve is being calculated
+    std::vector<double> slopes;  // beside `stack`, while one is
 
     nc::Block* batch = nullptr;
     std::size_t batch_size = 0;

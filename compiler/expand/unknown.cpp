@@ -147,7 +147,9 @@ void ModalState::join_group(Group group, SourceId block) {
             // To say it again would take the choice away.
             active[static_cast<std::size_t>(group)] = Function::None;
             lose_to_choice(group_bit(group), block);
-            spindle_in_doubt = spindle_in_doubt || group == Group::Spindle;
+            if (group != Group::Spindle) break;
+            spindle_in_doubt = true;
+            told.renew(Once::SpindleInDoubt);
             break;
         case Group::Diameter: diameter_due = (*this)[group]; break;
         default: break;  // said again by the writer
@@ -254,7 +256,6 @@ Done Expander::State::require_sure_compensation(const Block& block, std::uint32_
 }
 
 void Expander::State::compensation_chosen(DiagnosticBuilder builder) {
-    modal.comp_choice = ModalState::kNoChoice;  // said once
     if (modal.comp_by.is_valid() && modal.comp_by.index < code.statements.size())
         builder.note(code.statements[modal.comp_by.index], "this block may be left out");
     builder.fix("leave out all of the contour: the same `/` in each of its blocks");
@@ -320,8 +321,7 @@ void Expander::State::warn_of_radius(const Block& block, std::uint32_t at) {
         block.find(Function::CuttingSpeedOn) != nullptr || block.motion == Function::Thread;
     const auto on = static_cast<std::size_t>(Function::DiameterOn);
     if (!turns || target.tables().forms_of[on].empty()) return;
-    warned_of_diameter = true;
-    fault(diag::DiameterNotSaid, at);
+    if (told.first_time(Once::Diameter)) fault(diag::DiameterNotSaid, at);
 }
 
 Done Expander::State::settle_unknown(Block& block, std::uint32_t at) {
@@ -329,12 +329,12 @@ Done Expander::State::settle_unknown(Block& block, std::uint32_t at) {
     if (!recordings.empty() || !moves(block) || !nc::has_fact(modal[Group::Motion], nc::Fact::Cut))
         return kDone;
     if (modal.restate != 0) say_again(block);
-    if (modal.spindle_in_doubt) warn_of_choice(fault(diag::SpindleInDoubt, at));
+    if (modal.spindle_in_doubt && modal.told.first_time(Once::SpindleInDoubt))
+        warn_of_choice(fault(diag::SpindleInDoubt, at));
     return kDone;
 }
 
 void Expander::State::warn_of_choice(DiagnosticBuilder builder) {
-    modal.spindle_in_doubt = false;  // said once
     if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size())
         builder.note(code.statements[modal.lost_by.index], "this block may be left out");
 }
@@ -355,7 +355,7 @@ Done Expander::State::keep_promise(const OpenWith& promise, std::uint32_t at) {
 }
 
 void Expander::State::warn_after_end(std::uint32_t at) {
-    modal.has_ended = false;  // said once
+    if (!modal.told.first_time(Once::AfterEnd)) return;
     DiagnosticBuilder builder = fault(diag::BlockAfterEnd, at);
     if (modal.ended_by.is_valid() && modal.ended_by.index < code.statements.size())
         builder.note(code.statements[modal.ended_by.index], "the program ends here");
