@@ -95,7 +95,8 @@ Done Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
     if (is_between_places() && !require_between_places(plan, instruction, at)) [[unlikely]]
         return kFailed;
     if (!plan.functions.empty() || modal.tcp != ModalState::Tcp::Off) {
-        if (const std::optional<Done> taken = take_tool(plan, instruction, at)) return *taken;
+        const ToolTaken said = take_tool(plan, instruction, at);
+        if (said != ToolTaken::Nothing) return Done(said == ToolTaken::Done);
     }
     if (!plan.functions.empty() && is_about_tilt(plan)) [[unlikely]]
         return emit_tilt(plan, instruction, registers, at);

@@ -107,10 +107,8 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         return CycleOutcome::Failed;
     }
     if (!options.native_cycles || modal.tcp == ModalState::Tcp::Length) return CycleOutcome::Moves;
-    if (is_between_places() && frame.return_to > 0) {
-        (void)refuse_beside_cycle("another cycle", frame.return_to - 1);
-        return CycleOutcome::Failed;
-    }
+    if (is_between_places() && frame.return_to > 0)
+        return failed(refuse_beside_cycle("another cycle", frame.return_to - 1));
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
     std::uint32_t given = 0;
@@ -147,10 +145,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
     if (modal.lost != 0 && !require_state_for_cycle(*frame.function, given, at))
         return CycleOutcome::Failed;
     const bool needs_feed = std::ranges::none_of(parameters, says_feed);
-    if (needs_feed && modal.is_feed_lost) {
-        (void)refuse_lost_feed(at, frames.size() - 1);
-        return CycleOutcome::Failed;
-    }
+    if (needs_feed && modal.is_feed_lost) return failed(refuse_lost_feed(at, frames.size() - 1));
     if (options.warns_of_cuts && is_cut_doubtful() && !turns_spindle(parameters, given, values))
         warn_of_cut(at, needs_feed);
     if (has_failed) return CycleOutcome::Failed;

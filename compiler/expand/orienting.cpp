@@ -87,22 +87,23 @@ void Expander::State::say_function(Function function, std::span<const double> ar
     if (options.trace) keep_trace(at, depth, source);
 }
 
-/// Tool centre point control, its ways and directions, and what must not stand under it. Nothing:
-/// the block is like any other.
-std::optional<Done> Expander::State::take_tool(const sema::Plan& plan,
-                                               const Instruction& instruction, std::uint32_t at) {
+/// Tool centre point control, its ways and directions, and what must not stand under it.
+Expander::State::ToolTaken Expander::State::take_tool(const sema::Plan& plan,
+                                                      const Instruction& instruction,
+                                                      std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     for (const nc::Invocation& invocation : plan.functions) {
         const Function function = invocation.function;
         switch (function) {
-            case Function::TcpOn: return begin_tcp(plan.functions, source, at, instruction.c);
-            case Function::TcpOff: return end_tcp(source, at, instruction.c);
+            case Function::TcpOn:
+                return tool_taken(begin_tcp(plan.functions, source, at, instruction.c));
+            case Function::TcpOff: return tool_taken(end_tcp(source, at, instruction.c));
             case Function::TurnPlane:
             case Function::TurnAxes:
                 if (target.can_write(function) || !target.can_write(Function::TcpVector)) break;
-                return choose_turning(function, source, at, instruction.c);
+                return tool_taken(choose_turning(function, source, at, instruction.c));
             case Function::ToolVector:
-                if (!require_leading_tool(at)) return kFailed;
+                if (!require_leading_tool(at)) return ToolTaken::Failed;
                 break;
             default: break;
         }
@@ -111,11 +112,11 @@ std::optional<Done> Expander::State::take_tool(const sema::Plan& plan,
             (nc::has_fact(function, nc::Fact::OutsideTcp) ||
              (modal.tcp == Tcp::Length && (nc::has_fact(function, nc::Fact::AlarmUnderTcpLength) ||
                                            nc::has_fact(function, nc::Fact::OutsideTcpLength))));
-        if (is_outside) return refuse_under_tcp(nc::info(function).name, at);
+        if (is_outside) return tool_taken(refuse_under_tcp(nc::info(function).name, at));
     }
     if (modal.tcp == Tcp::Length && names_rotary(plan))
-        return refuse_under_tcp("a place of a rotary axis", at);
-    return std::nullopt;
+        return tool_taken(refuse_under_tcp("a place of a rotary axis", at));
+    return ToolTaken::Nothing;
 }
 
 Done Expander::State::refuse_under_tcp(std::string_view what, std::uint32_t at) {

@@ -199,8 +199,13 @@ struct Expander::State {
     // ---- orienting.cpp
     void say_function(nc::Function function, std::span<const double> arguments, SourceId source,
                       std::uint32_t at, unsigned depth);
-    std::optional<Done> take_tool(const sema::Plan& plan, const Instruction& instruction,
-                                  std::uint32_t at);
+    enum class ToolTaken : std::uint8_t {
+        Failed,
+        Done,
+        Nothing,  // of it: the block is like any other
+    };
+    static ToolTaken tool_taken(Done done) { return done ? ToolTaken::Done : ToolTaken::Failed; }
+    ToolTaken take_tool(const sema::Plan& plan, const Instruction& instruction, std::uint32_t at);
     Done refuse_under_tcp(std::string_view what, std::uint32_t at);
     std::string tcp_hindrance() const;
     std::optional<double> length_number() const;
@@ -322,6 +327,8 @@ struct Expander::State {
         Block,   // a block stands for it
         Failed,  // told
     };
+    /// A cycle whose refusal has been told.
+    static CycleOutcome failed(Done) { return CycleOutcome::Failed; }
     CycleOutcome emit_cycle(nc::CycleId cycle, const Slot* registers);
 
     // ---- frame_blocks.cpp

@@ -25,7 +25,7 @@ SplineRun::SplineRun(int degree, bool by_knots)
       parallel_(degree),
       directions_(degree) {
     if (by_knots) return;
-    for (int i = 0; i <= degree; ++i) (void)add_to_all(0);
+    for (int i = 0; i <= degree; ++i) (void)add_to_all(0);  // a clamped begin is never wrong
 }
 
 void SplineRun::add_pole(const path::Vec3& pole, double weight, const PoleBlock& block) {
@@ -44,6 +44,7 @@ void SplineRun::add_pole(const path::Vec3& pole, double weight, const PoleBlock&
 
 std::optional<NurbsFault> SplineRun::add_to_all(double knot) {
     if (const auto fault = spans_.add_knot(knot)) return fault;
+    // The same knots: a fault would have been one of the spans.
     (void)rotary_.add_knot(knot);
     (void)parallel_.add_knot(knot);
     (void)directions_.add_knot(knot);

@@ -20,6 +20,7 @@ Span find_word(const DialectTables& tables, std::string_view line, IsWanted is_w
     const std::size_t head = words_behind_head(tables, line);
     if (head != std::string_view::npos) std::fill_n(words.begin(), head, ' ');
     line = words;
+    // A line with a fault has the words until there.
     if (tables.language.is_present) {
         (void)compile_line(tables, SymbolTable(), line, compiled);
     } else {

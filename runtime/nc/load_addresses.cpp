@@ -131,7 +131,7 @@ void load_number(const XmlElement& element, DialectTables& tables, Attributes& a
     DiagnosticList unheard;
     Attributes silent(unheard);
     for (const XmlWord& word : words_of(needed(element, "addresses"))) {
-        if (word.text == kCallAddress) (void)address_named(tables, kCallAddress);
+        if (word.text == kCallAddress) (void)address_named(tables, kCallAddress);  // adds it
         const AddressId id = tables.find_address(word.text);
         if (id == kNoAddress) {
             attributes.bad_word(word, "addresses", "it is not declared as an address");
