@@ -67,7 +67,7 @@ Program::State::Outcome Program::State::begin_contour(CompiledLine& line,
     if (!open.is_coded) {
         Value kind;
         Outcome done = evaluate(line, statement.value, kind);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         const std::string letter = kind.is_text() ? std::string(evaluator.text(kind))
                                    : kind.kind == Value::Kind::Char ? kind.character()
                                                                     : std::string();
@@ -91,7 +91,7 @@ Program::State::Outcome Program::State::begin_contour(CompiledLine& line,
     if (statement.count.is_given()) {
         Value ways;
         const Outcome done = evaluate(line, statement.count, ways);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         const bool is_fine =
             ways.is_number() && (ways.number == 0 || (ways.number == 1 && !open.is_coded));
         if (!is_fine)

@@ -43,7 +43,7 @@ Program::State::Outcome Program::State::use_file(CompiledLine& line,
     if (given > 0) return Outcome::Wait;
     Value path;
     Outcome done = evaluate(line, statement.value, path);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (!path.is_text()) {
         return fail(line, diag::TypesDiffer, statement.value.span,
                     {"the name of a file", std::string(kind_name(path))});
@@ -59,11 +59,11 @@ Program::State::Outcome Program::State::use_file(CompiledLine& line,
         error = control_files.remove(name);
     } else if (statement.kind == Statement::ReadFile) {
         done = read_file(line, statement, name, error);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
     } else {
         Value text;
         done = evaluate(line, statement.second, text);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         if (!text.is_text()) {
             return fail(line, diag::TypesDiffer, statement.second.span,
                         {"a line of a file", std::string(kind_name(text))});
@@ -85,9 +85,9 @@ Program::State::Outcome Program::State::read_file(CompiledLine& line,
     Value first;
     Value count;
     Outcome done = evaluate(line, statement.second, first);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     done = evaluate(line, statement.count, count);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     const nc::Instruction& load = statement.table.load;
     const nc::Symbol* result = load.kind == nc::Instruction::Kind::Element
                                    ? &variables.level().symbols.at(load.index)

@@ -65,7 +65,7 @@ Program::State::Outcome Program::State::print(CompiledLine& line,
         }
         Value value;
         const Outcome done = evaluate(line, piece.value, value);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         if (is_bytes) {
             const auto bytes = bytes_of(value.number, piece.decimals);
             if (!bytes) return fail(line, diag::NumberTooLarge, piece.value.span);

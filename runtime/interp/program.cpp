@@ -671,18 +671,18 @@ Program::State::Outcome Program::State::read_words(CompiledLine& line, Block& ou
     const nc::ComputedValue* axis_argument = nullptr;
     if (!code.axes.empty()) {
         const Outcome done = set_axes(line);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
     }
     if (!code.codes.empty()) {
         const Outcome done = set_codes(line);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
     }
     for (std::size_t i = 0; i < code.computed.size(); ++i) {
         const bool is_fine_round = language.rules.round_in_word && code.computed[i].argument < 0;
         Value value;
         const Outcome done = evaluate(line, code.computed[i].value, value,
                                       is_fine_round ? lines.value_decimals(code, i) : -1);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         // An axis among the arguments of a call is said by its number, X by -1.
         const bool is_axis_argument = value.axis() && code.computed[i].argument >= 0;
         if (is_axis_argument && axis_argument == nullptr) axis_argument = &code.computed[i];
@@ -699,7 +699,7 @@ Program::State::Outcome Program::State::read_words(CompiledLine& line, Block& ou
     }
     const bool is_kept = &line != &scratch && code.axes.empty() && code.codes.empty();
     nc::MatchedLine* const known = is_kept ? &line.matched : nullptr;
-    if (!lines.read_words(line.text, line.line, values, out, known)) return Outcome::Nothing;
+    if (!lines.read_words(line.text, line.line, values, out, known)) return Outcome::Failed;
     if (axis_argument != nullptr && takes_no_axis(out))
         return fail(line, diag::TypesDiffer, axis_argument->value.span,
                     {"an argument of this call", "an axis"});
@@ -748,7 +748,7 @@ Program::State::Outcome Program::State::set_axes(CompiledLine& line) {
     for (const nc::ComputedAxis& computed : line.line.axes) {
         Value value;
         const Outcome done = evaluate(line, computed.axis, value);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         nc::GivenWord& word = line.line.words.words[computed.word];
         const std::size_t begin = line.line.words.spans[computed.word].begin;
         const nc::ControlWords words(tables, line.text);
@@ -783,9 +783,9 @@ Program::State::Outcome Program::State::set_codes(CompiledLine& line) {
         Value group;
         Value number;
         Outcome done = evaluate(line, computed.group, group);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         done = evaluate(line, computed.number, number);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         if (!group.is_number())
             return fail(line, diag::IndexType, computed.group.span,
                         {std::string(kind_name(group))});
@@ -830,7 +830,7 @@ bool Program::State::set_code(nc::LexedLine& words, std::size_t place,
 
 Program::State::Outcome Program::State::fail(CompiledLine& line, const LineFault& fault) {
     lines.report_event(line.text, fault);
-    return Outcome::Nothing;
+    return Outcome::Failed;
 }
 
 Program::State::Outcome Program::State::fail(CompiledLine& line, ProgramMap::Fault fault,
@@ -875,7 +875,7 @@ Program::State::Outcome Program::State::truth(CompiledLine& line, const nc::Expr
                                               bool& out) {
     Value value;
     const Outcome done = evaluate(line, expression, value);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (!value.is_number()) {
         return fail(line, diag::TypesDiffer, expression.span,
                     {"a condition", std::string(kind_name(value))});

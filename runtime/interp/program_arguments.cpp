@@ -78,7 +78,7 @@ Program::State::Outcome Program::State::prepare_arguments(CompiledLine& line) {
     if (line.text.empty()) return Outcome::Nothing;
     line.context = context();
     compile_language(line);
-    if (lines.failed()) return Outcome::Nothing;
+    if (lines.failed()) return Outcome::Failed;
     if (line.line.calls.size() != 1)
         return fail(line, diag::CallIncomplete, {0, 1}, {*options.call});
     const nc::Call& words = line.line.calls[0];
@@ -87,7 +87,7 @@ Program::State::Outcome Program::State::prepare_arguments(CompiledLine& line) {
     if (words.form >= 0) call.form = &language.calls.calls[static_cast<std::size_t>(words.form)];
     if (call.is_macro()) {
         const Outcome done = prepare_letters(line, words, call);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         frame->own_level = call.level;
         frame->level = call.level.get();
         resume_frame(*frame);
@@ -100,7 +100,7 @@ Program::State::Outcome Program::State::prepare_arguments(CompiledLine& line) {
         name.empty() || head == nullptr || nc::ControlWords(tables, name).is_same(name, head->name);
     if (!is_same) return fail(line, diag::ProgramMissing, {0, 1}, {'`' + name + '`'});
     const Outcome done = prepare_list(line, words, call);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     return bind_parameters(line, call, *frame);
 }
 

@@ -83,7 +83,7 @@ Program::State::Outcome Program::State::number_of(CompiledLine& line, const nc::
     }
     Value found;
     const Outcome done = evaluate(line, value.value, found);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (found.is_text()) return fail(line, diag::TypesDiffer, value.span, {"a count", "a text"});
     if (!found.is_vacant()) out = std::round(found.number);
     return Outcome::Nothing;
@@ -98,7 +98,7 @@ Program::State::Outcome Program::State::program_name(CompiledLine& line,
     if (statement.kind == Statement::CallByText) {
         Value text;
         const Outcome done = evaluate(line, statement.second, text);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         if (!text.is_text())
             return fail(line, diag::TypesDiffer, statement.second.span,
                         {"the name of a program", "a number"});
@@ -117,7 +117,7 @@ Program::State::Outcome Program::State::program_name(CompiledLine& line,
     if (!name.empty()) return Outcome::Nothing;
     std::optional<double> number;
     const Outcome done = number_of(line, words.program, number);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     const auto written = [&](const nc::Span& span) {
         return std::vector{line.text.substr(span.begin, span.end - span.begin)};
     };
@@ -147,7 +147,7 @@ Program::State::Outcome Program::State::find_program(CompiledLine& line,
                                                      const CallForm* form, PreparedCall& out) {
     ProgramName wanted;
     const Outcome done = program_name(line, statement, form, out, wanted);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (out.unit == nullptr) out.unit = units.find(wanted.name, text(), wanted.kind);
     if (out.unit != nullptr) return Outcome::Nothing;
     return missing_program(line, statement, wanted.name);
@@ -196,7 +196,7 @@ Program::State::Outcome Program::State::prepare_passes(CompiledLine& line,
                                                        PreparedCall& out) {
     std::optional<double> count;
     const Outcome done = number_of(line, passes, count);
-    if (done == Outcome::Wait || lines.failed() || !count) return done;
+    if (!goes_on(done) || !count) return done;
     if (!(*count >= 1 && *count <= language.rules.most_passes))
         return fail(line, diag::RepeatCount, passes.span, {evaluator.written(Value::real(*count))});
     out.passes = static_cast<std::int64_t>(*count);
@@ -218,9 +218,9 @@ Program::State::Outcome Program::State::prepare_section(CompiledLine& line,
         return fail(line, fault, diag::JumpTargetMissing, wanted.span, quoted(wanted.label));
     };
     Outcome done = find(statement.from, head, begin);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     done = find(statement.to, begin, end);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     out.from = begin;
     out.to = end.next;
     return Outcome::Nothing;
@@ -235,8 +235,7 @@ Program::State::Outcome Program::State::prepare(CompiledLine& line,
     if (words != nullptr && words->form >= 0)
         out.form = &language.calls.calls[static_cast<std::size_t>(words->form)];
     Outcome done = find_program(line, statement, out.form, out);
-    const auto is_over = [&] { return done == Outcome::Wait || lines.failed(); };
-    if (is_over()) return done;
+    if (!goes_on(done)) return done;
     const nc::Span span = is_by_text ? statement.second.span : words->span;
     out.site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(line.text, line.place.line.line, span), frame->site});
@@ -248,17 +247,17 @@ Program::State::Outcome Program::State::prepare(CompiledLine& line,
         passes.span = statement.count.span;
     }
     done = prepare_passes(line, passes, out);
-    if (is_over()) return done;
+    if (!goes_on(done)) return done;
     std::optional<double> start;
     done = number_of(line, words->start, start);
-    if (is_over()) return done;
+    if (!goes_on(done)) return done;
     if (start) out.start = static_cast<std::int64_t>(*start);
     if (out.is_macro()) return prepare_letters(line, *words, out);
     done = prepare_list(line, *words, out);
-    if (is_over() || out.form == nullptr || out.form->value.empty()) return done;
+    if (!goes_on(done) || out.form == nullptr || out.form->value.empty()) return done;
     std::optional<double> code;
     done = number_of(line, words->code, code);
-    if (is_over()) return done;
+    if (!goes_on(done)) return done;
     variables.set_global(out.form->value, code.value_or(out.form->number));
     return done;
 }
@@ -280,7 +279,7 @@ Program::State::Outcome Program::State::prepare_letters(CompiledLine& line, cons
         }
         Value value;
         const Outcome done = evaluate(line, argument.value, value);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         variables.set_argument(*out.level, argument.slot, value);
     }
     return Outcome::Nothing;
@@ -305,7 +304,7 @@ Program::State::Outcome Program::State::prepare_list(CompiledLine& line, const n
         }
         if (argument.is_array) continue;
         const Outcome done = evaluate(line, argument.value, given_value.value);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         given_value.text = evaluator.text(given_value.value);
         if (given_value.value.is_frame()) given_value.frame = *evaluator.frame(given_value.value);
     }
@@ -325,13 +324,13 @@ Program::State::Outcome Program::State::call(CompiledLine& line,
         const nc::CallValue& code = line.line.calls[statement.call].code;
         std::optional<double> number;
         done = number_of(line, code, number);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         // `T#1`: a word without a value is not there.
         if (code.is_given && !number) return Outcome::Nothing;
     }
     PreparedCall prepared;
     done = prepare(line, statement, prepared);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     return begin(line, prepared);
 }
 
@@ -341,7 +340,7 @@ Program::State::Outcome Program::State::call_section(CompiledLine& line,
     Value count = Value::real(0);
     Outcome done = Outcome::Nothing;
     if (statement.count.is_given()) done = evaluate(line, statement.count, count);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (count.number != 0) return repeat_section(line, statement);
     const auto target = resolve(line, statement.from);
     if (!target) return target.error();
@@ -380,7 +379,7 @@ Program::State::Outcome Program::State::check_depth(CompiledLine& line, const Pr
 Program::State::Outcome Program::State::begin(CompiledLine& line, const PreparedCall& call) {
     const nc::Span span = line.line.calls.empty() ? nc::Span{0, 1} : line.line.calls[0].span;
     Outcome done = check_depth(line, call, span);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     const bool is_external = call.form != nullptr && call.form->is_external;
     if (is_external && frame->is_external) return fail(line, diag::ExternalNested, span);
     const ControlStatement* const head = call.unit->procedure();
@@ -414,7 +413,7 @@ Program::State::Outcome Program::State::begin(CompiledLine& line, const Prepared
     references.clear();
     done = bind_parameters(line, call, *callee);
     callee->references = std::move(references);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (call.start >= 0) {
         Place found;
         const auto fault = call.unit->map.find({{}, call.start}, Direction::Forward,
@@ -469,7 +468,7 @@ Program::State::Outcome Program::State::bind_parameters(CompiledLine& line,
     Outcome done = Outcome::Nothing;
     for (std::size_t i = 0; i < count; ++i) {
         done = bind_parameter(line, call, i);
-        if (done == Outcome::Wait || lines.failed()) break;
+        if (!goes_on(done)) break;
     }
     variables.enter(*frame->level);
     evaluator.enter(*frame->level);
@@ -532,23 +531,26 @@ Program::State::Outcome Program::State::bind_parameter(CompiledLine& line, const
     if (given_value.is_array) {
         const Store& from = *given_value.place.store;
         const std::uint32_t most = std::min(added.count(), given_value.place.symbol->count());
-        for (std::uint32_t i = 0; i < most && !lines.failed(); ++i) {
+        Outcome done = Outcome::Nothing;
+        for (std::uint32_t i = 0; i < most && goes_on(done); ++i) {
             const Value& value = from.values[given_value.place.slot + i];
-            if (!value.is_vacant()) set(i, value, from.content(value));
+            if (!value.is_vacant()) done = set(i, value, from.content(value));
         }
-        return Outcome::Nothing;
+        return done;
     }
     if (given_value.is_given) {
         const Content content{given_value.text, &given_value.frame};
         return set(0, evaluator.keep(given_value.value, content), content);
     }
     const std::vector<nc::Expression>& defaults = parameter.declaration.values;
+    Outcome done = Outcome::Nothing;
     for (std::size_t i = 0; i < defaults.size() && i < added.count(); ++i) {
         Value value;
         if (!defaults[i].is_given() || !work_out(defaults[i], value)) continue;
-        set(static_cast<std::uint32_t>(i), value, evaluator.content(value));
+        if (!goes_on(set(static_cast<std::uint32_t>(i), value, evaluator.content(value))))
+            done = Outcome::Failed;
     }
-    return Outcome::Nothing;
+    return done;
 }
 
 /// The parameter is the caller's variable: of the same type, an array of the same dimensions.
@@ -616,7 +618,7 @@ Program::State::Outcome Program::State::declare_procedure(CompiledLine& line,
         if (was_called || done == Outcome::Wait || (lines.failed() && !had_failed)) return done;
         std::uint32_t characters = 0;
         done = text_size(line, parameter.type_size, characters);
-        if (done == Outcome::Nothing)
+        if (done != Outcome::Wait)
             done = declare_one(line, parameter.declaration, parameter.type, characters);
     }
     return done;
@@ -647,7 +649,7 @@ Program::State::Outcome Program::State::call_modal(CompiledLine& line,
                                                    const ControlStatement& statement, Block& out) {
     auto prepared = std::make_shared<PreparedCall>();
     const Outcome done = prepare(line, statement, *prepared);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     prepared->is_modal = true;
     const int most = language.rules.most_modal_calls;
     if (most == 1) modal_calls.clear();
@@ -758,7 +760,7 @@ Program::State::Outcome Program::State::call_with_block(CompiledLine& line) {
     PreparedCall call = *active;
     const nc::Call& words = line.line.calls[0];
     Outcome done = prepare_letters(line, words, call);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     call.site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(line.text, line.place.line.line, words.span), frame->site});
     done = begin(line, call);
@@ -889,7 +891,7 @@ Program::State::Outcome Program::State::leave_program(CompiledLine& line,
     std::optional<double> number;
     Outcome done = Outcome::Nothing;
     if (words != nullptr) done = number_of(line, words->target, number);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (number) target = LineTarget{{}, static_cast<std::int64_t>(*number)};
     if (!target && cancel_repeat()) return Outcome::Nothing;
     if (frames.size() == 1) return return_in_main(line, statement, target, out);
@@ -902,9 +904,9 @@ Program::State::Outcome Program::State::leave_program(CompiledLine& line,
     Value behind;
     Value levels = Value::real(1);
     if (statement.value.is_given()) done = evaluate(line, statement.value, behind);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (statement.count.is_given()) done = evaluate(line, statement.count, levels);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     const auto most = static_cast<double>(frames.size() - 1);
     frame->levels = static_cast<int>(std::clamp(std::round(levels.number), 1.0, most));
     if (target) {
@@ -921,7 +923,7 @@ Program::State::Outcome Program::State::leave_program(CompiledLine& line,
     }
     std::optional<double> left;
     if (words != nullptr) done = number_of(line, words->repeats, left);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     // The pass that ends is counted off.
     if (left) frame->left = static_cast<std::int64_t>(std::clamp(*left, 0.0, 1e9)) + 1;
     frame->is_returning = true;

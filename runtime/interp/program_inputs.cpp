@@ -133,7 +133,7 @@ Program::State::Outcome Program::State::run_input(CompiledLine& line, Block& out
     if (!lines.read_plain(line.text, out)) {
         line.context = context();
         compile_language(line);
-        if (lines.failed()) return Outcome::Nothing;
+        if (lines.failed()) return Outcome::Failed;
         for (const nc::ControlStatement& statement : line.line.statements) {
             const bool is_assignment =
                 statement.kind == Statement::Assign || statement.kind == Statement::NameVariables;

@@ -29,7 +29,7 @@ Result<LineTarget, Program::State::Outcome> Program::State::resolve(CompiledLine
     if (target.kind != JumpTarget::Kind::Computed) return out;
     Value value;
     const Outcome done = evaluate(line, target.value, value);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     if (value.is_text()) {
         const nc::ControlWords words(tables, line.text);
         out.label = words.normal(evaluator.text(value));
@@ -77,7 +77,7 @@ Program::State::Outcome Program::State::jump(CompiledLine& line,
     LineTarget target;
     std::optional<Place> found;
     const Outcome done = find_target(line, statement, target, found);
-    if (done == Outcome::Wait || lines.failed() || !found) return done;
+    if (!goes_on(done) || !found) return done;
     warn_of_twin(line, statement.target.span, target, *found);
     return go(line, *found, statement.span);
 }
@@ -146,7 +146,7 @@ Program::State::Outcome Program::State::choose(CompiledLine& line,
                                                const ControlStatement& statement, Block& out) {
     bool is_true = false;
     const Outcome done = truth(line, statement.value, is_true);
-    if (done == Outcome::Wait || lines.failed() || !is_true) return done;
+    if (!goes_on(done) || !is_true) return done;
     return execute(line, statement.inner[0], out);
 }
 
@@ -154,12 +154,12 @@ Program::State::Outcome Program::State::choose_case(CompiledLine& line,
                                                     const ControlStatement& statement) {
     Value value;
     Outcome done = evaluate(line, statement.value, value);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     for (std::size_t i = 0; i < statement.inner.size(); ++i) {
         if (i < statement.list.size()) {
             Value wanted;
             done = evaluate(line, statement.list[i], wanted);
-            if (done == Outcome::Wait || lines.failed()) return done;
+            if (!goes_on(done)) return done;
             const std::optional<bool> is_same = evaluator.is_same(value, wanted);
             if (!is_same) return fail(line, evaluator.fault());
             if (!*is_same) continue;
@@ -179,7 +179,7 @@ Program::State::Outcome Program::State::enter(CompiledLine& line,
     bool is_true = true;
     if (statement.kind == Statement::If || statement.kind == Statement::While) {
         const Outcome done = truth(line, statement.value, is_true);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
     }
     if (!is_known) {
         nc::LineFront front;
@@ -203,13 +203,13 @@ Program::State::Outcome Program::State::enter(CompiledLine& line,
         Value first;
         Value last;
         Outcome done = evaluate(line, statement.value, first);
-        if (done != Outcome::Wait && !lines.failed()) done = evaluate(line, statement.second, last);
-        if (done != Outcome::Wait && !lines.failed()) {
+        if (goes_on(done)) done = evaluate(line, statement.second, last);
+        if (goes_on(done)) {
             first.number = std::round(first.number);
             done = store(line, statement.variable, first);
         }
         if (done == Outcome::Wait) frame->structures.pop_back();
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         open.last = last.number;
         is_true = first.number <= last.number;
     }
@@ -236,7 +236,7 @@ Program::State::Outcome Program::State::fail(CompiledLine& line, const ControlSt
             .note(lines.place(line.text, line.place.line.line, statement.span),
                   "it lies in this loop, which has it");
         lines.begin(line.place.line.line);
-        return Outcome::Nothing;
+        return Outcome::Failed;
     }
     if (crossing.line == 0 || fault != ProgramMap::Fault::Missing)
         return fail(line, fault, diag::StructureEndMissing, statement.span, "");
@@ -247,7 +247,7 @@ Program::State::Outcome Program::State::fail(CompiledLine& line, const ControlSt
                                          std::to_string(crossing.inside) + " is open";
     lines.report_event(line.text, {&diag::StructureEndMissing, statement.span, {}})
         .note(lines.place(crossing.text, crossing.line, {0, end}), std::move(why));
-    return Outcome::Nothing;
+    return Outcome::Failed;
 }
 
 /// `ENDIF` that ends no condition, as behind `IF … GOTOF …`, or behind a jump into one: there is
@@ -278,12 +278,12 @@ Program::State::Outcome Program::State::leave(CompiledLine& line,
         case Statement::Loop: frame->goes_on = open.head.next; break;
         case Statement::For: {
             const Outcome done = count_on(line, open, once_more);
-            if (done == Outcome::Wait || lines.failed()) return done;
+            if (!goes_on(done)) return done;
             break;
         }
         case Statement::Repeat: {
             const Outcome done = truth(line, statement.value, once_more);
-            if (done == Outcome::Wait || lines.failed()) return done;
+            if (!goes_on(done)) return done;
             once_more = !once_more;
             break;
         }
@@ -339,7 +339,7 @@ Program::State::Outcome Program::State::repeat_section(CompiledLine& line,
     if (statement.count.is_given()) {
         Value count;
         const Outcome done = evaluate(line, statement.count, count);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         const double wanted = std::round(count.number);
         if (!(wanted >= 0 && wanted <= kMostPasses))
             return fail(line, diag::RepeatCount, statement.count.span, {evaluator.written(count)});

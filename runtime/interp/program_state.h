@@ -165,8 +165,15 @@ struct Program::State {
     enum class Outcome : std::uint8_t {
         Block,    // `out` holds one
         Nothing,  // go on
+        Failed,   // and the reason has been told
         Wait,     // the line is run again when the blocks before are executed
     };
+
+    /// Whether the line goes on behind a part of it that has come to this.
+    static bool goes_on(Outcome done) { return done == Outcome::Block || done == Outcome::Nothing; }
+    /// … of a declaration: behind a mistake in any line names are declared, and their values are
+    /// not worked out.
+    bool is_sound(Outcome done) const { return goes_on(done) && !lines.failed(); }
 
     const nc::Dialect& dialect;
     const nc::DialectTables& tables;

@@ -19,7 +19,7 @@ using nc::Statement;
 
 Program::State::Outcome Program::State::execute(CompiledLine& line,
                                                 const ControlStatement& statement, Block& out) {
-    if (!require_definition(line, statement)) return Outcome::Nothing;
+    if (!require_definition(line, statement)) return Outcome::Failed;
     switch (statement.kind) {
         case Statement::None:
         case Statement::JumpToStart:
@@ -79,9 +79,9 @@ Program::State::Outcome Program::State::execute(CompiledLine& line,
             Value number;
             Value text;
             Outcome done = evaluate(line, statement.value, number);
-            if (done == Outcome::Wait || lines.failed()) return done;
+            if (!goes_on(done)) return done;
             if (statement.second.is_given()) done = evaluate(line, statement.second, text);
-            if (done == Outcome::Wait || lines.failed()) return done;
+            if (!goes_on(done)) return done;
             return raise(line, statement.span, number.number, std::string(evaluator.text(text)));
         }
     }
@@ -93,7 +93,7 @@ Program::State::Outcome Program::State::assign(CompiledLine& line,
     if (!statement.list.empty()) return assign_list(line, statement);
     Value value;
     Outcome done = evaluate(line, statement.value, value);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     // Writing some variables acts: an alarm, a stop.
     const nc::Instruction& load = statement.variable.load;
     nc::Quantity quantity = nc::Quantity::None;
@@ -109,8 +109,7 @@ Program::State::Outcome Program::State::assign(CompiledLine& line,
     if (quantity == nc::Quantity::Alarm) return raise(line, statement.span, value.number, comment);
     if (quantity == nc::Quantity::MessageStop) return stop_with_message(comment, out);
     done = fit_text(line, statement, value);
-    return done == Outcome::Nothing && !lines.failed() ? store(line, statement.variable, value)
-                                                       : done;
+    return goes_on(done) ? store(line, statement.variable, value) : done;
 }
 
 /// A text that is too long for its variable is cut off. That of a constant is not, which is told
@@ -165,11 +164,11 @@ Program::State::Outcome Program::State::assign_list(CompiledLine& line,
                                                     const ControlStatement& statement) {
     ListPlace place;
     Outcome done = list_place(line, statement.variable, place);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!goes_on(done)) return done;
     std::size_t count = statement.list.size();
     if (statement.fills) {
         done = fill_count(line, statement.list, place.left, count);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
     } else if (count > place.left) {
         return fail(line, diag::TooManyInitialValues, statement.span, {place.name});
     }
@@ -178,7 +177,7 @@ Program::State::Outcome Program::State::assign_list(CompiledLine& line,
         if (!expression.is_given()) continue;
         Value value;
         done = evaluate(line, expression, value);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         const auto fault = store_at(place, static_cast<std::uint32_t>(i), value);
         if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
     }
@@ -193,7 +192,7 @@ Program::State::Outcome Program::State::fill_count(CompiledLine& line,
     if (said.size() < 2 || !said[1].is_given()) return Outcome::Nothing;
     Value number;
     const Outcome done = evaluate(line, said[1], number);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!is_sound(done)) return done;
     if (!(number.number >= 1) || number.number > static_cast<double>(most))
         return fail(line, diag::TooManyInitialValues, said[1].span, {"this"});
     out = static_cast<std::size_t>(number.number);
@@ -280,7 +279,7 @@ Program::State::Outcome Program::State::limit(CompiledLine& line,
         const nc::Expression& said = is_least ? statement.value : statement.second;
         if (!said.is_given()) continue;
         const Outcome done = evaluate(line, said, bound);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!is_sound(done)) return done;
         (is_least ? limits.least : limits.most) = bound.number;
     }
     if (!statement.value.is_given() && !statement.second.is_given()) return Outcome::Nothing;
@@ -296,7 +295,7 @@ Program::State::Outcome Program::State::text_size(CompiledLine& line,
     if (!expression.is_given()) return Outcome::Nothing;
     Value size;
     const Outcome done = evaluate(line, expression, size);
-    if (done == Outcome::Wait || lines.failed()) return done;
+    if (!is_sound(done)) return done;
     if (size.number < 1 || size.number > language.rules.most_text)
         return fail(line, diag::SizeWrong, expression.span, {evaluator.written(size)});
     out = static_cast<std::uint32_t>(size.number);
@@ -340,7 +339,7 @@ Program::State::Outcome Program::State::declare_one(CompiledLine& line,
     std::size_t filled = declaration.values.size();
     if (declaration.fills) {
         const Outcome done = fill_count(line, declaration.values, added.count(), filled);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!is_sound(done)) return done;
     } else if (filled > added.count()) {
         return fail(line, diag::TooManyInitialValues, declaration.span, {added.name});
     }
@@ -349,7 +348,7 @@ Program::State::Outcome Program::State::declare_one(CompiledLine& line,
         if (!expression.is_given()) continue;
         Value value;
         const Outcome done = evaluate(line, expression, value);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!is_sound(done)) return done;
         const auto fault = variables.store_element(
             added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.content(value));
         if (fault.row == nullptr) continue;
@@ -375,7 +374,7 @@ Program::State::Outcome Program::State::raise(CompiledLine& line, const Span& sp
     message.arg(shown).alarm((own ? own->number : std::string()) + shown, text);
     lines.write_notes(message);
     lines.note_fault();
-    return Outcome::Nothing;
+    return Outcome::Failed;
 }
 
 Program::State::Outcome Program::State::define_macro(CompiledLine& line,
@@ -410,7 +409,7 @@ Program::State::Outcome Program::State::run_text(CompiledLine& line,
     if (!running_text) {
         Value text;
         const Outcome done = evaluate(line, statement.second, text);
-        if (done == Outcome::Wait || lines.failed()) return done;
+        if (!goes_on(done)) return done;
         if (!text.is_text()) {
             return fail(line, diag::TypesDiffer, statement.span,
                         {"a block", std::string(kind_name(text))});
