@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "expand/plane.h"
 #include "nc/parameters.h"
@@ -352,9 +353,13 @@ void ModalState::note_lost_positions(AxisMask before, SourceId by, Loss how) {
 void ModalState::take_functions(const nc::Block& block, const nc::Rules& target) {
     const AxisMask before = known;
     const nc::Effects effects = effects_of(kLanguage, block, nc::Changer::Magazine);
-    for (const nc::When when : {nc::When::AtOnce, nc::When::ToolChange, nc::When::BeforeMotion})
-        for (const nc::Effect& effect : effects)
+    owes_effects = false;
+    for (const nc::When when : {nc::When::AtOnce, nc::When::ToolChange, nc::When::BeforeMotion}) {
+        for (const nc::Effect& effect : effects) {
             if (effect.when == when) take(block, effect, target);
+            owes_effects |= effect.when == nc::When::Behind;
+        }
+    }
     note_lost_positions(before, block.source, Loss::Control);
 }
 
@@ -378,7 +383,7 @@ void ModalState::take_words(const nc::Block& block) {
         if (block.skip < 0) restate &= ~sema::kSpeedBit;
     }
     if ((block.given & nc::kTargetSlots) != 0) take_targets(block);
-    if (block.function_count == 0) return;
+    if (!std::exchange(owes_effects, false)) return;
     const AxisMask before = known;
     for (const nc::Effect& effect : effects_of(kLanguage, block, nc::Changer::Magazine))
         if (effect.when == nc::When::Behind) take(block, effect, kLanguage);

@@ -95,6 +95,7 @@ struct ModalState {
     bool lacks_speed = true;        // no S was said, and no text of unknown meaning stood there
     ToldOnce told;                  // of this state; a change of it renews that
     bool has_ended = false;         // behind M30
+    bool owes_effects = false;      // of the block whose functions were taken: behind its motion
     SourceId ended_by;
 
     nc::Function operator[](nc::Group group) const {
