@@ -12,7 +12,15 @@ namespace kadr::nc {
 void BlockWriter::follow_functions(const Block& block) {
     const Function feed_mode = modal_.meant_of(Group::FeedMode);
     const Function speed_mode = modal_.meant_of(Group::SpeedMode);
+    const Function plane = modal_.meant_of(Group::Plane);
+    const std::size_t tool_axis = plane_axes()[2];
     follow_modal(rules_, block, modal_.meant);
+    // The length acts along another axis: both are somewhere else, and are said again.
+    if (rules_.length_axis == LengthAxis::Plane && plane != Function::None &&
+        plane != modal_.meant_of(Group::Plane)) {
+        for (const std::size_t axis : {tool_axis, plane_axes()[2]})
+            modal_.position.told |= modal_.position.known & bit(static_cast<Slot>(axis));
+    }
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if ((done_ >> i & 1u) == 0 && chosen_[i] != kNoForm)
             note_written(tables_.forms[chosen_[i]]);
@@ -194,6 +202,11 @@ void BlockWriter::call_edge(const Block& block, const Effect& effect) {
 void BlockWriter::forget_words(const Block& block, const Effect& effect) {
     if (effect.function == Function::Probe) forget_motion();  // its code is a motion of its own
     modal_.position.known &= ~block.given;
+    // In machine coordinates one axis moves: along a turned frame several coordinates change.
+    const bool is_turned =
+        modal_.rotation != Activity::No && (block.given & modal_.turned & kTargetSlots) != 0;
+    if (effect.function == Function::MachineCoordinates && is_turned)
+        modal_.position.known &= ~modal_.turned;
 }
 
 /// Another zero point: the axes that the block itself does not bring to a coordinate have others.

@@ -351,6 +351,14 @@ TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
     EXPECT_EQ(testing::codes(sink), "K4201");
 }
 
+/// In another plane the length acts along another axis, and both have to go.
+TEST(Writer, AxesOfTheLengthAreSaidAgainInAnotherPlane) {
+    expect_text("sinumerik",
+                {{"G17\nG0 X0 Y0 Z50\nG18\nG0 X5 Y0 Z50", "G0 X0 Y0 Z50\nG18\nX5 Y0 Z50\n"}});
+    expect_text("fanuc", {{"G17\nG0 X0 Y0 Z50\nG18\nG0 X5 Y0 Z50",
+                           "X0. Y0. Z50.\nG18\nX5.\n"}});  // its length lies along Z
+}
+
 /// Behind a tool change X is named by a word that acts, not by one that may be left out.
 TEST(Writer, AWordThatMayBeLeftOutNamesNoAxis) {
     std::vector<Block> blocks;
