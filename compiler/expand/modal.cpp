@@ -187,10 +187,13 @@ void ModalState::select_work_offset(double number) {
 
 /// Where the words of the block have brought its axes, only the control knows.
 void ModalState::lose_words(const nc::Block& block, const nc::Effect& effect) {
-    const auto axes = static_cast<AxisMask>(block.given & nc::kTargetSlots);
+    auto axes = static_cast<AxisMask>(block.given & nc::kTargetSlots);
+    // In machine coordinates one axis moves: along a turned frame several coordinates change.
+    const bool is_machine = effect.function == Function::MachineCoordinates;
+    if (is_machine && frame.angle_deg != 0 && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
     known &= static_cast<AxisMask>(~axes);
     // The control may count an increment from the number that was said there.
-    if (effect.function == Function::MachineCoordinates) lost_drift |= axes;
+    if (is_machine) lost_drift |= axes;
 }
 
 void ModalState::go_to_point(const nc::Block& block, const nc::Effect& effect) {

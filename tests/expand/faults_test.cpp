@@ -44,6 +44,9 @@ TEST(Faults, StandWhereTheyHappen) {
         {"program p() { G54; G0 X5; work_offset_data(number: 2, x: 1mm); X=position.x; "
          "work_offset_data(number: 1, x: 1mm); X=position.x; }",
          "1:117 K3105 the position of X is not known here"},
+        // One axis moves in machine coordinates: two of a rotated plane.
+        {"program p() { G0 X0 Y0; rotate(30deg); G53 G0 X5; Y=position.y; }",
+         "1:53 K3105 the position of Y is not known here"},
         {"program p(length? b) { X=b; }", "1:26 K3104 `b` is not given"},
         {"program p() { point q = {1mm}; X=q.y; }", "1:34 K3104 `q.y` is not given"},
     };
