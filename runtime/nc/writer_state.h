@@ -132,8 +132,8 @@ struct WriterModal {
         if (scale != other.scale) scale = Activity::Unknown;
         if (tilted != other.tilted) tilted = Activity::Unknown;
         if (factors != other.factors) factors = {1, 1, 1};
-        // `turn` and `tilt` are misses of the text's own words; the edges that wait and the units
-        // are those of blocks that cannot be left out.
+        // `turn` and `tilt` are misses of the text's own words; edges and units stand in no block
+        // that may be left out, and an edge that such a block puts aside is said again either way.
         position.told |= other.position.told;
         position.reframed |= other.position.reframed;
         position.known &= other.position.known;
