@@ -172,11 +172,19 @@ void ModalState::lose_axes(AxisMask axes) {
 /// Another system, and the control alone knows where the tool stands in it.
 void ModalState::lose_system() { lose_axes(kAllAxes); }
 
-/// Data of the zero point that acts move it.
-void ModalState::write_offset(double number) {
+/// Data of the zero point that acts move it along the axes that they name: in a rotated or
+/// tilted system along all of X, Y, Z.
+void ModalState::write_offset(const nc::Block& block, const nc::Effect& effect) {
+    const nc::Invocation& said = effect.invocation_in(block);
+    const double number = block.argument(said, parameter_of<Function::WorkOffsetData>("number"));
     const bool is_other =
         (*this)[Group::WorkOffsets] == Function::WorkOffset && number != 0 && number != work_offset;
-    if (!is_other) lose_system();
+    if (is_other) return;
+    auto axes =
+        static_cast<AxisMask>(said.given >> parameter_of<Function::WorkOffsetData>("x") & kAllAxes);
+    const bool is_turned_system = frame.angle_deg != 0 || tilt != Tilt::None;
+    if (is_turned_system && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
+    lose_axes(axes);
 }
 
 void ModalState::select_work_offset(double number) {
@@ -256,9 +264,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::WorkOffset:
             select_work_offset(number(parameter_of<Function::WorkOffset>("number")));
             break;
-        case Kind::WritesWorkOffset:
-            write_offset(number(parameter_of<Function::WorkOffsetData>("number")));
-            break;
+        case Kind::WritesWorkOffset: write_offset(block, effect); break;
         case Kind::CorrectsWorkOffset:
             lose_corrected(number(
                 parameter_of_all<"axis", Function::OffsetToEdge, Function::OffsetToMiddle>()));

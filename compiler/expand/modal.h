@@ -155,7 +155,7 @@ struct ModalState {
     void frame_from_steps(SourceId source);
     void take_targets(const nc::Block& block);
     void select_work_offset(double number);
-    void write_offset(double number);
+    void write_offset(const nc::Block& block, const nc::Effect& effect);
     void lose_system();
     void lose_axes(AxisMask axes);
     void lose_words(const nc::Block& block, const nc::Effect& effect);

@@ -24,6 +24,9 @@ void expect_rows(std::initializer_list<Row> rows) {
 TEST(Modal, KnowsWhatHoldsWithAndWithoutABlock) {
     expect_rows({
         {"program p() { G0 X1; / X1; X=position.x + 1mm; }", "rapid X1\n/0 X1\nX2"},
+        // Data of a zero point move it along the axes that they name.
+        {"program p() { G54; G0 X1 Y2; work_offset_data(number: 1, x: 5mm); Y=position.y + 1mm; }",
+         "work_offset(number=1)\nrapid X1 Y2\nwork_offset_data(number=1, x=5)\nY3"},
         {"program p() { G1 X1 F100; / F100; X2; / F200; X3; }",
          "line X1 F100\n/0 F100\nX2\n/0 F200\nX3 F200"},
     });
