@@ -93,7 +93,7 @@ struct ModalState {
     sema::ModalMask restate = 0;    // set by a block that may be left out: the output says it again
     bool spindle_in_doubt = false;  // likewise, but the operator's choice
     bool lacks_speed = true;        // no S was said, and no text of unknown meaning stood there
-    ToldOnce told;                  // of this state; a change of it renews that
+    ToldInProgram told;             // of this state; a change of it renews that
     bool has_ended = false;         // behind M30
     bool owes_effects = false;      // of the block whose functions were taken: behind its motion
     SourceId ended_by;

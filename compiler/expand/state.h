@@ -479,7 +479,7 @@ struct Expander::State {
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
     SaidCycle said_cycle;
-    ToldOnce told;  // of the whole program; see also ModalState::told
+    ToldInProgram told;  // of the whole program; see also ModalState::told
     ToldAt told_at;
 
     /// A contour whose blocks are being kept.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/told_once.h"
+
 namespace kadr::expand {
 
 /// What is told once, or once more when it is renewed.
@@ -20,28 +22,13 @@ enum class Once : std::uint8_t {
     SpindleStopped,
 };
 
-class ToldOnce {
+class ToldInProgram : public ToldOnce<Once> {
   public:
-    bool has_told(Once what) const { return (told_ >> bit_of(what) & 1u) != 0; }
-    void count_as_told(Once what) { told_ |= 1u << bit_of(what); }
-    /// Whether it is to be told: from here on it counts as told.
-    [[nodiscard]] bool first_time(Once what) {
-        const bool is_first = !has_told(what);
-        count_as_told(what);
-        return is_first;
-    }
-    /// It is told anew when it comes again.
-    void renew(Once what) { told_ &= ~(1u << bit_of(what)); }
     /// The spindle was switched: what was said of it is said anew.
     void renew_spindle() {
         renew(Once::SpindleStopped);
         renew(Once::Rapid);
     }
-
-  private:
-    static unsigned bit_of(Once what) { return static_cast<unsigned>(what); }
-
-    std::uint32_t told_ = 0;
 };
 
 /// What is told once at a place of the program, until it is told at another.

@@ -881,7 +881,7 @@ class Executor {
     PanelState panel_;
     AxisMask unplaced_ = 0;  // axes that want a place behind the end of a rotation
 
-    ToldOnce told_;
+    ToldInRun told_;
     Dangers dangers_;
 
     AxisData axes_;

@@ -20,27 +20,23 @@ bool is_added(std::vector<Value>& told, const Value& value) {
 
 }  // namespace
 
-bool ToldOnce::has_told(OnceEach what, std::int64_t number) const {
+bool ToldInRun::has_told(OnceEach what, std::int64_t number) const {
     return is_among(numbers_.at(static_cast<std::size_t>(what)), number);
 }
 
-void ToldOnce::count_as_told(OnceEach what, std::int64_t number) {
+void ToldInRun::count_as_told(OnceEach what, std::int64_t number) {
     numbers_.at(static_cast<std::size_t>(what)).push_back(number);
 }
 
-bool ToldOnce::first_time(Once what) {
-    const bool is_first = !has_told(what);
-    count_as_told(what);
-    return is_first;
-}
-
-bool ToldOnce::first_time(OnceEach what, std::int64_t number) {
+bool ToldInRun::first_time(OnceEach what, std::int64_t number) {
     return is_added(numbers_.at(static_cast<std::size_t>(what)), number);
 }
 
-bool ToldOnce::first_time_of_name(const std::string& name) { return is_added(shared_names_, name); }
+bool ToldInRun::first_time_of_name(const std::string& name) {
+    return is_added(shared_names_, name);
+}
 
-bool ToldOnce::first_time_of_feed(double feed) {
+bool ToldInRun::first_time_of_feed(double feed) {
     constexpr std::size_t kMost = 100;
     return feeds_.size() < kMost && is_added(feeds_, feed);
 }

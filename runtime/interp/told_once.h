@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/told_once.h"
+
 namespace kadr::interp {
 
 /// What is told once, or once more when it is renewed.
@@ -40,15 +42,15 @@ enum class OnceEach : std::uint8_t {
     Parameter,        // … of the control
 };
 
-class ToldOnce {
+class ToldInRun : public ToldOnce<Once> {
   public:
-    bool has_told(Once what) const { return (told_ >> bit_of(what) & 1u) != 0; }
-    bool has_told(OnceEach what, std::int64_t number) const;
-    void count_as_told(Once what) { told_ |= 1u << bit_of(what); }
-    void count_as_told(OnceEach what, std::int64_t number);
+    using ToldOnce::count_as_told;
+    using ToldOnce::first_time;
+    using ToldOnce::has_told;
 
-    /// Whether it is to be told: from here on it counts as told.
-    [[nodiscard]] bool first_time(Once what);
+    bool has_told(OnceEach what, std::int64_t number) const;
+    void count_as_told(OnceEach what, std::int64_t number);
+    /// Whether it is to be told of this number: from here on it counts as told.
     [[nodiscard]] bool first_time(OnceEach what, std::int64_t number);
     /// … of a name that several tools have.
     [[nodiscard]] bool first_time_of_name(const std::string& name);
@@ -57,8 +59,6 @@ class ToldOnce {
     /// … of a speed that is beyond a bound of the spindle, if the latest one was another.
     [[nodiscard]] bool first_time_of_bound(double speed) { return exchange_bound(speed) != speed; }
 
-    /// It is told anew when it comes again.
-    void renew(Once what) { told_ &= ~(1u << bit_of(what)); }
     /// What was said of a standing spindle is said anew when it stands again.
     void renew_spindle() {
         renew(Once::SpindleStopped);
@@ -72,9 +72,6 @@ class ToldOnce {
     }
 
   private:
-    static unsigned bit_of(Once what) { return static_cast<unsigned>(what); }
-
-    std::uint32_t told_ = 0;
     std::array<std::vector<std::int64_t>, 6> numbers_;  // a list for each OnceEach
     std::vector<std::string> shared_names_;
     std::vector<double> feeds_;

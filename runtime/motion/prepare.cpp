@@ -169,7 +169,7 @@ void Preparer::State::execute(const Command& command) {
 // ------------------------------------------------------------------------------ standstill
 
 void Preparer::State::set_spindle(const Command& command) {
-    told.forget_feed();
+    told.renew(Once::NoFeed);
     if (command.spindle == path::SpindleMode::Orient) {
         spindle.is_turning = false;
         stand(command, SegmentKind::Orient, machine.orient_time_of(command.spindle_number));
@@ -533,7 +533,7 @@ double Preparer::State::programmed_feed(const Command& command, const Segment& s
     const auto feed = path_feed(command, segment, length, spindle, &axes);
     if (feed) return *feed * programmed_override(command);
     const bool no_feed = feed.error() == FeedFault::NoFeed;
-    if (told.first_time_of_feed()) {
+    if (told.first_time(Once::NoFeed)) {
         report(sink, no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle, command,
                options.place_of);
     }

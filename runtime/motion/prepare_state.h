@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/done.h"
+#include "base/told_once.h"
 #include "motion/axis_check.h"
 #include "motion/compressor.h"
 #include "motion/prepare.h"
@@ -153,16 +154,9 @@ struct WayPart {
 };
 
 /// What a run tells once and not again.
-class ToldOnce {
-  public:
-    /// That a motion has no feed; until the spindle changes.
-    bool first_time_of_feed() { return !std::exchange(feed_, true); }
-    void forget_feed() { feed_ = false; }
-    bool first_time_of_thread_corner() { return !std::exchange(thread_corner_, true); }
-
-  private:
-    bool feed_ = false;
-    bool thread_corner_ = false;
+enum class Once : std::uint8_t {
+    NoFeed,  // of a motion; anew behind a change of the spindle
+    ThreadCorner,
 };
 
 struct Preparer::State {
@@ -315,7 +309,7 @@ struct Preparer::State {
     bool is_drained = false;  // no command is left to read
     bool has_ended = false;
     bool has_alarmed = false;
-    ToldOnce told;
+    ToldOnce<Once> told;
     bool is_threading = false;    // the latest motion is a thread …
     bool thread_goes_on = false;  // … that goes on with the one before it
     bool leaves_thread = false;   // the latest motion is none, and the one before it was

@@ -65,7 +65,7 @@ void Preparer::State::check_thread_corner(const path::Command& command, const Pi
     const double through = std::min(piece.entry_limit, last.speed);
     const double wanted = std::min(piece.speed, last.speed);
     if (command.cycle != 0 || through >= wanted * kThreadKept) return;
-    if (!told.first_time_of_thread_corner()) return;
+    if (!told.first_time(Once::ThreadCorner)) return;
     report(sink, diag::ThreadCorner, command, options.place_of)
         .arg(round_to(100 * through / wanted, 1))
         .fix("a slower spindle loses less; or let the thread run out before it turns");

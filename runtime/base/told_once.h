@@ -1,0 +1,32 @@
+// told_once.h — what is told once and not again: each room has an enum of such things, and whoever
+// tells them owns the flags.
+#pragma once
+
+#include <cstdint>
+
+namespace kadr {
+
+/// Flags of what has been told.
+///
+/// What  an enum with less than 32 members
+template <typename What>
+class ToldOnce {
+  public:
+    bool has_told(What what) const { return (told_ >> bit_of(what) & 1u) != 0; }
+    void count_as_told(What what) { told_ |= 1u << bit_of(what); }
+    /// Whether it is to be told: from here on it counts as told.
+    [[nodiscard]] bool first_time(What what) {
+        const bool is_first = !has_told(what);
+        count_as_told(what);
+        return is_first;
+    }
+    /// It is told anew when it comes again.
+    void renew(What what) { told_ &= ~(1u << bit_of(what)); }
+
+  private:
+    static unsigned bit_of(What what) { return static_cast<unsigned>(what); }
+
+    std::uint32_t told_ = 0;
+};
+
+}  // namespace kadr
