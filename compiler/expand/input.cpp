@@ -173,8 +173,8 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
     if (!say()) return kFailed;
     for (std::size_t i = rest.functions.size(); i-- > 0;) {
         const Function function = rest.functions[i].function;
-        const bool is_said = function == Function::RotateOff || function == Function::MirrorOff ||
-                             function == Function::ScaleOff;
+        const bool is_said = nc::has_fact(function, nc::Fact::ChangesFrame) &&
+                             !nc::has_fact(function, nc::Fact::SetsFrame);
         if (!is_said) continue;
         rest.functions.erase(rest.functions.begin() + static_cast<std::ptrdiff_t>(i));
         for (sema::Filling& filling : rest.fillings) {
@@ -323,9 +323,9 @@ void Expander::State::say_offset(const sema::Plan& plan, const Instruction& inst
     const bool has_return = target.can_write(Function::ReferenceReturn);
     const bool is_elsewhere =
         std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
-            return invocation.function == Function::MachineCoordinates ||
-                   (has_return && invocation.function == Function::ReferenceReturn) ||
-                   invocation.function == Function::WorkOffset;
+            if (invocation.function == Function::ReferenceReturn && !has_return) return false;
+            return invocation.function == Function::WorkOffset ||
+                   nc::has_fact(invocation.function, nc::Fact::AtMachinePlace);
         });
     if (!moves || is_elsewhere) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
@@ -396,9 +396,7 @@ Done Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std
                              target.rules().place_behind_rotation &&
                              block.find(Function::Cycle) == nullptr;
     if (!source_travels && !target_travels && !wants_place) return kDone;
-    if (block.find(Function::MachineCoordinates) != nullptr ||
-        block.find(Function::ReferenceReturn) != nullptr)
-        return kDone;
+    if (block.find(nc::Fact::AtMachinePlace) != nullptr) return kDone;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if ((block.given & bit) == 0 || !is_increment(block, bit)) continue;

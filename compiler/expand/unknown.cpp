@@ -203,13 +203,9 @@ Done Expander::State::require_state(const Block& block, std::uint32_t at) {
     if (moves(block) && lacks(Group::Motion) && !is_reference)
         return refuse_lost_state("the motion", "say `G0`, `G1`, `G2` or `G3`", at);
     const bool needs_plane = (moves(block) && (nc::is_arc(motion) || !recordings.empty())) ||
-                             block.find(Function::Rotate) != nullptr ||
-                             block.find(Function::RadiusCompLeft) != nullptr ||
-                             block.find(Function::RadiusCompRight) != nullptr;
+                             block.find(nc::Fact::NeedsPlane) != nullptr;
     if (needs_plane && lacks(Group::Plane)) return refuse_lost_state("the plane", kPlaneFix, at);
-    const bool needs_frame =
-        block.find(Function::ShiftAdd) != nullptr || block.find(Function::Rotate) != nullptr ||
-        block.find(Function::Scale) != nullptr || block.find(Function::Mirror) != nullptr;
+    const bool needs_frame = block.find(nc::Fact::AddsToFrame) != nullptr;
     if (needs_frame && (modal.lost & sema::kFrameBit) != 0)
         return refuse_lost_state("the frame", kFrameFix, at);
     const bool needs_feed =

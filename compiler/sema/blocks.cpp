@@ -265,9 +265,7 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
         add(invocation.function == nc::Function::MirrorOff, custom::kMirrorAxes);
         add(invocation.function == nc::Function::TapRigid, custom::kCycleWords);
         add(invocation.function == nc::Function::ToolVector, custom::kDirection);
-        const bool is_offset = invocation.function == nc::Function::LengthCompOn ||
-                               invocation.function == nc::Function::LengthCompOff ||
-                               invocation.function == nc::Function::ToolEdge;
+        const bool is_offset = nc::has_fact(invocation.function, nc::Fact::CallsEdge);
         add(is_offset && dialect.is_core(), custom::kCoreOffsets);
     }
     // Its length acts with the change, if the block does not name another one.

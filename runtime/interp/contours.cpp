@@ -17,15 +17,6 @@ using path::Vec2;
 
 namespace {
 
-std::optional<path::Plane> plane_of(Function function) {
-    switch (function) {
-        case Function::PlaneXy: return path::Plane::Xy;
-        case Function::PlaneZx: return path::Plane::Zx;
-        case Function::PlaneYz: return path::Plane::Yz;
-        default: return std::nullopt;
-    }
-}
-
 /// The digit of how the blocks join.
 int path_mode_of(const Modal& modal) {
     if (modal.has_exact_stop) return 0;
@@ -76,11 +67,10 @@ Done Executor::require_contour_block(const Block& block) {
             report(diag::ContourUnfinished, block, function);
             return kFailed;
         }
-        const auto plane = plane_of(function);
         const bool changes_units = (function == Function::Inch && units_ != Units::Inch) ||
                                    (function == Function::Metric && units_ == Units::Inch);
         if (nc::has_fact(function, nc::Fact::EndsContour) || changes_units ||
-            (plane && *plane != modal_.plane))
+            is_other_plane(function))
             return refuse(diag::ContourBlockWrong, function);
     }
     return kDone;

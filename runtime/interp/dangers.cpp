@@ -122,10 +122,9 @@ void Executor::watch_length(const Block& block, Axis axis) {
     dangers_.says_lengths |= is_by_number;
     if (is_by_number && is_lathe_) watch_turret_offset(block, number);
     if (!is_by_number || tool_.current == 0 || number == tool_.current || is_lathe_) return;
-    Function said = Function::None;
-    for (const Function own :
-         {Function::LengthOffset, Function::LengthCompOn, Function::LengthCompMinus})
-        if (said == Function::None && block.find(own) != nullptr) said = own;
+    const bool says_offset = block.find(Function::LengthOffset) != nullptr;
+    const Function said =
+        says_offset ? Function::LengthOffset : nc::said_of(block, nc::Group::LengthComp);
     (said != Function::None ? report(diag::OtherToolsLength, block, said)
                             : report(diag::OtherToolsLength, block))
         .arg(number)

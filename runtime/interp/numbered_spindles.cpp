@@ -36,12 +36,8 @@ constexpr std::size_t kSpindle =
 bool names_spindle(const Block& block, std::int64_t number) {
     const auto end = block.functions.begin() + block.function_count;
     return std::any_of(block.functions.begin(), end, [&](const Invocation& invocation) {
-        switch (invocation.function) {
-            case Function::SpindleSpeed:
-            case Function::SpindleTurn:
-            case Function::SpindleBound: return count_of(block, invocation, kSpindle) == number;
-            default: return false;
-        }
+        return nc::has_fact(invocation.function, nc::Fact::TurnsNumbered) &&
+               count_of(block, invocation, kSpindle) == number;
     });
 }
 

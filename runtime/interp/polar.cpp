@@ -106,8 +106,7 @@ const Block* Executor::with_places(const Block& block) {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const SlotMask words =
         block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));
-    const bool is_place = block.find(Function::MachineCoordinates) != nullptr ||
-                          block.find(Function::ReferenceReturn) != nullptr;
+    const bool is_place = block.find(nc::Fact::AtMachinePlace) != nullptr;
     if (words == 0 || is_place) return &block;
     said_in_polar_ = block;
     return with_polar_axes(block);

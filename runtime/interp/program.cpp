@@ -398,17 +398,15 @@ void Program::State::deliver(Block& block, std::string_view text_of_line, std::u
 /// What stands behind the end of a program is read for its mistakes only; in a subprogram of some
 /// controls it is a return.
 void Program::State::end_after(Block& block) {
-    const auto is_end = [](const nc::Invocation& invocation) {
-        return nc::has_fact(invocation.function, nc::Fact::EndsProgram);
-    };
-    const auto functions = std::span(block.functions).first(block.function_count);
-    const auto found = std::find_if(functions.begin(), functions.end(), is_end);
-    if (found == functions.end()) return;
+    const nc::Invocation* const found = block.find(nc::Fact::EndsProgram);
+    if (found == nullptr) return;
     if (is_left_out(block)) return;
     const bool is_cancelled = !frame->repeats.empty() && !is_only_checking;
     if ((frames.size() > 1 || is_cancelled) && language.rules.program_end_returns &&
         !is_only_checking) {
-        std::move(found + 1, functions.end(), found);
+        const auto place = found - block.functions.data();
+        const auto begin = block.functions.begin();
+        std::move(begin + place + 1, begin + block.function_count, begin + place);
         --block.function_count;
         // Nothing is left of a block that said only this.
         const bool is_empty =

@@ -38,18 +38,7 @@ class HeldText final : public nc::TextSource {
 
 /// A block that writes data and moves nothing.
 bool writes_data(const Block& block) {
-    if (block.motion != Function::None) return false;
-    const auto functions = std::span(block.functions).first(block.function_count);
-    return std::ranges::any_of(functions, [](const nc::Invocation& invocation) {
-        switch (invocation.function) {
-            case Function::WorkOffsetData:
-            case Function::ToolOffsetData:
-            case Function::LatheOffsetData:
-            case Function::ParameterData:
-            case Function::LifeData: return true;
-            default: return false;
-        }
-    });
+    return block.motion == Function::None && block.find(nc::Fact::WritesData) != nullptr;
 }
 
 /// The name that a line sets: `$TC_DP6` of `N1 $TC_DP6[1,1]=5`.

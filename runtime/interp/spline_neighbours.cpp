@@ -112,10 +112,7 @@ std::optional<Vec3> Executor::way_into_arc(const Block& block, Target target) {
 
 /// Whether the block changes where places are: its direction is not known before it is executed.
 bool Executor::frames_change_in(const Block& block) const {
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        if (nc::has_fact(block.functions[i].function, nc::Fact::MovesPlaces)) return true;
-    }
-    return false;
+    return block.find(nc::Fact::MovesPlaces) != nullptr;
 }
 
 }  // namespace kadr::interp

@@ -172,38 +172,22 @@ Done Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& t
 /// source: SINUMERIK reference 4.4
 bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invocation) const {
     if (nc::has_fact(invocation.function, nc::Fact::InSpline)) return true;
+    if (nc::has_fact(invocation.function, nc::Fact::InSplineWithoutComp)) return !is_any_comp_on();
     switch (invocation.function) {
-        case Function::CompFeed:
-        case Function::CompDepth:
-        case Function::CompCornerPointed: return !is_any_comp_on();
-        case Function::PlaneXy:
-        case Function::PlaneZx:
-        case Function::PlaneYz: return !is_other_plane(invocation.function);
         case Function::WorkOffset:
             return count_of(block, invocation, parameter_of<Function::WorkOffset>("number")) ==
                    work_offset_;
         case Function::ToolSelect:
             return !nc::selects_at_once(rules_, changer()) &&
                    !invocation.has(parameter_of<Function::ToolSelect>("offset"));
-        case Function::SpindleCw:
-        case Function::SpindleCcw:
-        case Function::SpindleStop:
-        case Function::CoolantFlood:
-        case Function::CoolantMist:
-        case Function::CoolantOff:
+        case Function::SpindleOrient: return false;
         case Function::MachineFunction: return !is_awaited(block, invocation);
         default: break;
     }
     switch (nc::info(invocation.function).group) {
-        case nc::Group::Turning:
-        case nc::Group::OrientAngles:
-        case nc::Group::OrientSystem:
-        case nc::Group::Spinning: return true;
-        case nc::Group::CompStart:
-        case nc::Group::CompCorner:
-        case nc::Group::CompCheck:
-        case nc::Group::CompSystem:
-        case nc::Group::CompTurning: return !is_any_comp_on();
+        case nc::Group::Plane: return !is_other_plane(invocation.function);
+        case nc::Group::Spindle:
+        case nc::Group::Coolant: return !is_awaited(block, invocation);
         default: return false;
     }
 }

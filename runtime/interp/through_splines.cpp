@@ -60,9 +60,7 @@ bool Executor::continues_through(const Block& block) {
 /// Whether a block says how the tool stands at the place where it is: no point of a spline, as a
 /// point cannot stand twice, but not to be left out either. It is run by itself.
 bool Executor::only_turns(const Block& block) {
-    bool is_turned = false;
-    for (std::size_t i = 0; i < block.function_count; ++i)
-        is_turned = is_turned || nc::has_fact(block.functions[i].function, nc::Fact::ToolWord);
+    const bool is_turned = block.find(nc::Fact::ToolWord) != nullptr;
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (!is_turned || targets == 0 || (block.given & nc::kPolarSlots) != 0) return false;
     const Target target = target_in(block, targets);

@@ -129,6 +129,21 @@ const Invocation* Block::find(Function function) const {
     return nullptr;
 }
 
+Function said_of(const Block& block, Group group) {
+    if (group == Group::Motion && block.motion != Function::None) return block.motion;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (info(block.functions[i].function).group == group) return block.functions[i].function;
+    }
+    return Function::None;
+}
+
+const Invocation* Block::find(Fact fact) const {
+    for (std::size_t i = 0; i < function_count; ++i) {
+        if (has_fact(functions[i].function, fact)) return &functions[i];
+    }
+    return nullptr;
+}
+
 bool operator==(const Block& a, const Block& b) {
     if (a.kind != b.kind || a.motion != b.motion || a.given != b.given) return false;
     if (((a.incremental ^ b.incremental) & a.given) != 0) return false;

@@ -164,6 +164,8 @@ struct Block {
         invocation.given |= 1u << parameter;
     }
     const Invocation* find(Function function) const;
+    /// The first function of which this is so.
+    const Invocation* find(Fact fact) const;
     /// Argument of an invocation; `fallback` if it was not given.
     double argument(const Invocation& invocation, std::size_t parameter,
                     double fallback = 0) const {
@@ -171,6 +173,9 @@ struct Block {
     }
 };
 static_assert(sizeof(Block) <= 728, "blocks travel in batches of a thousand");
+
+/// The function of the group that the block says by itself, the motion code among them; None: none.
+Function said_of(const Block& block, Group group);
 
 /// Same meaning: what masks and counts do not name is not compared; nor are line and source.
 bool operator==(const Block& a, const Block& b);

@@ -163,6 +163,7 @@ class BlockWriter {
     static bool ends_by_itself(const Form& form, const Block& block, Function around);
     Function acting_around(const Form& form, const Block& block) const;
     Activity is_shifted() const;
+    Activity activity_of(Function function) const;
     void defer_length(const Block& block, const Invocation& invocation);
     void write_waiting_edge(const Block& block, std::string& out);
     void say_waiting_edge(const Block& block, std::string& out);

@@ -42,9 +42,10 @@ LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink&
     const auto& threads = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
     feed_is_pitch_ = !threads.empty() && tables_.forms[threads[0]].feed_is_pitch;
     if (feed_is_pitch_) {
-        for (const Function thread : {Function::Thread, Function::ThreadIncreasing,
-                                      Function::ThreadArcCw, Function::ThreadArcCcw})
-            closely_read_.set(static_cast<std::size_t>(thread));
+        for (const FunctionInfo& thread : all_functions()) {
+            if (has_fact(thread.function, Fact::Pitch) && !is_tapping(thread.function))
+                closely_read_.set(static_cast<std::size_t>(thread.function));
+        }
     }
     follow_units();
 }

@@ -15,18 +15,6 @@
 
 namespace kadr::nc {
 
-namespace {
-
-/// The function of the group that the block says by itself; None: there is none.
-Function said_of(const Block& block, Group group) {
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        if (info(block.functions[i].function).group == group) return block.functions[i].function;
-    }
-    return Function::None;
-}
-
-}  // namespace
-
 /// Why the form cannot say what was given, or lacks what it needs.
 BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
                                         const Invocation& invocation) const {
@@ -274,16 +262,23 @@ bool BlockWriter::ends_by_itself(const Form& form, const Block& block, Function 
            std::ranges::any_of(form.sets, is_of_group);
 }
 
+/// Whether the function acts in the text so far.
+Activity BlockWriter::activity_of(Function function) const {
+    switch (function) {
+        case Function::Shift: return is_shifted();
+        case Function::Rotate: return modal_.rotation;
+        case Function::Scale: return modal_.scale;
+        case Function::Mirror: return modal_.mirror;
+        default: break;
+    }
+    return modal_.text_of(info(function).group) == function ? Activity::Yes : Activity::No;
+}
+
 /// The function that acts and that the form must not stand inside of; None: there is none.
 Function BlockWriter::acting_around(const Form& form, const Block& block) const {
     for (const Function around : form.outside) {
         if (ends_by_itself(form, block, around)) continue;
-        const Activity activity = around == Function::Shift                      ? is_shifted()
-                                  : around == Function::Rotate                   ? modal_.rotation
-                                  : around == Function::Scale                    ? modal_.scale
-                                  : around == Function::Mirror                   ? modal_.mirror
-                                  : modal_.text_of(info(around).group) == around ? Activity::Yes
-                                                                                 : Activity::No;
+        const Activity activity = activity_of(around);
         // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
         // depends on those around it.
         if (activity == Activity::Yes) return around;

@@ -7,9 +7,7 @@ namespace kadr::nc {
 
 /// The edge that a block in machine coordinates put aside acts again where the tool moves next.
 void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
-    const bool is_machine = block.find(Function::MachineCoordinates) != nullptr ||
-                            block.find(Function::ReferencePoint) != nullptr ||
-                            block.find(Function::ReferenceReturn) != nullptr;
+    const bool is_machine = block.find(Fact::AtMachinePlace) != nullptr;
     const bool moves = (block.given & kTargetSlots) != 0 || block.find(Function::Cycle) != nullptr;
     if (is_machine || !moves || block.find(Function::ToolEdge) != nullptr) return;
     say_waiting_edge(block, out);
@@ -31,10 +29,7 @@ void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
 /// The length comes with the first motion along it: a way there would be travelled less the length.
 void BlockWriter::check_length_due(const Block& block) {
     const std::size_t along = plane_axes()[2];
-    const bool is_other =
-        block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
-                                      block.find(Function::ReferencePoint) != nullptr ||
-                                      block.find(Function::ReferenceReturn) != nullptr);
+    const bool is_other = block.find(Fact::AtMachinePlace) != nullptr;
     if (is_other || !block.has(static_cast<Slot>(along))) return;
     modal_.is_length_due = false;
     if (!is_distance(block, along)) return;

@@ -73,9 +73,7 @@ bool BlockWriter::has_feed_word(const Block& block, const Invocation& cycle) con
 void BlockWriter::add_deferred(const Block& block, Items& items) {
     if (pending_.empty()) return;
     const bool is_cycle = block.function_count != 0 && block.find(Function::Cycle) != nullptr;
-    const bool is_machine =
-        block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
-                                      block.find(Function::ReferenceReturn) != nullptr);
+    const bool is_machine = block.find(Fact::AtMachinePlace) != nullptr;
     for (std::size_t i = 0; i < pending_.size();) {
         const Deferred& deferred = *pending_[i].deferred;
         bool acts = false;

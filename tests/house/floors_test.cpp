@@ -1,5 +1,6 @@
 // A folder includes only folders on lower floors; third-party headers stay behind their doors.
 // Link lines alone do not catch a header that leaks, so every #include is read here.
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -130,6 +131,71 @@ TEST(House, NoPredicateListsFunctions) {
                 const bool is_const = at->str().find(") const") != std::string::npos;
                 EXPECT_TRUE(is_const || !std::regex_search(body, row)) << entry.path() << '\n'
                                                                        << body;
+            }
+        }
+    }
+}
+
+/// The text without its comments, as long as before.
+std::string without_comments(std::string text) {
+    for (std::size_t at = text.find("//"); at != text.npos; at = text.find("//", at)) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        text.replace(at, end - at, end - at, ' ');
+        at = end;
+    }
+    return text;
+}
+
+/// The members of the vocabulary that the pattern finds.
+std::set<std::string> functions_in(const std::string& statement, const std::regex& pattern) {
+    std::set<std::string> found;
+    for (std::sregex_iterator at(statement.begin(), statement.end(), pattern), end; at != end; ++at)
+        if ((*at)[1] != "None") found.insert((*at)[1]);
+    return found;
+}
+
+/// … nor does a statement: two functions may be asked for, three are a fact that has no name. The
+/// rows of the small enums of modes.cpp are those of whole groups.
+TEST(House, NoStatementListsFunctions) {
+    static const std::regex asked(
+        R"((?:[=!]=\s*|\bfind\(|\bhas\([\w.>-]+,\s*)(?:nc::)?Function::(\w+))");
+    static const std::regex listed(R"((?:nc::)?Function::(\w+))");
+    static const std::regex list(
+        R"(\s*(?:nc::)?Function::\w+(?:,\s*(?:nc::)?Function::\w+)*,?\s*\})");
+    std::size_t statements = 0;
+    for (const char* side : {"runtime", "compiler"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / side)) {
+            const std::string extension = entry.path().extension();
+            if (extension != ".h" && extension != ".cpp") continue;
+            if (entry.path().filename() == "modes.cpp") continue;
+            const std::string text = without_comments(kadr::read_file(entry.path()).value_or(""));
+            for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
+                end = std::min(text.find_first_of(";{}", at), text.size() - 1) + 1;
+                const std::string statement = text.substr(at, end - at);
+                if (statement.find("Function::") == statement.npos) continue;
+                ++statements;
+                const bool is_list = std::regex_match(statement, list);
+                EXPECT_LT(functions_in(statement, is_list ? listed : asked).size(), 3u)
+                    << entry.path() << '\n'
+                    << statement;
+            }
+        }
+    }
+    EXPECT_GT(statements, 1000u);
+}
+
+/// … nor a switch that answers with yes or no.
+TEST(House, NoSwitchListsFunctions) {
+    static const std::regex rows(R"((?:case (?:nc::)?Function::\w+:\s*)+return (?:true|false);)");
+    for (const char* side : {"runtime", "compiler"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / side)) {
+            const std::string extension = entry.path().extension();
+            if (extension != ".h" && extension != ".cpp") continue;
+            const std::string text = without_comments(kadr::read_file(entry.path()).value_or(""));
+            std::sregex_iterator at(text.begin(), text.end(), rows), end;
+            for (; at != end; ++at) {
+                const std::string row = at->str();
+                EXPECT_LT(std::ranges::count(row, '\n'), 3) << entry.path() << '\n' << row;
             }
         }
     }
