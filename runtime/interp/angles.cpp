@@ -29,25 +29,11 @@ Vec2 direction_of(double angle_deg) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// The block's own member of a modal group; None: it has none.
-Function said_of(const Block& block, Group group) {
-    if (group == Group::Motion) return block.motion;
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        if (nc::info(block.functions[i].function).group == group)
-            return block.functions[i].function;
-    }
-    return Function::None;
-}
-
 }  // namespace
 
 path::Plane Executor::plane_in(const Block& block) const {
-    switch (said_of(block, Group::Plane)) {
-        case Function::PlaneXy: return path::Plane::Xy;
-        case Function::PlaneZx: return path::Plane::Zx;
-        case Function::PlaneYz: return path::Plane::Yz;
-        default: return modal_.plane;
-    }
+    const Function said = nc::said_of(block, Group::Plane);
+    return said == Function::None ? modal_.plane : plane_of(said);
 }
 
 /// Whether the block is a line at an angle whose end only the next one will tell; then it waits.
@@ -75,7 +61,7 @@ void Executor::close_line(const Block& block) {
         return;
     }
     const path::Plane plane = plane_in(first);
-    if (said_of(block, Group::Plane) != Function::None && plane_in(block) != plane) {
+    if (nc::said_of(block, Group::Plane) != Function::None && plane_in(block) != plane) {
         report(diag::AnglePlane, block);
         return;
     }
@@ -116,8 +102,8 @@ void Executor::close_line(const Block& block) {
 bool Executor::is_open_distance(const Block& first, const Block& second, Slot slot) const {
     if (((second.absolute | second.incremental) & bit(slot)) != 0)
         return (second.incremental & bit(slot)) != 0;
-    Function said = said_of(second, Group::Distance);
-    if (said == Function::None) said = said_of(first, Group::Distance);
+    Function said = nc::said_of(second, Group::Distance);
+    if (said == Function::None) said = nc::said_of(first, Group::Distance);
     return said == Function::None ? modal_.is_incremental : said == Function::Incremental;
 }
 

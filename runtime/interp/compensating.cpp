@@ -34,66 +34,22 @@ path::Vec2 tip_direction(int tip) {
 
 }  // namespace
 
-void Executor::choose_comp(const Block& block, const Invocation& invocation, Actions& actions) {
-    actions.comp_changed = true;
-    switch (invocation.function) {
-        case Function::RadiusOffset:
-            tool_.radius_offset = std::llround(
-                block.argument(invocation, parameter_of<Function::RadiusOffset>("offset")));
-            break;
-        case Function::CompStartNormal: comp_.start = nc::CompStart::Normal; break;
-        case Function::CompStartAround: comp_.start = nc::CompStart::Around; break;
-        case Function::CompStartTangent: comp_.start = nc::CompStart::Tangent; break;
-        case Function::CompStartSmooth: comp_.start = nc::CompStart::Smooth; break;
-        case Function::CompCornerArc: comp_.corner = nc::CompCorner::Arc; break;
-        case Function::CompCornerIntersection: comp_.corner = nc::CompCorner::Intersection; break;
-        case Function::CompCornerPointed:
-            comp_.pointed =
-                block.argument(invocation, parameter_of<Function::CompCornerPointed>("percent"));
-            if (comp_.pointed < 0 || comp_.pointed > 100)
-                report(diag::CompPointedRange, block, invocation.function).arg(comp_.pointed);
-            break;
-        case Function::CompCheckOn: comp_.has_check = true; break;
-        case Function::CompCheckOff: comp_.has_check = false; break;
-        case Function::CompOpenEnd:
-            comp_.open_end = static_cast<path::OpenEnd>(
-                std::clamp(static_cast<int>(block.argument(
-                               invocation, parameter_of<Function::CompOpenEnd>("kind"))),
-                           0, 2));
-            break;
-        case Function::CompAllowance:
-            comp_.allowance =
-                block.argument(invocation, parameter_of<Function::CompAllowance>("allowance"));
-            break;
-        case Function::CompInPlane:
-        case Function::CompInFrame:
-            comp_.system = CompSystem::InPlane;
-            comp_.is_in_frame = invocation.function == Function::CompInFrame;
-            break;
-        case Function::CompBySide:
-        case Function::CompByFace:
-        case Function::CompByFaceInFrame:
-        case Function::CompByFaceInPlane: comp_.system = comp_system_of(invocation.function); break;
-        case Function::SideCompLeft:
-        case Function::SideCompRight:
-            if (!require_tcp_for_side_comp(block, invocation.function)) return;
-            comp_.is_by_side_code = true;
-            actions.radius_comp = comp_side_of(invocation.function);
-            break;
-        case Function::RadiusCompLeft:
-        case Function::RadiusCompRight:
-            comp_.is_by_side_code = false;
-            actions.radius_comp = comp_side_of(invocation.function);
-            break;
-        case Function::CompTurnOnArc:
-        case Function::CompTurnBefore:
-            comp_.turns_on_arc = invocation.function == Function::CompTurnOnArc;
-            break;
-        case Function::CompDepth:
-            comp_.depth = block.argument(invocation, parameter_of<Function::CompDepth>("depth"));
-            break;
-        default: actions.radius_comp = comp_side_of(invocation.function); break;
+void Executor::choose_pointed_corners(const Block& block, const Invocation& invocation) {
+    comp_.pointed =
+        block.argument(invocation, parameter_of<Function::CompCornerPointed>("percent"));
+    if (comp_.pointed < 0 || comp_.pointed > 100)
+        report(diag::CompPointedRange, block, invocation.function).arg(comp_.pointed);
+}
+
+/// function  of the group RadiusComp
+void Executor::choose_comp_side(const Block& block, Function function, Actions& actions) {
+    const CompSide side = comp_side_of(function);
+    if (side != CompSide::Off) {
+        const bool is_by_side_code = !nc::has_fact(function, nc::Fact::CompSide);
+        if (is_by_side_code && !require_tcp_for_side_comp(block, function)) return;
+        comp_.is_by_side_code = is_by_side_code;
     }
+    actions.radius_comp = side;
 }
 
 /// The choices of a block count together, whatever their order in it.

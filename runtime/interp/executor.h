@@ -161,7 +161,7 @@ class Executor {
     void apply(const nc::Block& block, const nc::Effect& effect, Actions& actions);
     void apply_own(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void set_member(const nc::Block& block, const nc::Effect& effect, Actions& actions);
-    void set_comp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    bool takes_comp_choice(Actions& actions) const;
     void set_diameter(const nc::Block& block, nc::Function member);
     void switch_tcp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void select_tool(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
@@ -215,7 +215,19 @@ class Executor {
     bool needs_comp_off(const nc::Block& block, nc::Function function) const;
     bool is_too_late(nc::Function function) const;
     bool is_other_plane(nc::Function function) const;
-    void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
+    void change_frame(const nc::Block& block, const nc::Invocation& invocation,
+                      void (control::Frames::*change)(const control::FrameWords&));
+    void let_comp_go(const nc::Invocation& invocation);
+    control::FrameWords words_of_frame(const nc::Block& block,
+                                       const nc::Invocation& invocation) const;
+    Done require_no_places(const nc::Block& block, const nc::Invocation& invocation);
+    void set_position(const nc::Block& block, const nc::Invocation& invocation);
+    void reset_position(const nc::Block& block, const nc::Invocation& invocation);
+    void name_position(const control::FrameWords& words);
+    void rotate(const nc::Block& block, const nc::Invocation& invocation);
+    void end_rotation();
+    void end_scaling();
+    void end_mirroring(const nc::Block& block, const nc::Invocation& invocation);
     Done require_named_axes(const nc::Block& block, const nc::Invocation& invocation,
                             AxisMask named);
     control::FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
@@ -528,7 +540,8 @@ class Executor {
     void report_corner(const CornerMessage& message);
 
     // compensating.cpp
-    void choose_comp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void choose_pointed_corners(const nc::Block& block, const nc::Invocation& invocation);
+    void choose_comp_side(const nc::Block& block, nc::Function function, Actions& actions);
     void begin_comp(const nc::Block& block, CompSide side);
     void act_on_comp(const nc::Block& block, const Actions& actions);
     bool is_any_comp_on() const { return compensation_.is_on() || space_comp_.is_on(); }

@@ -23,7 +23,7 @@ using path::SpindleMode;
 
 void Executor::select_feed_mode(Function member) {
     const FeedMode before = modal_.feed_mode;
-    modal_.set(member);
+    modal_.feed_mode = feed_mode_of(member);
     if (modal_.feed_mode == before || !rules_.feed_deleted_on_mode_change) return;
     modal_.has_feed = false;
     tooth_feed_ = 0;

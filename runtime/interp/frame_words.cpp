@@ -30,70 +30,94 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
     frame_changed();
 }
 
-void Executor::apply_frame(const Block& block, const Invocation& invocation) {
-    const bool is_set = invocation.function == Function::SetPosition ||
-                        invocation.function == Function::SetPositionAxes ||
-                        invocation.function == Function::PositionReset;
-    if (is_set && cycles_said_.modal.is_active) {
-        report(diag::SetPositionInCycle, block, invocation.function);
-        return;
-    }
-    const bool is_compensated = comp_.is_on() && rules_.comp_is_innermost;
-    if (is_compensated && nc::has_fact(invocation.function, nc::Fact::LetsCompGo) &&
-        !cycle_.blocks) {
+/// Where the compensation lies within the frames, the cutter comes off its contour meanwhile.
+void Executor::let_comp_go(const Invocation& invocation) {
+    if (!comp_.is_on() || !rules_.comp_is_innermost || cycle_.blocks) return;
+    if (nc::has_fact(invocation.function, nc::Fact::LetsCompGo))
         send_comp({CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base, {}, {}});
-        if (ended_) return;
-    }
-    const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
-    const bool is_of_axes = invocation.function == Function::ShiftAxes ||
-                            invocation.function == Function::ShiftAxesAdd ||
-                            invocation.function == Function::SetPositionAxes;
+}
+
+/// X, Y and Z of a function of frames, or all axes.
+control::FrameWords Executor::words_of_frame(const Block& block,
+                                             const Invocation& invocation) const {
     constexpr std::size_t kX =
         parameter_of_all<"x", Function::Shift, Function::ShiftAdd, Function::ShiftAxes,
                          Function::ShiftAxesAdd, Function::ShiftCoarse, Function::ShiftFine,
                          Function::Mirror, Function::MirrorOff, Function::SetPosition,
                          Function::SetPositionAxes, Function::PositionReset>();
-    const control::FrameWords words =
-        frame_words(block, invocation, kX, x_scale, is_of_axes ? std::size_t{6} : std::size_t{3});
-    if (is_of_axes && !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
+    const bool is_of_axes = nc::has_fact(invocation.function, nc::Fact::AllAxes);
+    const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
+    return frame_words(block, invocation, kX, x_scale,
+                       is_of_axes ? std::size_t{6} : std::size_t{3});
+}
+
+/// A change of the frames by words that name axes.
+void Executor::change_frame(const Block& block, const Invocation& invocation,
+                            void (control::Frames::*change)(const control::FrameWords&)) {
+    let_comp_go(invocation);
+    const control::FrameWords words = words_of_frame(block, invocation);
+    if (ended_ || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
         return;
-    switch (invocation.function) {
-        case Function::Shift:
-        case Function::ShiftAxes: frames_.shift(words); break;
-        case Function::ShiftAdd:
-        case Function::ShiftAxesAdd: frames_.shift_add(words); break;
-        case Function::ShiftCoarse: frames_.set_coarse(words); break;
-        case Function::ShiftFine: frames_.set_fine(words); break;
-        case Function::RotateSpace:
-        case Function::RotateSolid: rotate_in_space(block, invocation); break;
-        case Function::Rotate:
-            frames_.rotate(
-                plane_in(block),
-                rad_from_deg(block.argument(invocation, parameter_of<Function::Rotate>("angle"),
-                                            rules_.rotation_angle)),
-                center_of(block, invocation));
-            break;
-        case Function::Scale: scale(block, invocation); break;
-        case Function::ScaleOff: frames_.scale_off(); break;
-        case Function::RotateOff:
-            if (rules_.place_behind_rotation && frames_.is_rotated()) unplaced_ = plane_mask();
-            frames_.rotate_off();
-            break;
-        case Function::Mirror: frames_.mirror(words); break;
-        case Function::MirrorOff: frames_.mirror_off(static_cast<AxisMask>(words.given)); break;
-        case Function::SetPosition:
-        case Function::SetPositionAxes:
-            frames_.set_position(words, position_.here, position_.base);
-            break;
-        case Function::PositionReset:
-            frames_.reset_position(static_cast<AxisMask>(words.given));
-            break;
-        default: KADR_ASSERT(false, "not a function of frames");
-    }
+    (frames_.*change)(words);
     frame_changed();
-    for (std::size_t i = 0; is_set && i < kAxes; ++i) {
+}
+
+Done Executor::require_no_places(const Block& block, const Invocation& invocation) {
+    if (!cycles_said_.modal.is_active) return kDone;
+    report(diag::SetPositionInCycle, block, invocation.function);
+    return kFailed;
+}
+
+/// The place where the tool stands gets other coordinates.
+void Executor::set_position(const Block& block, const Invocation& invocation) {
+    if (!require_no_places(block, invocation)) return;
+    let_comp_go(invocation);
+    const control::FrameWords words = words_of_frame(block, invocation);
+    if (ended_ || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
+        return;
+    frames_.set_position(words, position_.here, position_.base);
+    name_position(words);
+}
+
+/// … or has those of its work offset again.
+void Executor::reset_position(const Block& block, const Invocation& invocation) {
+    if (!require_no_places(block, invocation)) return;
+    let_comp_go(invocation);
+    if (ended_) return;
+    const control::FrameWords words = words_of_frame(block, invocation);
+    frames_.reset_position(static_cast<AxisMask>(words.given));
+    name_position(words);
+}
+
+/// The coordinates that the tool has now are those that the program has named.
+void Executor::name_position(const control::FrameWords& words) {
+    frame_changed();
+    for (std::size_t i = 0; i < kAxes; ++i) {
         if (words.has(i)) position_.programmed[i] = position_.here[i];
     }
+}
+
+void Executor::rotate(const Block& block, const Invocation& invocation) {
+    const double angle =
+        block.argument(invocation, parameter_of<Function::Rotate>("angle"), rules_.rotation_angle);
+    frames_.rotate(plane_in(block), rad_from_deg(angle), center_of(block, invocation));
+    frame_changed();
+}
+
+void Executor::end_rotation() {
+    if (rules_.place_behind_rotation && frames_.is_rotated()) unplaced_ = plane_mask();
+    frames_.rotate_off();
+    frame_changed();
+}
+
+void Executor::end_scaling() {
+    frames_.scale_off();
+    frame_changed();
+}
+
+void Executor::end_mirroring(const Block& block, const Invocation& invocation) {
+    frames_.mirror_off(static_cast<AxisMask>(words_of_frame(block, invocation).given));
+    frame_changed();
 }
 
 Done Executor::require_named_axes(const Block& block, const Invocation& invocation,
@@ -132,6 +156,7 @@ void Executor::rotate_in_space(const Block& block, const Invocation& invocation)
     } else {
         report(diag::SolidAngles, block, invocation.function).arg(angles.size());
     }
+    frame_changed();
 }
 
 /// One factor, or one for each axis; the axes that nothing is said of keep their size.
@@ -148,6 +173,7 @@ void Executor::scale(const Block& block, const Invocation& invocation) {
         factors[static_cast<Eigen::Index>(i)] = factor;
     }
     frames_.scale(factors, center_of(block, invocation));
+    frame_changed();
 }
 
 /// What it does the machine file says, or the machine builder alone knows; then each is said once.

@@ -10,6 +10,7 @@
 
 namespace kadr::interp {
 
+using control::Frames;
 using nc::Block;
 using nc::Function;
 using nc::Group;
@@ -48,12 +49,7 @@ bool Executor::is_too_late(Function function) const {
 }
 
 bool Executor::is_other_plane(Function function) const {
-    switch (function) {
-        case Function::PlaneXy: return modal_.plane != Plane::Xy;
-        case Function::PlaneZx: return modal_.plane != Plane::Zx;
-        case Function::PlaneYz: return modal_.plane != Plane::Yz;
-        default: return false;
-    }
+    return nc::info(function).group == Group::Plane && plane_of(function) != modal_.plane;
 }
 
 /// Whether cutter radius compensation must have ended before the function.
@@ -91,15 +87,15 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
     const Invocation& invocation = effect.invocation_in(block);
     switch (effect.kind) {
         case Kind::Sets: set_member(block, effect, actions); break;
-        case Kind::Shift:
-        case Kind::ShiftAdd:
-        case Kind::Rotate:
-        case Kind::Scale:
-        case Kind::Mirror:
-        case Kind::RotateOff:
-        case Kind::ScaleOff:
-        case Kind::MirrorOff:
-        case Kind::SetPosition: apply_frame(block, invocation); break;
+        case Kind::Shift: change_frame(block, invocation, &Frames::shift); break;
+        case Kind::ShiftAdd: change_frame(block, invocation, &Frames::shift_add); break;
+        case Kind::Rotate: rotate(block, invocation); break;
+        case Kind::Scale: scale(block, invocation); break;
+        case Kind::Mirror: change_frame(block, invocation, &Frames::mirror); break;
+        case Kind::RotateOff: end_rotation(); break;
+        case Kind::ScaleOff: end_scaling(); break;
+        case Kind::MirrorOff: end_mirroring(block, invocation); break;
+        case Kind::SetPosition: set_position(block, invocation); break;
         case Kind::WorkOffset:
             select_work_offset(
                 block, count_of(block, invocation, parameter_of<Function::WorkOffset>("number")));
@@ -119,7 +115,11 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
             if (tool_.source == Tool::Source::Offset)
                 set_length_source(Tool::Source::Offset, actions);
             break;
-        case Kind::SelectsRadius: set_comp(block, invocation, actions); break;
+        case Kind::SelectsRadius:
+            if (takes_comp_choice(actions))
+                tool_.radius_offset =
+                    count_of(block, invocation, parameter_of<Function::RadiusOffset>("offset"));
+            break;
         case Kind::EndsProgram: actions.ends = true; break;
         case Kind::Own: apply_own(block, invocation, actions); break;
         case Kind::Tilts:
@@ -132,18 +132,21 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
     }
 }
 
-/// Roughing works along the programmed shape; where it is followed, it is compensated.
-void Executor::set_comp(const Block& block, const Invocation& invocation, Actions& actions) {
-    if (!keeps_shape()) choose_comp(block, invocation, actions);
+/// The block chooses something of the compensation, which counts before its motion. Roughing works
+/// along the programmed shape and takes no choice; where the shape is followed, it is compensated.
+bool Executor::takes_comp_choice(Actions& actions) const {
+    if (keeps_shape()) return false;
+    actions.comp_changed = true;
+    return true;
 }
 
 /// Another member of a modal group acts.
 void Executor::set_member(const Block& block, const nc::Effect& effect, Actions& actions) {
     const Function member = effect.function;
     switch (effect.group()) {
-        case Group::Motion:
-        case Group::Distance:
-        case Group::PathMode: modal_.set(member); break;
+        case Group::Motion: break;  // the motion code acts in motion.cpp
+        case Group::Distance: modal_.is_incremental = member == Function::Incremental; break;
+        case Group::PathMode: modal_.set_path_mode(member); break;
         case Group::Plane: change_plane(member); break;
         case Group::Units: check_units(block, member); break;  // the reader has made mm of lengths
         case Group::FeedMode: select_feed_mode(member); break;
@@ -152,11 +155,26 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
             else leave_cutting_speed();
             break;
         case Group::RadiusComp:
+            if (takes_comp_choice(actions)) choose_comp_side(block, member, actions);
+            break;
         case Group::CompStart:
+            if (takes_comp_choice(actions)) comp_.start = comp_start_of(member);
+            break;
         case Group::CompCorner:
+            if (takes_comp_choice(actions)) comp_.corner = comp_corner_of(member);
+            break;
         case Group::CompCheck:
+            if (takes_comp_choice(actions)) comp_.has_check = member == Function::CompCheckOn;
+            break;
         case Group::CompSystem:
-        case Group::CompTurning: set_comp(block, effect.invocation_in(block), actions); break;
+            if (!takes_comp_choice(actions)) break;
+            comp_.system = comp_system_of(member);
+            if (comp_.system == CompSystem::InPlane)
+                comp_.is_in_frame = member == Function::CompInFrame;
+            break;
+        case Group::CompTurning:
+            if (takes_comp_choice(actions)) comp_.turns_on_arc = member == Function::CompTurnOnArc;
+            break;
         case Group::Spindle:
             if (member == Function::SpindleOrient) break;
             actions.spindle = member == Function::SpindleCw    ? SpindleMode::Cw
@@ -241,11 +259,23 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
     switch (invocation.function) {
         case Function::SpeedLimit: actions.limit = &invocation; break;
         case Function::CompCornerPointed:
+            if (takes_comp_choice(actions)) choose_pointed_corners(block, invocation);
+            break;
         case Function::CompOpenEnd:
+            if (takes_comp_choice(actions))
+                comp_.open_end = static_cast<path::OpenEnd>(std::clamp<std::int64_t>(
+                    count_of(block, invocation, parameter_of<Function::CompOpenEnd>("kind")), 0,
+                    2));
+            break;
         case Function::CompAllowance:
+            if (takes_comp_choice(actions))
+                comp_.allowance =
+                    block.argument(invocation, parameter_of<Function::CompAllowance>("allowance"));
+            break;
         case Function::CompDepth:
-            // Roughing works along the programmed shape; where it is followed, it is compensated.
-            if (!keeps_shape()) choose_comp(block, invocation, actions);
+            if (takes_comp_choice(actions))
+                comp_.depth =
+                    block.argument(invocation, parameter_of<Function::CompDepth>("depth"));
             break;
         case Function::CompKeepVector:
         case Function::CompCornerHere:
@@ -437,14 +467,14 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
             break;
         case Function::LatheOffsetData:
         case Function::ToolOffsetData: actions.data = &invocation; break;
-        case Function::ShiftAxes:
-        case Function::ShiftAxesAdd:
-        case Function::SetPositionAxes:
-        case Function::ShiftCoarse:
-        case Function::ShiftFine:
+        case Function::ShiftAxes: change_frame(block, invocation, &Frames::shift); break;
+        case Function::ShiftAxesAdd: change_frame(block, invocation, &Frames::shift_add); break;
+        case Function::ShiftCoarse: change_frame(block, invocation, &Frames::set_coarse); break;
+        case Function::ShiftFine: change_frame(block, invocation, &Frames::set_fine); break;
+        case Function::SetPositionAxes: set_position(block, invocation); break;
+        case Function::PositionReset: reset_position(block, invocation); break;
         case Function::RotateSpace:
-        case Function::RotateSolid:
-        case Function::PositionReset: apply_frame(block, invocation); break;
+        case Function::RotateSolid: rotate_in_space(block, invocation); break;
         case Function::SpindleOrient: actions.orient = &invocation; break;
         case Function::MasterSpindle: select_master(block, invocation); break;
         case Function::SpindleTurn:
@@ -617,7 +647,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
 /// A pole belongs to its plane.
 void Executor::change_plane(Function plane) {
     const Plane before = modal_.plane;
-    modal_.set(plane);
+    modal_.plane = plane_of(plane);
     // Where a tool's lengths act may depend on the plane.
     tool_.has_changed |= wanted_lengths() != tool_.lengths;
     if (modal_.plane == before) return;

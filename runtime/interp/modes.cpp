@@ -28,6 +28,11 @@ constexpr std::array kSpins = {Function::SpinFixed, Function::SpinPlane, Functio
 constexpr std::array kPointToPoint = {Function::PathMoves, Function::PointRapids,
                                       Function::PointMoves};
 
+constexpr std::array kFeedModes = {Function::FeedPerMinute, Function::FeedPerRevolution,
+                                   Function::FeedInverseTime};
+constexpr std::array kPlanes = {Function::PlaneXy, Function::PlaneZx, Function::PlaneYz};
+constexpr std::array kCompCorners = {Function::CompCornerArc, Function::CompCornerIntersection};
+
 template <typename Mode>
 Mode mode_of(const auto& rows, Function function) {
     const auto row = std::ranges::find(rows, function);
@@ -76,6 +81,23 @@ Blend blend_of(Function function) {
     if (function == Function::BlendDistance) return Blend::Distance;
     if (function == Function::BlendTolerance) return Blend::Tolerance;
     return function == Function::BlendSmooth ? Blend::Smooth : Blend::None;
+}
+
+path::FeedMode feed_mode_of(Function function) {
+    return mode_of<path::FeedMode>(kFeedModes, function);
+}
+
+path::Plane plane_of(Function function) { return mode_of<path::Plane>(kPlanes, function); }
+
+/// No function says nc::CompStart::Extended: that is a rule of controls.
+nc::CompStart comp_start_of(Function function) {
+    if (function == Function::CompStartAround) return nc::CompStart::Around;
+    if (function == Function::CompStartTangent) return nc::CompStart::Tangent;
+    return function == Function::CompStartSmooth ? nc::CompStart::Smooth : nc::CompStart::Normal;
+}
+
+nc::CompCorner comp_corner_of(Function function) {
+    return mode_of<nc::CompCorner>(kCompCorners, function);
 }
 
 Units units_of(Function function) {

@@ -8,6 +8,8 @@
 #include <cstdint>
 
 #include "nc/block.h"
+#include "nc/rules.h"
+#include "path/command.h"
 
 namespace kadr::interp {
 
@@ -52,6 +54,14 @@ PointToPoint point_to_point_of(nc::Function function);
 /// How corners are rounded.
 enum class Blend : std::uint8_t { None, Distance, Tolerance, Smooth };
 Blend blend_of(nc::Function function);
+
+/// What F says, and in which plane arcs lie.
+path::FeedMode feed_mode_of(nc::Function function);
+path::Plane plane_of(nc::Function function);
+
+/// How the cutter comes to its contour, and how it goes around the corners.
+nc::CompStart comp_start_of(nc::Function function);
+nc::CompCorner comp_corner_of(nc::Function function);
 
 /// Of the lengths in the text, as far as the program has said it.
 enum class Units : std::uint8_t { Unsaid, Metric, Inch };

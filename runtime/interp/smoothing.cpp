@@ -65,7 +65,7 @@ void Executor::choose_high_speed(const Block& block, const nc::Invocation& invoc
     smoothing_.orientation =
         says_orientation ? std::optional(rad_from_deg(orientation)) : std::nullopt;
     smoothing_.compresses = is_on && kCompresses;
-    modal_.set(is_on ? kCorners : Function::ContinuousPath);
+    modal_.set_path_mode(is_on ? kCorners : Function::ContinuousPath);
 }
 
 /// How the corner behind a motion of this block is rounded.

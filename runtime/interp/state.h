@@ -31,8 +31,8 @@ struct Modal {
     bool has_feed = false;
     double feed = 0;  // unit of the feed mode
 
-    /// Sets what a member of one of these groups says.
-    void set(nc::Function function);
+    /// function  of the group PathMode
+    void set_path_mode(nc::Function function);
 };
 
 /// What the program takes from the operator, and says of how fast its motions may be.
