@@ -144,11 +144,19 @@ Done Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
 
 Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instruction,
                                 const sema::Slot* registers, std::uint32_t at) {
+    if (plan.skip < 0) [[likely]]
+        return fill_block(plan, instruction, registers, at);
+    // Nobody knows here whether the operator lets the block run.
+    const ModalState without = modal;
+    if (!fill_block(plan, instruction, registers, at)) return kFailed;
+    modal.join(without, SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
+    return kDone;
+}
+
+Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& instruction,
+                                 const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
-    std::optional<ModalState> without;  // if the operator leaves the block out
-    if (plan.skip >= 0) [[unlikely]]
-        without = modal;
     if ((plan.customs & kOfCycles) != 0) [[unlikely]]
         said_cycle.motion = modal[Group::Motion];
     block.motion = plan.motion;
@@ -172,6 +180,7 @@ Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     if (modal.has_ended && recordings.empty()) [[unlikely]]
         warn_after_end(at);
     const bool has_functions = block.function_count > 0 || block.motion != Function::None;
+    nc::Effects effects;
     if (has_functions) {
         for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
             if (plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
@@ -182,7 +191,7 @@ Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         if (!check_mirror(block, plan, at) || !settle_frame(block, at)) return kFailed;
         if (options.warns_of_cuts) warn_of_plane(block, at);
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
-        modal.take_functions(block, target.rules());
+        modal.take_functions(block, target.rules(), effects);
         const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
         if (target.rules().machine_coordinates_rapid && !says_rapid && motion != Function::Rapid &&
             block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
@@ -272,11 +281,9 @@ Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     if (options.warns_of_cuts && !modal.told.has_told(Once::Rapid) && recordings.empty())
         check_rapid(block, at);
     modal.take_words(block);
+    modal.take_behind(block, target.rules(), effects);
     if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
         return kFailed;
-    // Nobody knows here whether the operator lets the block run.
-    if (plan.skip >= 0) [[unlikely]]
-        modal.join(*without, source);
     if (options.trace) keep_trace(at, instruction.c, source);
     return kDone;
 }

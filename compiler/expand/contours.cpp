@@ -638,7 +638,6 @@ Done Expander::State::emit_element(const Element& element, const FollowedBlock& 
     block.motion = !element.is_arc()   ? Function::Line
                    : element.sweep > 0 ? Function::ArcCcw
                                        : Function::ArcCw;
-    modal.take_functions(block, target.rules());
     const std::size_t plane_axes[2] = {axes.first, axes.second};
     for (std::size_t i = 0; i < 2; ++i) {
         const auto component = static_cast<Eigen::Index>(i);
@@ -655,6 +654,8 @@ Done Expander::State::emit_element(const Element& element, const FollowedBlock& 
 
 Done Expander::State::finish_followed(Block& block, const FollowedBlock& next,
                                       std::uint32_t where) {
+    nc::Effects effects;
+    modal.take_functions(block, target.rules(), effects);
     if (next.feed == next.feed) {
         sema::Filling filling;
         filling.form = sema::Filling::Form::Feed;
@@ -680,6 +681,7 @@ Done Expander::State::finish_followed(Block& block, const FollowedBlock& next,
     if (modal.has_ended && recordings.empty()) warn_after_end(where);
     if (modal.diameter_due != Function::None && recordings.empty()) say_diameter(block);
     modal.take_words(block);
+    modal.take_behind(block, target.rules(), effects);
     if (!recordings.empty()) return keep(block, where);
     if (is_cut_doubtful() && !check_cut(block, where)) {
         drop_block(block);

@@ -272,7 +272,6 @@ Done Expander::State::emit_pole(const FollowedBlock& next, std::uint32_t where) 
         block.set_argument(*block.add(Function::SplineDegree, 1),
                            nc::parameter_of<Function::SplineDegree>("degree"), spline.degree);
     }
-    modal.take_functions(block, target.rules());
     const auto degree = static_cast<std::size_t>(spline.degree);
     if (by_intervals) {
         const double interval = spline.knots[degree + i] - spline.knots[degree + i - 1];
@@ -291,7 +290,6 @@ Done Expander::State::emit_line(const Vec3& to, const FollowedBlock& next, std::
     if (!require_room(where)) return kFailed;
     nc::Block& block = next_block(next.source);
     block.motion = Function::Line;
-    modal.take_functions(block, target.rules());
     set_coordinates(block, to);
     return finish_followed(block, next, where);
 }

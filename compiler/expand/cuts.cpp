@@ -40,7 +40,7 @@ Done Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) 
 
 /// Each of the compensated blocks was worked out for the radius of one tool.
 Done Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
-    if (!nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide) ||
+    if (block.function_count == 0 || !nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide) ||
         (block.find(Function::Tool) == nullptr && block.find(Function::ToolChange) == nullptr))
         return kDone;
     auto builder = fault(diag::ToolUnderCompensation, at);

@@ -370,7 +370,7 @@ void Expander::State::say_distance(Function function, SourceId source, std::uint
     if (!require_room(at)) return;
     Block& block = next_block(source);
     block.add(function);
-    modal.take_functions(block, target.rules());
+    modal.take_block(block, target.rules());
     if (options.trace) keep_trace(at, depth, source);
 }
 

@@ -332,7 +332,7 @@ void Expander::State::say_offset(const sema::Plan& plan, const Instruction& inst
     Block& block = next_block(source);
     block.set_argument(*block.add(Function::WorkOffset, 1),
                        parameter_of<Function::WorkOffset>("number"), modal.due_offset);
-    modal.take_functions(block, target.rules());
+    modal.take_block(block, target.rules());
     if (options.trace) keep_trace(at, instruction.c, source);
 }
 

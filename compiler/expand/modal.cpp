@@ -109,8 +109,8 @@ void ModalState::name_position(const nc::FrameChange& change) {
 }
 
 /// The tool stays where it is; its X is another number then.
-void ModalState::set_diameter(bool is_on) {
-    if ((*this)[Group::Diameter] == Function::None) known &= static_cast<AxisMask>(~1u);
+void ModalState::set_diameter(bool is_on, bool was_known) {
+    if (!was_known) known &= static_cast<AxisMask>(~1u);
     else if (is_on != is_diameter) position[0] *= is_on ? 2 : 0.5;
     is_diameter = is_on;
     diameter_due = Function::None;
@@ -310,21 +310,32 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
 /// A modal group has another member.
 void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
     const Group group = effect.group();
-    if (effect.function == Function::DiameterOn || effect.function == Function::DiameterOff)
-        set_diameter(effect.function == Function::DiameterOn);
     Function& member = active[static_cast<std::size_t>(group)];
+    const Function before = member;
+    const bool is_other = before != effect.function;
     lost &= ~sema::group_bit(group);
-    if (group == Group::Motion) restate_motion = false;
-    if (group == Group::Spindle) spindle_in_doubt = false;
-    if (group == Group::RadiusComp) choose_compensation(effect.function, block.skip, block.source);
-    if (group == Group::FeedMode && member != effect.function) {
-        is_feed_lost |= has_feed;
-        has_feed = false;
-    }
-    if (group == Group::SpeedMode && member != effect.function) has_speed = false;
     member = effect.function;
     changed_by[static_cast<std::size_t>(group)] = block.source;
-    if (group == Group::Spindle) told.renew_spindle();
+    switch (group) {
+        case Group::Motion: restate_motion = false; break;
+        case Group::Diameter:
+            if (effect.function != Function::DiameterAbsolute)
+                set_diameter(effect.function == Function::DiameterOn, before != Function::None);
+            break;
+        case Group::Spindle:
+            spindle_in_doubt = false;
+            told.renew_spindle();
+            break;
+        case Group::RadiusComp:
+            choose_compensation(effect.function, block.skip, block.source);
+            break;
+        case Group::FeedMode:
+            is_feed_lost |= is_other && has_feed;
+            has_feed &= !is_other;
+            break;
+        case Group::SpeedMode: has_speed &= !is_other; break;
+        default: break;  // what acts is all that is known of them
+    }
 }
 
 /// Follows what acts if the operator leaves out the blocks that he may, beside what acts if not.
@@ -355,21 +366,45 @@ void ModalState::set_spindle(double code, SourceId source) {
 }
 
 void ModalState::note_lost_positions(AxisMask before, SourceId by, Loss how) {
+    if ((before & ~known) == 0) return;
     for (std::size_t i = 0; i < kAxes; ++i)
         if (((before & ~known) >> i & 1u) != 0) position_lost_by[i] = {by, how};
 }
 
-void ModalState::take_functions(const nc::Block& block, const nc::Rules& target) {
-    const AxisMask before = known;
-    const nc::Effects effects = effects_of(kLanguage, block, nc::Changer::Magazine);
-    owes_effects = false;
-    for (const nc::When when : {nc::When::AtOnce, nc::When::ToolChange, nc::When::BeforeMotion}) {
-        for (const nc::Effect& effect : effects) {
-            if (effect.when == when) take(block, effect, target);
-            owes_effects |= effect.when == nc::When::Behind;
-        }
+void ModalState::take_functions(const nc::Block& block, const nc::Rules& target,
+                                nc::Effects& effects) {
+    if (block.function_count == 0) {  // nearly all blocks
+        if (block.motion != Function::None)
+            take(block, nc::Effect::of_motion(block.motion), target);
+        return;
     }
+    add_effects(kLanguage, block, nc::Changer::Magazine, effects);
+    const AxisMask before = known;
+    for (const nc::When when : {nc::When::AtOnce, nc::When::ToolChange, nc::When::BeforeMotion})
+        take_at(when, block, target, effects);
     note_lost_positions(before, block.source, Loss::Control);
+}
+
+void ModalState::take_behind(const nc::Block& block, const nc::Rules& target,
+                             const nc::Effects& effects) {
+    if (!effects.has(nc::When::Behind)) return;
+    const AxisMask before = known;
+    take_at(nc::When::Behind, block, target, effects);
+    note_lost_positions(before, block.source, Loss::Control);
+}
+
+void ModalState::take_at(nc::When when, const nc::Block& block, const nc::Rules& target,
+                         const nc::Effects& effects) {
+    if (!effects.has(when)) return;
+    for (const nc::Effect& effect : effects)
+        if (effect.when == when) take(block, effect, target);
+}
+
+void ModalState::take_block(const nc::Block& block, const nc::Rules& target) {
+    nc::Effects effects;
+    take_functions(block, target, effects);
+    take_words(block);
+    take_behind(block, target, effects);
 }
 
 void ModalState::take_words(const nc::Block& block) {
@@ -392,11 +427,6 @@ void ModalState::take_words(const nc::Block& block) {
         if (block.skip < 0) restate &= ~sema::kSpeedBit;
     }
     if ((block.given & nc::kTargetSlots) != 0) take_targets(block);
-    if (!std::exchange(owes_effects, false)) return;
-    const AxisMask before = known;
-    for (const nc::Effect& effect : effects_of(kLanguage, block, nc::Changer::Magazine))
-        if (effect.when == nc::When::Behind) take(block, effect, kLanguage);
-    note_lost_positions(before, block.source, Loss::Control);
 }
 
 /// Where the words of a block lead.

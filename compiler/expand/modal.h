@@ -95,7 +95,6 @@ struct ModalState {
     bool lacks_speed = true;        // no S was said, and no text of unknown meaning stood there
     ToldInProgram told;             // of this state; a change of it renews that
     bool has_ended = false;         // behind M30
-    bool owes_effects = false;      // of the block whose functions were taken: behind its motion
     SourceId ended_by;
 
     nc::Function operator[](nc::Group group) const {
@@ -107,9 +106,14 @@ struct ModalState {
     /// What the functions of a block do before it moves.
     ///
     /// target  the control for which the program is written: some of its customs the text has
-    void take_functions(const nc::Block& block, const nc::Rules& target);
-    /// … and then its words, and what is so behind the motion.
+    /// effects  becomes what they do, for take_behind
+    void take_functions(const nc::Block& block, const nc::Rules& target, nc::Effects& effects);
+    /// … then its words …
     void take_words(const nc::Block& block);
+    /// … and what is so behind its motion.
+    void take_behind(const nc::Block& block, const nc::Rules& target, const nc::Effects& effects);
+    /// All of that.
+    void take_block(const nc::Block& block, const nc::Rules& target);
     nc::Changer changer() const;
     /// Whether the spindle turns, as far as the program says.
     bool is_spindle_turning() const {
@@ -146,6 +150,8 @@ struct ModalState {
 
   private:
     void take(const nc::Block& block, const nc::Effect& effect, const nc::Rules& target);
+    void take_at(nc::When when, const nc::Block& block, const nc::Rules& target,
+                 const nc::Effects& effects);
     void set_member(const nc::Block& block, const nc::Effect& effect);
     template <typename Change>
     void change_steps(SourceId source, Change change);
@@ -161,7 +167,7 @@ struct ModalState {
     void lose_words(const nc::Block& block, const nc::Effect& effect);
     void go_to_point(const nc::Block& block, const nc::Effect& effect);
     void change_tool(const nc::Block& block, const nc::Rules& target);
-    void set_diameter(bool is_on);
+    void set_diameter(bool is_on, bool was_known);
     void note_rotary(const nc::Block& block);
     void join_group(nc::Group group, SourceId block);
     void lose_to_choice(sema::ModalMask what, SourceId block);

@@ -83,7 +83,7 @@ void Expander::State::say_function(Function function, std::span<const double> ar
     nc::Invocation* invocation = block.add(function, arguments.size());
     for (std::size_t i = 0; i < arguments.size(); ++i)
         if (arguments[i] == arguments[i]) block.set_argument(*invocation, i, arguments[i]);
-    modal.take_functions(block, target.rules());
+    modal.take_block(block, target.rules());
     if (options.trace) keep_trace(at, depth, source);
 }
 

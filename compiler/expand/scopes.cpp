@@ -97,8 +97,7 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     if (speed) block.set(nc::Slot::Speed, before.speed);
     if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(block, at))
         return kFailed;
-    modal.take_functions(block, target.rules());
-    modal.take_words(block);
+    modal.take_block(block, target.rules());
     if (options.trace) keep_trace(at, depth, source);
     return kDone;
 }

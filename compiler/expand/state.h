@@ -179,6 +179,8 @@ struct Expander::State {
                     std::uint32_t at);
     Done fill_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                    std::uint32_t at);
+    Done fill_block(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                    std::uint32_t at);
 
     // ---- tilting.cpp
     bool is_about_tilt(const sema::Plan& plan) const;

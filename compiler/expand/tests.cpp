@@ -224,8 +224,7 @@ void Expander::State::set_up(const CallUnderTest& call) {
         return value == value ? value : otherwise;
     };
     const auto deliver = [&](const Block& block) {
-        modal.take_functions(block, target.rules());
-        modal.take_words(block);
+        modal.take_block(block, target.rules());
         if (options.trace) traces.emplace_back();  // no statement of the source makes it
     };
     double feed = option(3, kStartFeed / 60);

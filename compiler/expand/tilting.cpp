@@ -226,8 +226,7 @@ Done Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(slot);
     }
     const Function motion = modal[Group::Motion];
-    modal.take_functions(block, target.rules());
-    modal.take_words(block);
+    modal.take_block(block, target.rules());
     if (motion != Function::Rapid) {
         modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
         modal.restate_motion = true;

@@ -36,7 +36,7 @@ class OfFunction {
 /// When the function becomes the member of its group: spindle and coolant wait for the tool that
 /// the block may change.
 When time_of_group(const Rules& rules, Function function) {
-    const Group group = info(function).group;
+    const Group group = group_of(function);
     if (group != Group::Spindle && group != Group::Coolant) return When::AtOnce;
     const bool stops = has_fact(function, Fact::StopsMachine);
     return stops && rules.stops_after_motion ? When::Behind : When::BeforeMotion;
@@ -331,13 +331,13 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
     }
 }
 
-void add_effects(const Rules& rules, const Block& block, std::size_t place, Changer changer,
-                 Effects& effects) {
+void add_effects_at(const Rules& rules, const Block& block, std::size_t place, Changer changer,
+                    Effects& effects) {
     const Function function = block.functions[place].function;
     OfFunction does(effects, function, static_cast<std::uint8_t>(place));
     add_own_effects(rules, function, changer, does);
     // At last: those above depend on the member that acted before.
-    if (info(function).group != Group::Once) does.sets(time_of_group(rules, function));
+    if (group_of(function) != Group::Once) does.sets(time_of_group(rules, function));
 }
 
 constexpr std::array kNames = {
@@ -359,19 +359,22 @@ bool stops_at_tool_change(const Rules& rules, Changer changer) {
 
 std::string_view effect_name(EffectKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
-Effects effects_of(const Rules& rules, const Block& block, Changer changer) {
-    Effects effects;
-    if (block.motion != Function::None)
-        effects.add({EffectKind::Sets, When::AtOnce, block.motion, Effect::kMotionCode});
+void add_effects(const Rules& rules, const Block& block, Changer changer, Effects& effects) {
+    if (block.motion != Function::None) effects.add(Effect::of_motion(block.motion));
     // A rotation turns in the plane of its block, wherever that is said.
     const bool plane_first = block.function_count > 1 && block.find(Function::Rotate) != nullptr;
     const auto is_plane = [&](std::size_t place) {
-        return info(block.functions[place].function).group == Group::Plane;
+        return group_of(block.functions[place].function) == Group::Plane;
     };
     for (std::size_t i = 0; plane_first && i < block.function_count; ++i)
-        if (is_plane(i)) add_effects(rules, block, static_cast<std::uint8_t>(i), changer, effects);
+        if (is_plane(i)) add_effects_at(rules, block, i, changer, effects);
     for (std::size_t i = 0; i < block.function_count; ++i)
-        if (!plane_first || !is_plane(i)) add_effects(rules, block, i, changer, effects);
+        if (!plane_first || !is_plane(i)) add_effects_at(rules, block, i, changer, effects);
+}
+
+Effects effects_of(const Rules& rules, const Block& block, Changer changer) {
+    Effects effects;
+    add_effects(rules, block, changer, effects);
     return effects;
 }
 

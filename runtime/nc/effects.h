@@ -45,7 +45,12 @@ struct Effect {
 
     static constexpr std::uint8_t kMotionCode = 0xff;
 
-    Group group() const { return info(function).group; }
+    /// Of the motion code of a block.
+    static constexpr Effect of_motion(Function motion) {
+        return {EffectKind::Sets, When::AtOnce, motion, kMotionCode};
+    }
+
+    Group group() const { return group_of(function); }
     const Invocation& invocation_in(const Block& block) const {
         KADR_ASSERT(invocation != kMotionCode, "a motion code has no arguments");
         return block.functions[invocation];
@@ -60,15 +65,19 @@ class Effects {
 
     const Effect* begin() const { return list_.data(); }
     const Effect* end() const { return list_.data() + count_; }
+    /// Whether one of them comes true then.
+    bool has(When when) const { return (times_ >> static_cast<unsigned>(when) & 1u) != 0; }
 
     void add(const Effect& effect) {
         KADR_ASSERT(count_ < kMost, "a function has more effects than kMost counts");
         list_[count_++] = effect;
+        times_ |= 1u << static_cast<unsigned>(effect.when);
     }
 
   private:
     std::array<Effect, kMost> list_;  // not filled beforehand: nearly all blocks have one or two
     std::size_t count_ = 0;
+    unsigned times_ = 0;  // a bit for each When
 };
 
 /// Where the tools stand. A turret has nothing to prepare, turns in a moment, and leaves the
@@ -77,6 +86,8 @@ enum class Changer : std::uint8_t { Magazine, Turret };
 
 /// What the functions of a block and its motion do under the rules of a control.
 Effects effects_of(const Rules& rules, const Block& block, Changer changer);
+/// … behind those that the list has.
+void add_effects(const Rules& rules, const Block& block, Changer changer, Effects& effects);
 
 /// Whether a tool that is selected is in the spindle at once.
 bool selects_at_once(const Rules& rules, Changer changer);

@@ -56,6 +56,11 @@ void follow_effect(const Block& block, const Effect& effect, ModalFunctions& mod
 }  // namespace
 
 void follow_modal(const Rules& rules, const Block& block, ModalFunctions& modal) {
+    if (block.function_count == 0) {  // nearly all blocks
+        if (block.motion != Function::None)
+            follow_effect(block, Effect::of_motion(block.motion), modal);
+        return;
+    }
     // Where the tools stand is no matter of a group.
     for (const Effect& effect : effects_of(rules, block, Changer::Magazine))
         follow_effect(block, effect, modal);

@@ -97,6 +97,14 @@ constexpr bool has_fact(Function function, Fact fact) {
     return kFacts[static_cast<std::size_t>(function)].has(fact);
 }
 
+inline constexpr std::array<Group, kFunctions> kGroupOf = {{
+#define KADR_FUNCTION(id, name, group, facts, parameters, meaning) Group::group,
+#include "nc/vocabulary.def"
+#undef KADR_FUNCTION
+}};
+
+constexpr Group group_of(Function function) { return kGroupOf[static_cast<std::size_t>(function)]; }
+
 /// What the table says of the parameters of each function: `offset?:count to:length`.
 inline constexpr std::array<std::string_view, kFunctions> kParameterTexts = {{
 #define KADR_FUNCTION(id, name, group, facts, parameters, meaning) parameters,
