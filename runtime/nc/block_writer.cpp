@@ -256,7 +256,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     if (modal_.is_length_due) check_length_due(block);
-    if (modal_.doubtful != 0) say_doubtful(block, out);
+    if (block.function_count != 0) say_doubtful(block, out);
     const Function diameter = modal_.text_of(Group::Diameter);
     done_ = 0;
     choose_forms(block);

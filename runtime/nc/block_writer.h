@@ -144,6 +144,7 @@ class BlockWriter {
     bool needs_distance(const Block& block, Function distance) const;
     void restore_modal(const Block& block, Items& items);
     bool is_said_again(Group group) const;
+    bool is_depended_on(const Block& block, Group group) const;
     void count_idle(const Block& block, std::uint32_t before);
     void say_doubtful(const Block& block, std::string& out);
     void note_written(const Form& form);

@@ -53,9 +53,21 @@ bool BlockWriter::is_said_again(Group group) const {
     return has_code(meant) && (group != Group::RadiusComp || meant == Function::RadiusCompOff);
 }
 
-/// A cycle has no room for codes, and depends on them: they stand before it.
+/// Whether the text says something else than is meant of a group on which a function of the block
+/// depends: the plane of a rotation, the dimensions of data. It is no motion, so no code is
+/// restored beside it.
+bool BlockWriter::is_depended_on(const Block& block, Group group) const {
+    const Function meant = modal_.meant[index_of(group)];
+    if (meant == Function::None || meant == modal_.text_of(group) || !has_code(meant)) return false;
+    if (said_of(block, group) != Function::None) return false;
+    return (group == Group::Plane && block.find(Fact::NeedsPlane) != nullptr) ||
+           (group == Group::Distance && block.find(Fact::AddsIncrements) != nullptr);
+}
+
+/// A cycle has no room for codes, and depends on them: they stand before it. So do those of other
+/// functions.
 void BlockWriter::say_doubtful(const Block& block, std::string& out) {
-    if (block.function_count == 0 || block.find(Function::Cycle) == nullptr) return;
+    const bool is_cycle = block.find(Function::Cycle) != nullptr;
     Block again;
     again.source = block.source;
     again.skip = block.skip;
@@ -65,7 +77,9 @@ void BlockWriter::say_doubtful(const Block& block, std::string& out) {
         // Another plane is another tool axis; a head that leaves it open is no head of ours.
         const bool is_other_plane = group == Group::Plane && meant != Function::None &&
                                     modal_.text[i] != Function::None && modal_.text[i] != meant;
-        if (is_said_again(group) || is_other_plane) again.add(meant);
+        const bool is_of_cycle =
+            is_cycle && modal_.doubtful != 0 && (is_said_again(group) || is_other_plane);
+        if (is_of_cycle || is_depended_on(block, group)) again.add(meant);
     }
     if (again.function_count != 0) write_block(again, out);
 }
