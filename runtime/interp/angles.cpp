@@ -38,7 +38,7 @@ path::Plane Executor::plane_in(const Block& block) const {
 
 /// Whether the block is a line at an angle whose end only the next one will tell; then it waits.
 bool Executor::opens_line(const Block& block) {
-    if (cycle_.blocks) return false;
+    if (block.is_of_cycle()) return false;
     const nc::Invocation* angle = block.find(Function::ContourAngle);
     if (angle == nullptr) return false;
     const path::PlaneAxes plane = path::axes_of(plane_in(block));

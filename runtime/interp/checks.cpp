@@ -44,13 +44,13 @@ Done Executor::require_axes(const Block& block, SlotMask targets) {
     message.arg(kAxisNames[static_cast<std::size_t>(slot)]);
     const std::string hint =
         hint_at_comma(dialect_.tables(), static_cast<Axis>(slot), block.at(slot));
-    if (!hint.empty() && !cycle_.blocks) message.fix(hint);
+    if (!hint.empty() && !block.is_of_cycle()) message.fix(hint);
     return kFailed;
 }
 
 /// Between the code that gears the spindle and the tapping cycle no axis moves.
 Done Executor::require_no_move_before_tap(const Block& block, SlotMask targets) {
-    if (!taps_rigidly_ || targets == 0 || cycle_.blocks) return kDone;
+    if (!taps_rigidly_ || targets == 0 || block.is_of_cycle()) return kDone;
     if (block.find(Function::TapRigid) != nullptr) return kDone;
     report(diag::TapMoveBefore, block, first_slot(targets));
     return kFailed;
@@ -61,8 +61,10 @@ Done Executor::require_feed(const Block& block, std::string_view what) {
     if (!modal_.has_feed) {
         DiagnosticBuilder message = report(diag::FeedMissing, block);
         message.arg(what);
-        const std::string hint = hint_at_bare_cycle(dialect_.tables(), places_, origin(block));
-        if (cycle_.blocks && !hint.empty()) message.fix(hint);
+        if (!block.is_of_cycle()) return kFailed;
+        const std::string hint =
+            hint_at_bare_cycle(dialect_.tables(), places_, *block.context->caller);
+        if (!hint.empty()) message.fix(hint);
         return kFailed;
     }
     if (!(modal_.feed > 0)) {

@@ -122,8 +122,8 @@ void Executor::round_comp_corner(const Block& block, const Invocation& invocatio
     change.motion.feed_mode = modal_.feed_mode;
     change.motion.plane = modal_.plane;
     change.motion.feed = modal_.feed;
-    change.motion.source = origin(block).source;
-    change.motion.line = origin(block).line;
+    change.motion.source = block.source;
+    change.motion.line = block.line;
     send_comp(change);
 }
 
@@ -405,9 +405,7 @@ void Executor::take_comp(const std::optional<CompAlarm>& alarm) {
 }
 
 void Executor::report_comp(const CompAlarm& alarm) {
-    Block at{};
-    at.source = alarm.source;
-    at.line = alarm.line;
+    const Block at = block_at(alarm.source, alarm.line);
     report(*alarm.row, at);
 }
 

@@ -83,7 +83,7 @@ void Executor::take_corner_feed(const Block& block, const Invocation& invocation
 
 /// Tells the corners what this block wants, before it puts its motion.
 void Executor::wish_corner(const Block& block, const Actions& actions) {
-    if (cycle_.blocks) return;
+    if (block.is_of_cycle()) return;
     if (goes_straight(block, actions)) {
         if (actions.corner != nullptr) report(diag::PointCorner, block, actions.corner->function);
         return;
@@ -147,8 +147,8 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
 }
 
 /// Whether the words of arcs beside a line say a corner.
-bool Executor::has_square_corner() const {
-    return rules_.corner_by_arc_words && !cycle_.blocks && modal_.motion == Function::Line;
+bool Executor::has_square_corner(const Block& block) const {
+    return rules_.corner_by_arc_words && !block.is_of_cycle() && modal_.motion == Function::Line;
 }
 
 /// A chamfer or a rounding at a square corner, said by the words of arcs beside a line: the centre
@@ -225,14 +225,12 @@ void Executor::pass_corners() {
         const bool is_change = item.kind == Corners::Item::Kind::Comp;
         if (is_command) {
             has_put = true;
-            at.source = item.command.source;
-            at.line = item.command.line;
+            at = block_at(item.command.source, item.command.line);
             behind_corners() = std::move(item.command);
             continue;
         }
         if (!is_change) {
-            at.source = item.place.source;
-            at.line = item.place.line;
+            at = block_at(item.place.source, item.place.line);
         }
         // A change acts on what comes behind it.
         if (!is_change || has_put)
@@ -246,9 +244,7 @@ void Executor::pass_corners() {
 }
 
 void Executor::report_corner(const CornerMessage& message) {
-    Block at{};
-    at.source = message.place.source;
-    at.line = message.place.line;
+    const Block at = block_at(message.place.source, message.place.line);
     DiagnosticBuilder builder = report(*message.row, at);
     if (message.row == &diag::CornerReduced) builder.arg(message.made).arg(message.wanted);
     if (message.row != &diag::CornerSign) return;

@@ -29,10 +29,8 @@ struct CyclesSaid {
 /// A cycle that runs: its blocks, who called it, and what to restore behind it.
 struct CycleRun {
     std::unique_ptr<Stream<nc::Block>> stream;
-    std::optional<BlockQueue> blocks;  // while it runs
-    std::string_view name;
-    std::uint16_t number = 0;  // its place in the dialect's list, from 1
-    bool taps = false;
+    std::optional<BlockQueue> blocks;   // while it runs
+    nc::BlockContext context{};         // of its blocks
     bool is_across = false;             // on a lathe: from the side, along X in radii
     bool lies_flat = false;             // its axes are those of the machine, whatever the plane
     int times_left = 0;                 // that the block does the cycle again

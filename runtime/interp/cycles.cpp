@@ -171,6 +171,7 @@ void Executor::call_behind_motion(const Block& block) {
     Block call = *cycles_said_.behind_motions;
     call.line = block.line;
     call.source = block.source;
+    call.context = block.context;
     call.given = 0;
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (names_shape(info) && !patterns_.empty()) {  // its contour follows no motion to a place
@@ -191,6 +192,7 @@ void Executor::call_defined(const Block& block) {
     Block call{};
     call.line = block.line;
     call.source = block.source;
+    call.context = block.context;
     call.cycle = *cycles_said_.defined;
     call.add(Function::Cycle, dialect_.cycles()[*cycles_said_.defined].parameters.size());
     Actions actions;
@@ -562,7 +564,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     request.speed = spindle_.speed;
     if (is_running(spindle_.mode)) request.spindle = spindle_.mode;
     request.source = block.source;
-    if (places_ != nullptr) request.place = places_->place(origin(block));
+    if (places_ != nullptr) request.place = places_->place(block);
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
     request.shape = shape != nullptr || !cycle_.lies_flat ? shape : &plane_of_lathe;
@@ -572,9 +574,8 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
         if (require_no_refusal(block)) ended_ = alarmed_ = true;  // the expander has said why
         return;
     }
-    cycle_.name = info.name;
-    cycle_.number = static_cast<std::uint16_t>(call.cycle + 1);
-    cycle_.taps = info.taps;
+    cycle_.context = {&cycle_.caller, info.name, static_cast<std::uint16_t>(call.cycle + 1),
+                      info.taps};
     if (is_given(call, find_parameter(info.parameters, kPatternParameter)))
         return begin_pattern(block, std::move(blocks));
     open_cycle(block, std::move(blocks));
@@ -594,7 +595,7 @@ void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blo
     cycles_said_.modal.is_active = false;
     if (corners_.is_active()) settle(block);
     leave_corners(diag::CornerWithoutMotion);
-    cycle_.blocks.emplace(*cycle_.stream, kCycleBatch);
+    cycle_.blocks.emplace(*cycle_.stream, kCycleBatch, &cycle_.context);
 }
 
 /// A tapping cycle whose words do not say the pitch has it from the feed: F itself where it counts
@@ -724,7 +725,7 @@ void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const
 }
 
 void Executor::finish_cycle() {
-    if (!require_no_refusal(cycle_.caller)) return;
+    if (!require_no_refusal(block_at(cycle_.caller.source, cycle_.caller.line))) return;
     // Compensation that the cycle has not ended is over; the cutter stays where it is.
     if (comp_.is_on()) {
         comp_.side = CompSide::Off;

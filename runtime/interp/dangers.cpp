@@ -43,7 +43,7 @@ constexpr int kShownDecimals = 4;
 /// Whether a comment in the line allows the warning: it silences this line, and not the next one.
 bool Executor::is_allowed(const DiagnosticRow& row, const Block& block) const {
     return options_.is_allowed && places_ != nullptr &&
-           options_.is_allowed(row, places_->place(origin(block)));
+           options_.is_allowed(row, places_->place(block));
 }
 
 /// Whether a feed is to be warned of here: from here on it counts as told, if no comment allows it.
@@ -115,7 +115,7 @@ void Executor::watch_length(const Block& block, Axis axis) {
     dangers_.tool = tool_.current;
     const Slot word = nc::slot_of(axis);
     const SlotMask distances = modal_.is_incremental ? ~block.absolute : block.incremental;
-    if (!is_same_length && block.has(word) && (distances & bit(word)) != 0 && !cycle_.blocks)
+    if (!is_same_length && block.has(word) && (distances & bit(word)) != 0 && !block.is_of_cycle())
         report(diag::IncrementTakesLength, block, word)
             .arg(tool_.current != 0 ? tool_.current : ToolOffsets::tool_of(number));
     const bool is_by_number = tool_.source == Tool::Source::Offset && number != 0;
@@ -134,7 +134,7 @@ void Executor::watch_length(const Block& block, Axis axis) {
 /// The first cut of a tool, in a program that has called lengths of others by their numbers: one
 /// that calls none at all has them in its work offsets.
 void Executor::watch_missing_length(const Block& block) {
-    if (contour_ || cycle_.blocks) return;
+    if (contour_ || block.is_of_cycle()) return;
     dangers_.cut_tool = tool_.current;
     const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
     if (has_length || tool_.current == 0 || is_lathe_ || !dangers_.says_lengths) return;
@@ -229,7 +229,7 @@ void Executor::watch_spindle_stop(const Block& block) {
     const bool turns =
         spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
     const bool is_in_cut = dangers_.has_moved && !dangers_.is_at_rapid && !is_lathe_;
-    if (!turns || !is_in_cut || contour_ || cycle_.blocks || is_transformed()) return;
+    if (!turns || !is_in_cut || contour_ || block.is_of_cycle() || is_transformed()) return;
     const double below = below_retract();
     const Vec3 way =
         Vec3(position_.base[0], position_.base[1], position_.base[2]) - dangers_.rapid_end;

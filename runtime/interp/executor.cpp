@@ -152,9 +152,8 @@ void Executor::end_of_blocks() {
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
     if (soft_approach_.is_active()) {
-        Block at{};
-        at.source = soft_approach_.move().slow.source;
-        at.line = soft_approach_.move().slow.line;
+        const Block at =
+            block_at(soft_approach_.move().slow.source, soft_approach_.move().slow.line);
         report(diag::SoftNoDirection, at);
         return;
     }
@@ -299,21 +298,20 @@ Command& Executor::put(Op op, const Block& block) {
 
 /// What the modal state says of a command.
 void Executor::fill_in(Command& command, const Block& block) {
-    const Block& from = origin(block);
     const Op op = command.op;
     command.feed_mode = modal_.feed_mode;
     command.plane = modal_.plane;
     command.exact_stop = false;
     command.blending = blending(op);
-    command.compress = compressing(op);
+    command.compress = block.is_of_cycle() ? 0 : compressing(op);
     command.machine_coordinates = false;
     command.is_unshifted = frames_off_.has_value();
-    put_panel(command);
+    put_panel(command, block);
     command.is_swivelled = false;
     command.moved = 0;
-    command.source = from.source;
-    command.line = from.line;
-    command.cycle = cycle_.blocks ? cycle_.number : 0;
+    command.source = block.source;
+    command.line = block.line;
+    command.cycle = block.is_of_cycle() ? block.context->number : 0;
     command.to = position_.base;
     command.turning = path::Turning::None;
     command.contact.clear();
@@ -325,25 +323,32 @@ void Executor::fill_in(Command& command, const Block& block) {
     command.text.clear();
 }
 
-const Block& Executor::origin(const Block& block) const {
-    return cycle_.blocks ? cycle_.caller : block;
+Block Executor::block_at(SourceId source, std::uint32_t line) const {
+    Block at{};
+    at.source = source;
+    at.line = line;
+    const bool is_call = cycle_.blocks && cycle_.caller.line == line;
+    if (is_call) at.context = &cycle_.context;
+    return at;
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block) {
-    const Block& from = origin(block);
-    return note_calls(
-        report(row, places_ != nullptr ? places_->place(from) : LinePlace{{}, from.line, 1, 1, {}}),
-        from);
+    LinePlace place =
+        places_ != nullptr ? places_->place(block) : LinePlace{{}, block.line, 1, 1, {}};
+    DiagnosticBuilder builder = report(row, std::move(place));
+    if (block.is_of_cycle())
+        builder.note("inside the cycle `" + std::string(block.context->cycle) + "`");
+    return note_calls(std::move(builder), block);
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Slot slot) {
-    if (places_ == nullptr || cycle_.blocks) return report(row, block);
+    if (places_ == nullptr || block.is_of_cycle()) return report(row, block);
     return note_calls(report(row, places_->place(block, slot)), block);
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
                                    Function function) {
-    if (places_ == nullptr || cycle_.blocks) return report(row, block);
+    if (places_ == nullptr || block.is_of_cycle()) return report(row, block);
     return note_calls(report(row, places_->place(block, function)), block);
 }
 
@@ -386,7 +391,7 @@ std::string_view argument_in(std::string_view call, std::size_t argument) {
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Function function,
                                    std::size_t argument) {
-    if (places_ == nullptr || cycle_.blocks) return report(row, block);
+    if (places_ == nullptr || block.is_of_cycle()) return report(row, block);
     LinePlace place = places_->place(block, function);
     const std::string call = characters(place.text, place.column - 1, place.length);
     const std::string_view said = argument_in(call, argument);
@@ -400,7 +405,7 @@ DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
 std::string Executor::word_of(const Block& block, Function function) const {
     const std::string name(nc::info(function).name);
     const bool is_said = block.motion == function || block.find(function) != nullptr;
-    if (places_ == nullptr || cycle_.blocks || !is_said) return name;
+    if (places_ == nullptr || block.is_of_cycle() || !is_said) return name;
     const LinePlace place = places_->place(block, function);
     const std::string word = characters(place.text, place.column - 1, place.length);
     return word.empty() ? name : word;
@@ -428,7 +433,6 @@ DiagnosticBuilder Executor::report(const DiagnosticRow& row, LinePlace place) {
     if (std::optional<nc::AlarmText> alarm = dialect_.alarm(row)) {
         builder.alarm(std::move(alarm->number), std::move(alarm->text));
     }
-    if (cycle_.blocks) builder.note("inside the cycle `" + std::string(cycle_.name) + "`");
     return builder;
 }
 

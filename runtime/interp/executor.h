@@ -211,13 +211,13 @@ class Executor {
     double sum_offset(std::size_t part) const;
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
-    void change_plane(nc::Function plane);
+    void change_plane(const nc::Block& block, nc::Function plane);
     bool needs_comp_off(const nc::Block& block, nc::Function function) const;
     bool is_too_late(nc::Function function) const;
     bool is_other_plane(nc::Function function) const;
     void change_frame(const nc::Block& block, const nc::Invocation& invocation,
                       void (control::Frames::*change)(const control::FrameWords&));
-    void let_comp_go(const nc::Invocation& invocation);
+    void let_comp_go(const nc::Block& block, const nc::Invocation& invocation);
     control::FrameWords words_of_frame(const nc::Block& block,
                                        const nc::Invocation& invocation) const;
     Done require_no_places(const nc::Block& block, const nc::Invocation& invocation);
@@ -530,7 +530,7 @@ class Executor {
     void put_wish(const nc::Block& block, CornerWish wish);
     /// Whether a corner at the end of a motion may still be wished for, by a block behind it.
     bool wishes_corners() const { return rounding_ > 0 || rules_.corner_in_own_block; }
-    bool has_square_corner() const;
+    bool has_square_corner(const nc::Block& block) const;
     void wish_square_corner(const nc::Block& block, const Target& target);
     bool has_stages() const;
     void settle(const nc::Block& block);
@@ -767,7 +767,7 @@ class Executor {
     ControlAccess::Write suppress_panel(double value);
     double suppressed_panel() const;
     bool stops_exactly(bool once = false) const;
-    void put_panel(path::Command& command) const;
+    void put_panel(path::Command& command, const nc::Block& block) const;
     double compressing(path::Op op) const;
     void choose_high_speed(const nc::Block& block, const nc::Invocation& invocation);
     void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
@@ -788,9 +788,10 @@ class Executor {
     /// A function as the control spells it, whether a block has said it or not; by the vocabulary
     /// where the control has no word for it.
     std::string spelling_of(nc::Function function) const;
+    /// A block for messages, at the place of a command. Where that is the call of the cycle that
+    /// runs, it is one of the cycle's.
+    nc::Block block_at(SourceId source, std::uint32_t line) const;
     DiagnosticBuilder note_calls(DiagnosticBuilder builder, const nc::Block& block) const;
-    /// The block in the text that is being executed: `block`, or the one that called the cycle.
-    const nc::Block& origin(const nc::Block& block) const;
 
     const nc::Dialect& dialect_;
     const machine::Machine& machine_;

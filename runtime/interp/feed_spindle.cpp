@@ -156,7 +156,7 @@ void Executor::stand_spindle(const Block& block, Function function, double angle
         angle = std::fmod(spindle_.angle_deg + angle, 360);
         if (angle < 0) angle += 360;
     }
-    if (cycle_.blocks && !cycle_.taps) check_edge_turns(block);
+    if (block.is_of_cycle() && !block.context->taps) check_edge_turns(block);
     spindle_.angle_deg = angle;
     spindle_.mode = SpindleMode::Orient;
     spindle_.told = {SpindleMode::Orient, 0, false};

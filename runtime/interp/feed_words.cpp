@@ -187,15 +187,15 @@ void Executor::take_polynomial(const Block& block, const Invocation& invocation)
 }
 
 /// How the feed of a motion comes to F; feed_courses.h works it out when the motions of its block
-/// are known. Under a feed per revolution F holds from the start (SINUMERIK reference 3.2), and in
-/// cycles, whose feeds are their own.
+/// are known. Under a feed per revolution F holds from the start (SINUMERIK reference 3.2). Cycles,
+/// whose feeds are their own, have none.
 void Executor::put_course(path::Command& command) const {
     const auto block = static_cast<std::uint32_t>(block_count_);
     const bool is_polynomial =
         panel_.polynomial.kind != path::FeedLawKind::Constant && panel_.polynomial.block == block;
     if (panel_.course == path::FeedLawKind::Constant && !is_polynomial) return;
     const bool can_have_one = command.op >= Op::Line && command.op <= Op::Parametric;
-    if (!can_have_one || cycle_.blocks || modal_.feed_mode == path::FeedMode::PerRevolution) return;
+    if (!can_have_one || modal_.feed_mode == path::FeedMode::PerRevolution) return;
     if (command.dynamics.empty()) command.dynamics.emplace_back();
     path::FeedLaw& law = command.dynamics.front().law;
     law = is_polynomial ? panel_.polynomial : path::FeedLaw{panel_.course, block};
@@ -203,9 +203,7 @@ void Executor::put_course(path::Command& command) const {
 
 /// The course of a motion's feed falls to this, in the unit of F.
 void Executor::report_course(const path::Command& command, double feed) {
-    Block at{};
-    at.source = command.source;
-    at.line = command.line;
+    const Block at = block_at(command.source, command.line);
     report(diag::FeedCourseNotPositive, at).arg(round_to(feed, 3));
 }
 

@@ -31,8 +31,8 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
 }
 
 /// Where the compensation lies within the frames, the cutter comes off its contour meanwhile.
-void Executor::let_comp_go(const Invocation& invocation) {
-    if (!comp_.is_on() || !rules_.comp_is_innermost || cycle_.blocks) return;
+void Executor::let_comp_go(const Block& block, const Invocation& invocation) {
+    if (!comp_.is_on() || !rules_.comp_is_innermost || block.is_of_cycle()) return;
     if (nc::has_fact(invocation.function, nc::Fact::LetsCompGo))
         send_comp({CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base, {}, {}});
 }
@@ -54,7 +54,7 @@ control::FrameWords Executor::words_of_frame(const Block& block,
 /// A change of the frames by words that name axes.
 void Executor::change_frame(const Block& block, const Invocation& invocation,
                             void (control::Frames::*change)(const control::FrameWords&)) {
-    let_comp_go(invocation);
+    let_comp_go(block, invocation);
     const control::FrameWords words = words_of_frame(block, invocation);
     if (ended_ || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
         return;
@@ -71,7 +71,7 @@ Done Executor::require_no_places(const Block& block, const Invocation& invocatio
 /// The place where the tool stands gets other coordinates.
 void Executor::set_position(const Block& block, const Invocation& invocation) {
     if (!require_no_places(block, invocation)) return;
-    let_comp_go(invocation);
+    let_comp_go(block, invocation);
     const control::FrameWords words = words_of_frame(block, invocation);
     if (ended_ || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
         return;
@@ -82,7 +82,7 @@ void Executor::set_position(const Block& block, const Invocation& invocation) {
 /// … or has those of its work offset again.
 void Executor::reset_position(const Block& block, const Invocation& invocation) {
     if (!require_no_places(block, invocation)) return;
-    let_comp_go(invocation);
+    let_comp_go(block, invocation);
     if (ended_) return;
     const control::FrameWords words = words_of_frame(block, invocation);
     frames_.reset_position(static_cast<AxisMask>(words.given));

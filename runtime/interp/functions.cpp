@@ -55,7 +55,7 @@ bool Executor::is_other_plane(Function function) const {
 /// Whether cutter radius compensation must have ended before the function.
 bool Executor::needs_comp_off(const Block& block, Function function) const {
     const bool acts = comp_.is_on() && block.find(Function::RadiusCompOff) == nullptr;
-    if (!rules_.comp_is_innermost || !acts || cycle_.blocks) return false;
+    if (!rules_.comp_is_innermost || !acts || block.is_of_cycle()) return false;
     if (nc::has_fact(function, nc::Fact::NeedsCompOff)) return true;
     // It begins anew behind, which it can in a plane alone.
     return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != CompSystem::InPlane;
@@ -67,7 +67,7 @@ Done Executor::require_allowed(const Block& block, Function function) {
         report(diag::CompFrame, block, function).arg(word_of(block, function));
         return kFailed;
     }
-    if (taps_rigidly_ && !cycle_.blocks && is_other_plane(function)) {
+    if (taps_rigidly_ && !block.is_of_cycle() && is_other_plane(function)) {
         report(diag::TapPlane, block, function);
         return kFailed;
     }
@@ -147,7 +147,7 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
         case Group::Motion: break;  // the motion code acts in motion.cpp
         case Group::Distance: modal_.is_incremental = member == Function::Incremental; break;
         case Group::PathMode: modal_.set_path_mode(member); break;
-        case Group::Plane: change_plane(member); break;
+        case Group::Plane: change_plane(block, member); break;
         case Group::Units: check_units(block, member); break;  // the reader has made mm of lengths
         case Group::FeedMode: select_feed_mode(member); break;
         case Group::SpeedMode:
@@ -645,7 +645,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
 }
 
 /// A pole belongs to its plane.
-void Executor::change_plane(Function plane) {
+void Executor::change_plane(const Block& block, Function plane) {
     const Plane before = modal_.plane;
     modal_.plane = plane_of(plane);
     // Where a tool's lengths act may depend on the plane.
@@ -654,7 +654,7 @@ void Executor::change_plane(Function plane) {
     polar_.pole = path::Vec2::Zero();
     polar_.angle_deg = 0;
     // Along another tool axis the holes begin where the tool stands.
-    if (cycles_said_.modal.is_active && !cycle_.blocks && !is_lathe_)
+    if (cycles_said_.modal.is_active && !block.is_of_cycle() && !is_lathe_)
         cycles_said_.data.initial = position_.here[index(path::axes_of(modal_.plane).normal)];
 }
 

@@ -136,7 +136,7 @@ void Executor::move(const Block& block, const Actions& actions) {
         const bool is_tiny =
             position_.here[kC] == 0 && turn > 0 && turn < danger::kLeastSpindleTurn;
         const std::string hint = hint_at_comma(dialect_.tables(), Axis::C, block.at(Slot::C));
-        if (turns && cuts && is_tiny && !hint.empty() && !cycle_.blocks) {
+        if (turns && cuts && is_tiny && !hint.empty() && !block.is_of_cycle()) {
             report(diag::TinyRotation, block, Slot::C)
                 .arg("C" + format_shortest(round_to(block.at(Slot::C), 4)))
                 .arg(round_to(target.here[kC], 4))
@@ -166,7 +166,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
     if (modal_.motion == Function::ArcThrough) return arc_over_point(block, target, exact_stop);
     if (modal_.motion == Function::ArcTangent) return arc_along(block, target, exact_stop);
-    if (arc_words != 0 && has_square_corner()) wish_square_corner(block, target);
+    if (arc_words != 0 && has_square_corner(block)) wish_square_corner(block, target);
     else if (arc_words != 0) warn_arc_word(block, arc_words);
     if (ended_) return;
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
@@ -284,7 +284,7 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     if (op == Op::Line && block.find(Function::TapFloating) != nullptr) {
         command.keeps_feed = command.ignores_hold = true;
         const bool by_minute = modal_.feed_mode == path::FeedMode::PerMinute && spindle_.speed > 0;
-        if (by_minute && !cycle_.blocks) watch_tap(block, Function::TapFloating);
+        if (by_minute && !block.is_of_cycle()) watch_tap(block, Function::TapFloating);
     }
     if (panel_.positioning.is_said && block.find(Function::RapidOnce) != nullptr)
         put_positioning(command);

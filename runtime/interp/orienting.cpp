@@ -280,7 +280,7 @@ void Executor::check_offset_said(const Block& block) {
 /// What the control refuses while its transformation is a kind of tool length compensation.
 /// F 4.7: PS5421.
 Done Executor::require_allowed_under_tcp(const Block& block, Function function) {
-    if (!orienting_.has_length || cycle_.blocks) return kDone;
+    if (!orienting_.has_length || block.is_of_cycle()) return kDone;
     const bool is_by_side = comp_.is_on() && comp_.is_by_side_code;
     if (is_by_side && nc::info(function).group == nc::Group::LengthComp) {
         report(diag::SideCompOrder, block, function).arg(word_of(block, function));

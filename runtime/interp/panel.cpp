@@ -105,17 +105,17 @@ bool Executor::stops_exactly(bool once) const {
 }
 
 /// What of the panel and of the machine's limits acts on a command.
-void Executor::put_panel(path::Command& command) const {
+void Executor::put_panel(path::Command& command, const Block& block) const {
     const bool is_motion = path::is_motion(command.op);
     const bool is_feed = is_motion && command.op != Op::Rapid;
-    const bool is_tap = is_feed && cycle_.blocks && cycle_.taps;
+    const bool is_tap = is_feed && block.is_of_cycle() && block.context->taps;
     command.keeps_feed = is_tap || (is_feed && (modal_.taps || !panel_.has_override));
     command.ignores_hold = is_tap || (is_motion && (modal_.taps || !panel_.has_hold));
     command.dynamics = panel_.dynamics;
     // At rapid an axis has all its speed, whatever it has beside F.
     if (!command.dynamics.empty() && command.op == Op::Rapid)
         command.dynamics.front().speed = path::Dynamics().speed;
-    if (panel_.says_course) put_course(command);
+    if (panel_.says_course && !block.is_of_cycle()) put_course(command);
 }
 
 }  // namespace kadr::interp

@@ -17,8 +17,8 @@ using path::Op;
 
 /// Nothing that waits, repeats or turns acts on a move to a place.
 bool Executor::is_plain_state() const {
-    const bool waits = cycle_.blocks || shape_ || contour_ || open_line_ || is_in_spline() ||
-                       cycles_said_.behind_motions;
+    const bool waits =
+        shape_ || contour_ || open_line_ || is_in_spline() || cycles_said_.behind_motions;
     const bool has_mode = is_transformed() || cycles_said_.modal.is_active || taps_rigidly_ ||
                           polar_.is_on || polar_.is_by_points || modal_.is_incremental ||
                           unplaced_ != 0 || owes_speed_ || tilting_.carries || tilting_.on_tables ||

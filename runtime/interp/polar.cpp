@@ -92,8 +92,8 @@ void Executor::switch_polar(bool is_on) {
 /// The block with places instead of polar coordinates; the block itself if it has none. Null: it
 /// was reported.
 const Block* Executor::with_places(const Block& block) {
-    if (said_in_polar_ && !cycle_.blocks) said_in_polar_.reset();
-    if (!cycle_.blocks) {
+    if (said_in_polar_ && !block.is_of_cycle()) said_in_polar_.reset();
+    if (!block.is_of_cycle()) {
         if (const Invocation* point = block.find(Function::PolarPoint))
             return with_polar_point(block, *point);
         if (block.motion != Function::None) polar_.is_by_points = false;
@@ -102,7 +102,7 @@ const Block* Executor::with_places(const Block& block) {
         if (goes_on) return with_polar_point(block, {});
     }
     if ((block.given & nc::kPolarSlots) != 0) return with_polar_slots(block);
-    if (!polar_.is_on || cycle_.blocks) return &block;
+    if (!polar_.is_on || block.is_of_cycle()) return &block;
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const SlotMask words =
         block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));

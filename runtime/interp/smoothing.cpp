@@ -92,7 +92,7 @@ path::Blending Executor::blending(Op op) const {
 /// Within which tolerance a motion of this block may become a part of a curve; 0: not at all. The
 /// moves of cycles are what they are.
 double Executor::compressing(Op op) const {
-    if (is_transformed() || !smoothing_.compresses || op != Op::Line || cycle_.blocks) return 0;
+    if (is_transformed() || !smoothing_.compresses || op != Op::Line) return 0;
     return smoothing_.tolerance.value_or(machine_.compressor_tolerance);
 }
 

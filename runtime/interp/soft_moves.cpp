@@ -70,8 +70,8 @@ std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions
         command.feed_mode = modal_.feed_mode;
         command.plane = modal_.plane;
         command.feed = is_rapid ? 0 : feed;
-        command.source = origin(block).source;
-        command.line = origin(block).line;
+        command.source = block.source;
+        command.line = block.line;
         return command;
     };
     const bool was_rapid = actions.was_rapid || !actions.had_feed;
@@ -192,9 +192,7 @@ void Executor::put_soft_approach() {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const std::size_t normal = index(axes.normal);
     const AxisValues& contour = soft_approach_.place();
-    Block at{};  // messages are about the approach
-    at.source = move.slow.source;
-    at.line = move.slow.line;
+    const Block at = block_at(move.slow.source, move.slow.line);  // messages are about the approach
     const SoftPlace place{in_plane(contour), soft_approach_.direction(),
                           in_plane(soft_approach_.from())};
     const std::optional<path::SoftWay> way = soft_way(at, move, place);

@@ -115,7 +115,7 @@ std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way
     const double most = way.cwiseAbs().maxCoeff(&longest);
     const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
     // The blocks of a cycle are neutral ones: they say it in a word.
-    if (rules_.thread_pitch_is_feed && !cycle_.blocks) {
+    if (rules_.thread_pitch_is_feed && !block.is_of_cycle()) {
         if (words != 0) warn_arc_word(block, words);
         if (modal_.has_feed && modal_.feed > 0) return modal_.feed;
         report(diag::ThreadPitchMissing, block).arg(name);

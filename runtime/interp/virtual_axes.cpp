@@ -421,9 +421,7 @@ Done Executor::follow_leg_by_leg(const Command& command, const path::Curve& curv
         const double leaves_at = path::rotary_to_leave(virtual_.axes, leg, rotary_.at);
         const double by = leaves_at - rotary_.at;
         if (rules_.pole_passage == nc::PolePassage::Alarm && std::abs(by) > kSameTurn) {
-            Block at{};
-            at.source = command.source;
-            at.line = command.line;
+            const Block at = block_at(command.source, command.line);
             output_.drop_from(rotary_.followed);
             report(diag::PoleOnPath, at)
                 .arg(kAxisNames[index(virtual_.axes.rotary)])

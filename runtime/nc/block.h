@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "base/axes.h"
 #include "base/source.h"
@@ -81,6 +82,16 @@ static_assert(sizeof(Invocation) == 8, "batches of blocks are full of them");
 /// Which cycle a block calls: index into the dialects' common list of cycles (Dialect::cycles).
 using CycleId = std::uint16_t;
 
+struct Block;
+
+/// The cycle whose block one is: it travels with the block, through all copies of it.
+struct BlockContext {
+    const Block* caller = nullptr;  // the block of the text that called the cycle
+    std::string_view cycle;         // its name
+    std::uint16_t number = 0;       // its place in the dialect's list, from 1
+    bool taps = false;
+};
+
 struct Block {
     enum class Kind : std::uint8_t {
         Nc,        // the normal case
@@ -114,8 +125,9 @@ struct Block {
     std::array<double, kSlots> values;  // mm, deg; feed and speed in the unit of their modes
     std::array<Invocation, kMaxInvocations> functions;
     std::array<double, kMaxArguments> arguments;
-    std::string text;     // of a message, a tool name, a raw line, a label
-    std::string comment;  // shown behind the block
+    const BlockContext* context = nullptr;  // null: the block stands in the text itself
+    std::string text;                       // of a message, a tool name, a raw line, a label
+    std::string comment;                    // shown behind the block
 
     /// Empties the block; keeps the capacity of its strings.
     void reset() {
@@ -133,10 +145,13 @@ struct Block {
         number = -1;
         line = 0;
         source = {};
+        context = nullptr;
         text.clear();
         comment.clear();
     }
 
+    /// Whether a cycle says it; then line and source are those of the call.
+    bool is_of_cycle() const { return context != nullptr; }
     bool has(Slot slot) const { return (given & bit(slot)) != 0; }
     double at(Slot slot) const { return values[static_cast<std::size_t>(slot)]; }
     void set(Slot slot, double value) {
@@ -172,7 +187,7 @@ struct Block {
         return invocation.has(parameter) ? arguments[invocation.first + parameter] : fallback;
     }
 };
-static_assert(sizeof(Block) <= 728, "blocks travel in batches of a thousand");
+static_assert(sizeof(Block) <= 736, "blocks travel in batches of a thousand");
 
 /// The function of the group that the block says by itself, the motion code among them; None: none.
 Function said_of(const Block& block, Group group);
