@@ -41,7 +41,7 @@ Done Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) 
 /// Each of the compensated blocks was worked out for the radius of one tool.
 Done Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
     if (block.function_count == 0 || !nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide) ||
-        (block.find(Function::Tool) == nullptr && block.find(Function::ToolChange) == nullptr))
+        !changes_tool(block))
         return kDone;
     auto builder = fault(diag::ToolUnderCompensation, at);
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
@@ -127,10 +127,15 @@ Done Expander::State::refuse_lost_feed(std::uint32_t at, std::size_t depth) {
     return kFailed;
 }
 
-/// Whether a T by itself brings the tool in: on some controls it does, on others on lathes alone.
-static bool selection_changes(const nc::Dialect& target, const ModalState& modal) {
-    const nc::Changer changer = target.is_of_lathe() ? nc::Changer::Turret : modal.changer();
-    return nc::selects_at_once(target.rules(), changer);
+nc::Changer Expander::State::changer() const {
+    return target.is_of_lathe() ? nc::Changer::Turret : modal.changer();
+}
+
+/// Whether the block brings a tool in, be it by a T alone, as some controls do on lathes.
+bool Expander::State::changes_tool(const Block& block) const {
+    return std::ranges::any_of(
+        effects_of(target.rules(), block, changer()),
+        [](const nc::Effect& effect) { return effect.kind == nc::EffectKind::ChangesTool; });
 }
 
 /// A tool was selected, and nothing has changed it.
@@ -157,7 +162,7 @@ void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
     if (modal.is_spindle_turning() && misses_tool()) {
         modal.told.count_as_told(Once::NoTool);
         if (!modal.has_tool) fault(diag::ToolNeverCalled, at);
-        else if (!selection_changes(target, modal))
+        else if (!nc::selects_at_once(target.rules(), changer()))
             warn_of_selection(fault(diag::ToolNeverCalled, at), modal.tool);
     }
     if (!modal.is_spindle_turning() && !modal.told.has_told(Once::SpindleStopped))

@@ -297,6 +297,8 @@ struct Expander::State {
     Done settle_frame(nc::Block& block, std::uint32_t at);
     Done check_factor(double factor, std::uint32_t at);
     void warn_of_plane(const nc::Block& block, std::uint32_t at);
+    nc::Changer changer() const;
+    bool changes_tool(const nc::Block& block) const;
     Done check_tool_change(const nc::Block& block, std::uint32_t at);
     Done check_lead(const nc::Block& block, std::uint32_t at);
     /// The block may cut: a feed that belonged to another feed mode does not count.

@@ -243,9 +243,8 @@ Done Expander::State::require_sure_compensation(const Block& block, std::uint32_
     const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
     const nc::SlotMask plane = nc::SlotMask{1} << axes.first | nc::SlotMask{1} << axes.second;
     const bool needs = (block.given & (plane | nc::kCenterSlots)) != 0 ||
-                       block.find(Function::Tool) != nullptr ||
-                       block.find(Function::ToolChange) != nullptr ||
-                       has_group(block, Group::Plane);  // an alarm beside a contour
+                       has_group(block, Group::Plane) ||  // an alarm beside a contour
+                       (block.function_count != 0 && changes_tool(block));
     if (!needs || block.skip == modal.comp_choice) return kDone;
     compensation_chosen(fault(diag::CompensationInDoubt, at));
     return kFailed;
