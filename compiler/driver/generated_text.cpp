@@ -163,8 +163,7 @@ SourceRange GeneratedText::last_statement() const {
 }
 
 static bool ends_program(const nc::Block& block) {
-    return block.find(nc::Function::End) != nullptr ||
-           block.find(nc::Function::EndRewind) != nullptr;
+    return block.find(nc::Fact::EndsProgram) != nullptr;
 }
 
 /// Whether a function of the block is written letter by letter, in the control's own language.

@@ -28,8 +28,7 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
         add_code(block, meant, items);
     };
     // Modal codes outlive the program on many machines: none ends under G91 that did not mean to.
-    const bool is_end = block.function_count != 0 && (block.find(Function::End) != nullptr ||
-                                                      block.find(Function::EndRewind) != nullptr);
+    const bool is_end = block.find(Fact::EndsProgram) != nullptr;
     const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
                       needs_distance(block, modal_.meant_of(Group::Distance));
     // Words that are said as distances whatever is meant leave the text as it is.

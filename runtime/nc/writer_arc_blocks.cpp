@@ -28,13 +28,7 @@ void keep_functions_of_part(const Block& block, bool is_first, bool is_last, Blo
 }
 
 /// Whether the block says how the tool stands: that cannot be shared out among parts.
-bool has_direction(const Block& block) {
-    return std::any_of(block.functions.begin(), block.functions.begin() + block.function_count,
-                       [](const Invocation& invocation) {
-                           return invocation.function >= Function::ToolVector &&
-                                  invocation.function <= Function::ToolSpin;
-                       });
-}
+bool has_direction(const Block& block) { return block.find(Fact::ToolWord) != nullptr; }
 
 }  // namespace
 
