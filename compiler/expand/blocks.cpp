@@ -180,7 +180,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     if (modal.has_ended && recordings.empty()) [[unlikely]]
         warn_after_end(at);
     const bool has_functions = block.function_count > 0 || block.motion != Function::None;
-    nc::Effects effects;
+    bool owes_behind = false;
     if (has_functions) {
         for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
             if (plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
@@ -191,7 +191,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         if (!check_mirror(block, plan, at) || !settle_frame(block, at)) return kFailed;
         if (options.warns_of_cuts) warn_of_plane(block, at);
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
-        modal.take_functions(block, target.rules(), effects);
+        owes_behind = modal.take_functions(block, target.rules());
         const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
         if (target.rules().machine_coordinates_rapid && !says_rapid && motion != Function::Rapid &&
             block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
@@ -281,7 +281,8 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     if (options.warns_of_cuts && !modal.told.has_told(Once::Rapid) && recordings.empty())
         check_rapid(block, at);
     modal.take_words(block);
-    modal.take_behind(block, target.rules(), effects);
+    if (owes_behind) [[unlikely]]
+        modal.take_behind(block, target.rules());
     if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
         return kFailed;
     if (options.trace) keep_trace(at, instruction.c, source);

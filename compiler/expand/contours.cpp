@@ -654,8 +654,7 @@ Done Expander::State::emit_element(const Element& element, const FollowedBlock& 
 
 Done Expander::State::finish_followed(Block& block, const FollowedBlock& next,
                                       std::uint32_t where) {
-    nc::Effects effects;
-    modal.take_functions(block, target.rules(), effects);
+    const bool owes_behind = modal.take_functions(block, target.rules());
     if (next.feed == next.feed) {
         sema::Filling filling;
         filling.form = sema::Filling::Form::Feed;
@@ -681,7 +680,7 @@ Done Expander::State::finish_followed(Block& block, const FollowedBlock& next,
     if (modal.has_ended && recordings.empty()) warn_after_end(where);
     if (modal.diameter_due != Function::None && recordings.empty()) say_diameter(block);
     modal.take_words(block);
-    modal.take_behind(block, target.rules(), effects);
+    if (owes_behind) modal.take_behind(block, target.rules());
     if (!recordings.empty()) return keep(block, where);
     if (is_cut_doubtful() && !check_cut(block, where)) {
         drop_block(block);

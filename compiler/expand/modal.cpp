@@ -119,7 +119,7 @@ void ModalState::set_diameter(bool is_on, bool was_known) {
 
 /// The zero point moves along one axis (1 is X), in a frame that turns along some.
 void ModalState::lose_corrected(double axis) {
-    const bool is_one = frame.is_shift() && axis >= 1 && axis <= 3;
+    const bool is_one = frame.is_shift() && tilt == Tilt::None && axis >= 1 && axis <= 3;
     known &= is_one ? static_cast<AxisMask>(~(1u << (static_cast<unsigned>(axis) - 1u)))
                     : static_cast<AxisMask>(~kLinearXYZ);
 }
@@ -196,9 +196,10 @@ void ModalState::select_work_offset(double number) {
 /// Where the words of the block have brought its axes, only the control knows.
 void ModalState::lose_words(const nc::Block& block, const nc::Effect& effect) {
     auto axes = static_cast<AxisMask>(block.given & nc::kTargetSlots);
-    // In machine coordinates one axis moves: along a turned frame several coordinates change.
+    // In machine coordinates one axis moves: along a turned system several coordinates change.
     const bool is_machine = effect.function == Function::MachineCoordinates;
-    if (is_machine && frame.angle_deg != 0 && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
+    const bool turns_axes = frame.angle_deg != 0 || tilt != Tilt::None;
+    if (is_machine && turns_axes && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
     known &= static_cast<AxisMask>(~axes);
     // The control may count an increment from the number that was said there.
     if (is_machine) lost_drift |= axes;
@@ -334,7 +335,28 @@ void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
             has_feed &= !is_other;
             break;
         case Group::SpeedMode: has_speed &= !is_other; break;
-        default: break;  // what acts is all that is known of them
+        case Group::Once:
+        case Group::Plane:
+        case Group::Units:
+        case Group::Distance:
+        case Group::LengthComp:
+        case Group::PathMode:
+        case Group::WorkOffsets:
+        case Group::Coolant:
+        case Group::CycleMode:
+        case Group::CycleReturn:
+        case Group::CompStart:
+        case Group::CompCorner:
+        case Group::CompCheck:
+        case Group::Compressor:
+        case Group::Transformation:
+        case Group::Turning:
+        case Group::OrientAngles:
+        case Group::OrientSystem:
+        case Group::Spinning:
+        case Group::CompSystem:
+        case Group::CompTurning:
+        case Group::DataInput: break;  // what acts is all that is known of them
     }
 }
 
@@ -371,25 +393,23 @@ void ModalState::note_lost_positions(AxisMask before, SourceId by, Loss how) {
         if (((before & ~known) >> i & 1u) != 0) position_lost_by[i] = {by, how};
 }
 
-void ModalState::take_functions(const nc::Block& block, const nc::Rules& target,
-                                nc::Effects& effects) {
+bool ModalState::take_functions(const nc::Block& block, const nc::Rules& target) {
     if (block.function_count == 0) {  // nearly all blocks
         if (block.motion != Function::None)
             take(block, nc::Effect::of_motion(block.motion), target);
-        return;
+        return false;
     }
-    add_effects(kLanguage, block, nc::Changer::Magazine, effects);
+    const nc::Effects effects = effects_of(kLanguage, block, nc::Changer::Magazine);
     const AxisMask before = known;
     for (const nc::When when : {nc::When::AtOnce, nc::When::ToolChange, nc::When::BeforeMotion})
         take_at(when, block, target, effects);
     note_lost_positions(before, block.source, Loss::Control);
+    return effects.has(nc::When::Behind);
 }
 
-void ModalState::take_behind(const nc::Block& block, const nc::Rules& target,
-                             const nc::Effects& effects) {
-    if (!effects.has(nc::When::Behind)) return;
+void ModalState::take_behind(const nc::Block& block, const nc::Rules& target) {
     const AxisMask before = known;
-    take_at(nc::When::Behind, block, target, effects);
+    take_at(nc::When::Behind, block, target, effects_of(kLanguage, block, nc::Changer::Magazine));
     note_lost_positions(before, block.source, Loss::Control);
 }
 
@@ -401,10 +421,9 @@ void ModalState::take_at(nc::When when, const nc::Block& block, const nc::Rules&
 }
 
 void ModalState::take_block(const nc::Block& block, const nc::Rules& target) {
-    nc::Effects effects;
-    take_functions(block, target, effects);
+    const bool owes_behind = take_functions(block, target);
     take_words(block);
-    take_behind(block, target, effects);
+    if (owes_behind) take_behind(block, target);
 }
 
 void ModalState::take_words(const nc::Block& block) {

@@ -106,12 +106,13 @@ struct ModalState {
     /// What the functions of a block do before it moves.
     ///
     /// target  the control for which the program is written: some of its customs the text has
-    /// effects  becomes what they do, for take_behind
-    void take_functions(const nc::Block& block, const nc::Rules& target, nc::Effects& effects);
+    /// Returns whether something of it comes true behind the motion only: `take_behind` is due.
+    bool take_functions(const nc::Block& block, const nc::Rules& target);
     /// … then its words …
     void take_words(const nc::Block& block);
-    /// … and what is so behind its motion.
-    void take_behind(const nc::Block& block, const nc::Rules& target, const nc::Effects& effects);
+    /// … and what is so behind its motion, by the functions that the block has then: a return to
+    /// the reference point may have become another one.
+    void take_behind(const nc::Block& block, const nc::Rules& target);
     /// All of that.
     void take_block(const nc::Block& block, const nc::Rules& target);
     nc::Changer changer() const;

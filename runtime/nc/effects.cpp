@@ -359,7 +359,8 @@ bool stops_at_tool_change(const Rules& rules, Changer changer) {
 
 std::string_view effect_name(EffectKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
-void add_effects(const Rules& rules, const Block& block, Changer changer, Effects& effects) {
+Effects effects_of(const Rules& rules, const Block& block, Changer changer) {
+    Effects effects;
     if (block.motion != Function::None) effects.add(Effect::of_motion(block.motion));
     // A rotation turns in the plane of its block, wherever that is said.
     const bool plane_first = block.function_count > 1 && block.find(Function::Rotate) != nullptr;
@@ -370,11 +371,6 @@ void add_effects(const Rules& rules, const Block& block, Changer changer, Effect
         if (is_plane(i)) add_effects_at(rules, block, i, changer, effects);
     for (std::size_t i = 0; i < block.function_count; ++i)
         if (!plane_first || !is_plane(i)) add_effects_at(rules, block, i, changer, effects);
-}
-
-Effects effects_of(const Rules& rules, const Block& block, Changer changer) {
-    Effects effects;
-    add_effects(rules, block, changer, effects);
     return effects;
 }
 

@@ -86,8 +86,6 @@ enum class Changer : std::uint8_t { Magazine, Turret };
 
 /// What the functions of a block and its motion do under the rules of a control.
 Effects effects_of(const Rules& rules, const Block& block, Changer changer);
-/// … behind those that the list has.
-void add_effects(const Rules& rules, const Block& block, Changer changer, Effects& effects);
 
 /// Whether a tool that is selected is in the spindle at once.
 bool selects_at_once(const Rules& rules, Changer changer);

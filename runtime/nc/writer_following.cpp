@@ -202,11 +202,14 @@ void BlockWriter::call_edge(const Block& block, const Effect& effect) {
 void BlockWriter::forget_words(const Block& block, const Effect& effect) {
     if (effect.function == Function::Probe) forget_motion();  // its code is a motion of its own
     modal_.position.known &= ~block.given;
-    // In machine coordinates one axis moves: along a turned frame several coordinates change.
+    if (effect.function != Function::MachineCoordinates) return;
+    // In machine coordinates one axis moves: along a turned system several coordinates change.
+    constexpr SlotMask kLinear = bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z);
+    const bool is_tilted = modal_.tilted != Activity::No && (block.given & kLinear) != 0;
     const bool is_turned =
         modal_.rotation != Activity::No && (block.given & modal_.turned & kTargetSlots) != 0;
-    if (effect.function == Function::MachineCoordinates && is_turned)
-        modal_.position.known &= ~modal_.turned;
+    if (is_turned) modal_.position.known &= ~modal_.turned;
+    if (is_tilted) modal_.position.known &= ~kLinear;
 }
 
 /// Another zero point: the axes that the block itself does not bring to a coordinate have others.
