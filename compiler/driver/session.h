@@ -21,8 +21,8 @@
 #include "driver/share.h"
 #include "machine/described_machine.h"
 #include "machine/machine.h"
-#include "nc/check.h"
 #include "nc/dialect.h"
+#include "nc/inspect.h"
 #include "syntax/parse.h"
 
 namespace kadr::driver {

@@ -12,7 +12,6 @@
 #include "base/numbers.h"
 #include "expand/numbers.h"
 #include "expand/state.h"
-#include "nc/spelling.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {

@@ -6,7 +6,7 @@
 #include "base/diagnostics/expand.h"
 #include "expand/cutters.h"
 #include "expand/state.h"
-#include "nc/spelling.h"
+#include "nc/program_head.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {

@@ -8,6 +8,7 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
+#include "nc/program_head.h"
 #include "nc/reader.h"
 #include "nc/spelling.h"
 #include "nc/tables.h"

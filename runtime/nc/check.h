@@ -4,27 +4,15 @@
 // What a file says is checked when it is loaded; here it is tried out, by writing and reading.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "base/xml.h"
 #include "nc/block.h"
 #include "nc/dialect.h"
 #include "nc/refusals.h"
 
 namespace kadr::nc {
-
-struct InspectedDialect {
-    std::optional<Dialect> dialect;  // nothing: there is no such file, or it cannot be read at all
-    bool has_mistakes = true;        // reported; then the dialect is good for looking on only
-    XmlElement root;                 // what stands in the file itself, if there is a dialect
-};
-
-/// Loads a dialect as `load_dialect` does, but gives it with its mistakes, for further checks.
-InspectedDialect inspect_dialect(const std::string& name_or_file, const SearchPath& folders,
-                                 Sources& sources, DiagnosticSink& sink);
 
 /// Where two meanings, a block a line, or two outcomes part: the block and the first word in it.
 std::string first_difference(std::string_view found, std::string_view said);

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "base/xml.h"
-#include "nc/check.h"
+#include "nc/inspect.h"
 #include "nc/load.h"
 #include "nc/refusals.h"
 

@@ -10,9 +10,9 @@
 #include "base/text.h"
 #include "nc/letters.h"
 #include "nc/match.h"
+#include "nc/program_head.h"
 #include "nc/quoted.h"
 #include "nc/reader.h"
-#include "nc/spelling.h"
 #include "nc/tables.h"
 
 namespace kadr::nc {

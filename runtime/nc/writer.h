@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nc/dialect.h"
+#include "nc/program_lines.h"
 
 namespace kadr::nc {
 
@@ -19,14 +20,6 @@ struct WriteOptions {
     bool number_blocks = true;                 // as the dialect says; false: never
     bool native_cycles = true;                 // false: cycles have been expanded by the caller
     std::vector<Refusal>* refusals = nullptr;  // gets the forms that were passed over; null: nobody
-};
-
-struct ProgramInfo {
-    std::string name;  // of the program: "bracket"
-    std::int64_t number = 1;
-    std::string title;  // shown behind the name where the control has a place for it
-    bool is_inch = false;
-    std::int64_t greatest_number = 0;  // that a block says itself; those that are counted lie above
 };
 
 struct WriterModal;

@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "nc/check.h"
 #include "nc/comment_text.h"
+#include "nc/inspect.h"
 #include "nc/lint.h"
 #include "nc/statement_holes.h"
 #include "nc/tables.h"

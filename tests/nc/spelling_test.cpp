@@ -14,6 +14,7 @@
 
 #include "nc/check.h"
 #include "nc/lost_words.h"
+#include "nc/program_head.h"
 #include "tests/nc/nc_testing.h"
 
 namespace kadr::nc {
