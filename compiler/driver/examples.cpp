@@ -13,9 +13,9 @@
 #include "driver/program.h"
 #include "driver/program_example.h"
 #include "expand/expander.h"
-#include "nc/check.h"
 #include "nc/tables.h"
 #include "path/curve_registry.h"
+#include "write/check.h"
 
 namespace kadr::driver {
 
@@ -107,7 +107,7 @@ void check_program(Session& session, const nc::Dialect& dialect, const nc::Examp
         .arg(example.text)
         .arg(found)
         .arg(example.gives)
-        .note(nc::first_difference(found, example.gives));
+        .note(write::first_difference(found, example.gives));
 }
 
 }  // namespace
@@ -144,7 +144,8 @@ void check_examples(Session& session, const nc::Dialect& dialect) {
         Trial trial;
         if (!example.source.empty()) trial = run_source(session, example, dialect);
         if (trial.fault.empty()) {
-            nc::check_example(dialect, example, trial.blocks, session.messages(), trial.refusals);
+            write::check_example(dialect, example, trial.blocks, session.messages(),
+                                 trial.refusals);
         } else {
             session.messages()
                 .report(diag::DialectExampleSource, example.source_range)

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kPiece = 64;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
 
-nc::WriteOptions write_options(const Options& options) {
+write::WriteOptions write_options(const Options& options) {
     return {.verbose_modal = options.verbose_modal,
             .number_blocks = true,
             .native_cycles = options.native_cycles};

@@ -19,7 +19,7 @@
 #include "expand/expander.h"
 #include "nc/phrases.h"
 #include "nc/reader.h"
-#include "nc/writer.h"
+#include "write/writer.h"
 
 namespace kadr::driver {
 
@@ -123,7 +123,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     ExpanderMessages expander_messages_;
     expand::Expander expander_;
     WriterMessages writer_messages_;
-    nc::Writer writer_;
+    write::Writer writer_;
     Output* map_;
     std::unique_ptr<LineMap> line_map_;
     std::unique_ptr<CallMap> call_map_;  // null: nobody asks

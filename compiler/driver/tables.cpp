@@ -14,9 +14,9 @@
 #include "driver/pipeline_stages.h"
 #include "machine/machine.h"
 #include "nc/alarms.h"
-#include "nc/check.h"
 #include "nc/command_names.h"
 #include "nc/lint.h"
+#include "write/check.h"
 
 namespace kadr::driver {
 
@@ -183,7 +183,7 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
         return {session.status(),
                 fmt::format("{}: the examples are tried when these are mended\n", dialect.name())};
     }
-    nc::check_frame(dialect, session.messages());
+    write::check_frame(dialect, session.messages());
     check_cycles(session, dialect);
     check_examples(session, dialect);
     if (session.messages().errors() > 0) return {session.status(), {}};

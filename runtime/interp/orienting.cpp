@@ -14,8 +14,8 @@
 #include "interp/turns_beside.h"
 #include "machine/kinematics.h"
 #include "nc/parameters.h"
-#include "nc/spelling.h"
 #include "path/linear.h"
+#include "write/spelling.h"
 
 namespace kadr::interp {
 
@@ -273,7 +273,7 @@ void Executor::check_offset_said(const Block& block) {
     if (!std::exchange(orienting_.owes_offset, false)) return;
     if (!told_.first_time(Once::WorkOffset)) return;
     DiagnosticBuilder warning = report(diag::TransformationOffset, block);
-    const std::string offset = nc::spelling_of_offset(dialect_, work_offset_);
+    const std::string offset = write::spelling_of_offset(dialect_, work_offset_);
     if (!offset.empty()) warning.fix("say it there: `" + offset + "`");
 }
 

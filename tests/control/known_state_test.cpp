@@ -29,9 +29,9 @@
 #include "expand/modal.h"
 #include "interp/interpreter.h"
 #include "interp/program.h"
-#include "nc/writer.h"
-#include "nc/writer_state.h"
 #include "tests/control/random_program.h"
+#include "write/text_state.h"
+#include "write/writer.h"
 
 namespace kadr::control_testing {
 namespace {
@@ -49,7 +49,7 @@ constexpr std::uint64_t kMostBlocks = 3000;  // of a program: behind these nothi
 /// control counts it otherwise, along a helix or beside rotary axes, and for threads.
 struct Known {
     ModalState state;
-    nc::WriterModal text;
+    write::WriterModal text;
     bool is_inch = false;
     bool has_feed_of_text = true;
 };
@@ -80,7 +80,7 @@ Evaluated evaluated(const sema::Code& code, const nc::Dialect& dialect, Diagnost
     const auto entry = std::ranges::find_if(functions, [](const sema::FunctionCode& function) {
         return function.kind == sema::FunctionKind::Program;
     });
-    nc::Writer writer(dialect, {.number_blocks = false}, sink);
+    write::Writer writer(dialect, {.number_blocks = false}, sink);
     const bool is_inch = entry != functions.end() && entry->units == sema::Units::Inch;
     writer.begin({"known", 1, "", is_inch}, out.text);
     std::vector<nc::Block> block(1);
@@ -208,7 +208,7 @@ std::string shown(Function function) {
 /// What the writer believes of its text and the one who reads and executes it contradicts.
 std::string misreading(const Known& behind, const interp::Interpreter& interpreter) {
     constexpr double kWritten = 1e-6;  // both add up the same words
-    const nc::WriterModal& text = behind.text;
+    const write::WriterModal& text = behind.text;
     const interp::Snapshot now = interpreter.snapshot();
     const std::vector<interp::StateItem> items = interpreter.state();
     for (std::size_t i = 0; i < kAxes; ++i) {

@@ -11,9 +11,9 @@
 
 #include "base/numbers.h"
 #include "interp/program.h"
-#include "nc/writer.h"
 #include "tests/interp/bench.h"
 #include "tests/nc/nc_testing.h"
+#include "write/writer.h"
 
 namespace kadr::control_testing {
 
@@ -109,7 +109,7 @@ inline double way(const AxisValues& from, const AxisValues& to) {
 /// What the writer makes of blocks that a control executed.
 inline std::string written(const nc::Dialect& dialect, const std::vector<Block>& blocks) {
     DiagnosticList messages;
-    nc::Writer writer(dialect, {.number_blocks = false}, messages);
+    write::Writer writer(dialect, {.number_blocks = false}, messages);
     std::string text;
     writer.begin({"random", 1, "", false}, text);
     for (const Block& block : blocks) writer.write(block, text);
@@ -121,7 +121,7 @@ inline std::string written(const nc::Dialect& dialect, const std::vector<Block>&
 /// The lines that a text begins with: they set the state from which its blocks go on.
 inline std::vector<Block> head_of(const nc::Dialect& dialect) {
     DiagnosticList messages;
-    nc::Writer writer(dialect, {.number_blocks = false}, messages);
+    write::Writer writer(dialect, {.number_blocks = false}, messages);
     std::string text;
     writer.begin({"random", 1, "", false}, text);
     writer.write({}, text);  // the modal words come with the first block

@@ -22,9 +22,9 @@
 #include "driver/session.h"
 #include "interp/program.h"
 #include "nc/tables.h"
-#include "nc/writer.h"
 #include "tests/control/property_bench.h"
 #include "tests/control/random_program.h"
+#include "write/writer.h"
 
 namespace kadr::control_testing {
 namespace {

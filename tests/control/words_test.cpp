@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "base/text.h"
-#include "nc/check.h"
 #include "nc/dialect.h"
+#include "write/check.h"
 
 namespace kadr {
 namespace {
@@ -49,7 +49,7 @@ TEST_P(Words, MeanWhatIsWritten) {
         // An empty block would not be compared.
         example.block = block == "nothing" ? "?" : replaced(block, " // ", "\n");
         DiagnosticList messages;
-        nc::check_example(*dialect, example, {}, messages);
+        write::check_example(*dialect, example, {}, messages);
         std::string means = block;
         if (!messages.all().empty()) {
             const Diagnostic& message = messages.all()[0];

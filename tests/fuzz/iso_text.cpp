@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "nc/reader.h"
-#include "nc/writer.h"
 #include "tests/fuzz/world.h"
+#include "write/writer.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ void rewrite(const nc::Dialect& dialect, std::string_view text) {
     DiagnosticList messages;
     Whole whole(text);
     nc::Reader reader(dialect, whole, "fuzz", messages);
-    nc::Writer writer(dialect, {}, messages);
+    write::Writer writer(dialect, {}, messages);
     std::string out;
     std::vector<nc::Block> blocks(64);
     while (const std::size_t count = reader.pull(blocks)) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "nc/writer.h"
 #include "tests/fuzz/world.h"
+#include "write/writer.h"
 
 namespace {
 
@@ -18,14 +18,14 @@ struct Written {
     bool is_whole = false;  // no error, and nothing of it is the author's own raw text
 };
 
-Written write(const sema::Code& code, const nc::Dialect& target, DiagnosticList& messages) {
+Written write_text(const sema::Code& code, const nc::Dialect& target, DiagnosticList& messages) {
     expand::ExpandOptions options;
     options.limits = fuzz::small_limits();
     options.trace = true;
     expand::Expander expander(code, target, options, messages);
     Written written;
     if (!expander.start("", {})) return written;
-    nc::Writer writer(target, {}, messages);
+    write::Writer writer(target, {}, messages);
     writer.set_statements(code.statements);
     writer.begin({.name = "fuzz"}, written.text);
     bool has_raw = false;
@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (checked->code) {
         const auto& controls = fuzz::world().controls;
         const nc::Dialect& target = *controls[size % controls.size()];
-        const Written written = write(*checked->code, target, checked->messages);
+        const Written written = write_text(*checked->code, target, checked->messages);
         const std::string complaint = fuzz::complaint_about(target, written.text);
         if (written.is_whole && !complaint.empty()) {
             fuzz::broken("what is written reads back", complaint + written.text);

@@ -32,6 +32,7 @@ const std::vector<Room> kRooms = {
     {"runtime/machine", ""},
     {"runtime/process", R"(\brefuse\w*\()"},
     {"runtime/control", ""},
+    {"runtime/write", ""},
     {"compiler/driver", ""},
     {"compiler/repl", ""},
     {"compiler/cli", ""},

@@ -13,14 +13,14 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
-#include "nc/check.h"
 #include "nc/comment_text.h"
 #include "nc/inspect.h"
 #include "nc/lint.h"
 #include "nc/statement_holes.h"
 #include "nc/tables.h"
-#include "nc/writer.h"
 #include "tests/nc/nc_testing.h"
+#include "write/check.h"
+#include "write/writer.h"
 
 namespace kadr::nc {
 namespace {
@@ -201,7 +201,7 @@ TEST(Load, UnitsThatNoStartLineSaysAreWritten) {
     ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
     for (const bool is_inch : {false, true}) {
         DiagnosticList sink;
-        Writer writer(*loaded.dialect, {}, sink);
+        write::Writer writer(*loaded.dialect, {}, sink);
         std::string text;
         writer.begin({"test", 1, "", is_inch}, text);
         writer.write(testing::source_block(*loaded.dialect, "G1 X25.4 F254"), text);
@@ -213,7 +213,7 @@ TEST(Load, UnitsThatNoStartLineSaysAreWritten) {
         EXPECT_EQ(meaning.find("inch") != std::string::npos, is_inch) << text;
         EXPECT_NE(meaning.find("X25.4"), std::string::npos) << text << meaning;
         DiagnosticList frame;
-        check_frame(*loaded.dialect, frame);
+        write::check_frame(*loaded.dialect, frame);
         EXPECT_EQ(codes(frame), "");
     }
 }
@@ -279,7 +279,7 @@ TEST(Load, ExamplesAreHeldWithinRounding) {
         example.block =
             is_right ? "speed_limit(limit=2000.0000000000002)" : "speed_limit(limit=2000.00000001)";
         DiagnosticList sink;
-        check_example(*loaded.dialect, example, {}, sink);
+        write::check_example(*loaded.dialect, example, {}, sink);
         EXPECT_EQ(codes(sink), is_right ? "" : "K4017");
     }
 }
@@ -293,7 +293,7 @@ TEST(Load, TimesInHundredthsOfASecond) {
     for (const bool is_right : {true, false}) {
         example.block = is_right ? "dwell(time=2.5)" : "dwell(time=0.25)";
         DiagnosticList sink;
-        check_example(*loaded.dialect, example, {}, sink);
+        write::check_example(*loaded.dialect, example, {}, sink);
         EXPECT_EQ(codes(sink), is_right ? "" : "K4017");
     }
 }

@@ -8,9 +8,9 @@
 
 #include "base/text.h"
 #include "nc/tables.h"
-#include "nc/writer.h"
 #include "tests/common/scratch.h"
 #include "tests/nc/nc_testing.h"
+#include "write/writer.h"
 
 namespace kadr::nc {
 namespace {
@@ -76,7 +76,7 @@ void try_parts(const Dialect& dialect, std::span<const Part> parts) {
         const Part& part = i == 0 ? parts.back() : parts[turn++ % parts.size()];
         testing::read_blocks(dialect, part.text);
         DiagnosticList sink;
-        Writer writer(dialect, {}, sink);
+        write::Writer writer(dialect, {}, sink);
         std::string text;
         writer.begin({"part", 1, "", false}, text);
         for (const Block& block : part.blocks) writer.write(block, text);
@@ -142,7 +142,7 @@ std::string said_without(const std::string& base, const std::string& removed,
     const auto dialect = load_dialect(path, testing::dialect_folders(), sources, sink);
     EXPECT_TRUE(dialect) << testing::rendered(sink, sources);
     if (!dialect) return {};
-    Writer writer(*dialect, {}, sink);
+    write::Writer writer(*dialect, {}, sink);
     std::string text;
     writer.begin({"part", 1, "", false}, text);
     for (const char* statement : statements)

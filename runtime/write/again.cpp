@@ -1,0 +1,113 @@
+// Modal codes: what the text has, and what is said again because nobody knows whether it has it.
+#include <algorithm>
+
+#include "write/block_writer.h"
+
+namespace kadr::write {
+
+/// Whether a form of the block stands under these dimensions only.
+bool BlockWriter::needs_distance(const Block& block, Function distance) const {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
+        const std::vector<Function>& during = tables_.forms[chosen_[i]].during;
+        if (std::ranges::find(during, distance) != during.end()) return true;
+    }
+    return false;
+}
+
+/// What the text no longer agrees upon with the program: after a conversion, or at the start.
+void BlockWriter::restore_modal(const Block& block, Items& items) {
+    const auto restore = [&](Group group) {
+        const Function meant = modal_.meant_of(group);
+        if (meant == Function::None || modal_.text_of(group) == meant) return;
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            const bool is_done = (done_ >> i & 1u) != 0;  // before a line that changed it again
+            if (!is_done && info(block.functions[i].function).group == group)
+                return;  // the block says it itself
+        }
+        add_code(block, meant, items);
+    };
+    // Modal codes outlive the program on many machines: none ends under G91 that did not mean to.
+    const bool is_end = block.find(Fact::EndsProgram) != nullptr;
+    const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
+                      needs_distance(block, modal_.meant_of(Group::Distance));
+    // Words that are said as distances whatever is meant leave the text as it is.
+    const bool stays = needs_incremental(block) && !needs_distance(block, Function::Absolute);
+    if (acts && !stays && !tables_.has_incremental_letters) restore(Group::Distance);
+    if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
+        restore(Group::Plane);
+    if (block.has(Slot::Feed)) restore(Group::FeedMode);
+    if (modal_.doubtful == 0 || (block.given & (kTargetSlots | kCenterSlots)) == 0) return;
+    for (std::size_t i = 0; i < kGroups; ++i) {
+        const auto group = static_cast<Group>(i);
+        if (is_said_again(group)) restore(group);
+    }
+}
+
+/// Whether the group is said again before something moves. A compensation that acts is not: to say
+/// it a second time is a command of its own on some controls.
+bool BlockWriter::is_said_again(Group group) const {
+    const Function meant = modal_.meant[index_of(group)];
+    if ((modal_.doubtful & bit(group)) == 0 || meant == Function::None) return false;
+    return has_code(meant) && (group != Group::RadiusComp || meant == Function::RadiusCompOff);
+}
+
+/// Whether the text says something else than is meant of a group on which a function of the block
+/// depends: the plane of a rotation, the dimensions of data. It is no motion, so no code is
+/// restored beside it.
+bool BlockWriter::is_depended_on(const Block& block, Group group) const {
+    const Function meant = modal_.meant[index_of(group)];
+    if (meant == Function::None || meant == modal_.text_of(group) || !has_code(meant)) return false;
+    if (said_of(block, group) != Function::None) return false;
+    return (group == Group::Plane && block.find(Fact::NeedsPlane) != nullptr) ||
+           (group == Group::Distance && block.find(Fact::AddsIncrements) != nullptr);
+}
+
+/// A cycle has no room for codes, and depends on them: they stand before it. So do those of other
+/// functions.
+void BlockWriter::say_doubtful(const Block& block, std::string& out) {
+    const bool is_cycle = block.find(Function::Cycle) != nullptr;
+    Block again;
+    again.source = block.source;
+    again.skip = block.skip;
+    for (std::size_t i = 0; i < kGroups; ++i) {
+        const auto group = static_cast<Group>(i);
+        const Function meant = modal_.meant[i];
+        // Another plane is another tool axis; a head that leaves it open is no head of ours.
+        const bool is_other_plane = group == Group::Plane && meant != Function::None &&
+                                    modal_.text[i] != Function::None && modal_.text[i] != meant;
+        const bool is_of_cycle =
+            is_cycle && modal_.doubtful != 0 && (is_said_again(group) || is_other_plane);
+        if (is_of_cycle || is_depended_on(block, group)) again.add(meant);
+    }
+    if (again.function_count != 0) write_block(again, out);
+}
+
+void BlockWriter::note_written(const Form& form) {
+    const auto note = [&](Function function) {
+        const Group group = info(function).group;
+        if (group == Group::Once) return;
+        modal_.text_of(group) = function;
+        modal_.doubtful &= ~bit(group);
+        if (group == Group::Units) {
+            modal_.units.inch = function == Function::Inch;
+            modal_.units.inch_feed = modal_.units.inch && !form.feed_stays_metric;
+            modal_.feed.is_known = modal_.speed.is_known = false;
+        }
+        if (group == Group::FeedMode) {
+            modal_.units.per_revolution = function == Function::FeedPerRevolution;
+            modal_.units.inverse_time = function == Function::FeedInverseTime;
+            modal_.feed.is_known = false;
+            feed_every_block_ = form.feed_every_block;
+            inverse_arc_by_radius_ = form.feed_by_radius;
+        }
+        if (group == Group::SpeedMode) {
+            modal_.units.cutting_speed = function == Function::CuttingSpeedOn;
+            modal_.speed.is_known = false;
+        }
+    };
+    note(form.function);
+    for (const Function also : form.sets) note(also);
+}
+
+}  // namespace kadr::write

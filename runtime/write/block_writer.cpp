@@ -1,0 +1,670 @@
+#include "write/block_writer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "base/assert.h"
+#include "base/diagnostics/dialect.h"
+#include "base/diagnostics/iso.h"
+#include "base/text.h"
+#include "nc/comment_text.h"
+
+namespace kadr::write {
+
+namespace {
+
+/// Groups whose active member is not written again. Spindle, coolant, work offset and length
+/// compensation are: a tool change, an operator or another program may have changed them.
+constexpr bool is_quiet_group(Group group) {
+    switch (group) {
+        case Group::Motion:
+        case Group::Plane:
+        case Group::Units:
+        case Group::Distance:
+        case Group::FeedMode:
+        case Group::SpeedMode:
+        case Group::RadiusComp:
+        case Group::PathMode:
+        case Group::CycleMode:
+        case Group::CycleReturn:
+        case Group::CompStart:
+        case Group::CompCorner:
+        case Group::CompCheck:
+        case Group::Diameter:
+        case Group::Compressor:
+        case Group::Transformation:
+        case Group::Turning:
+        case Group::OrientAngles:
+        case Group::OrientSystem:
+        case Group::CompSystem:
+        case Group::CompTurning:
+        case Group::Spinning:
+        case Group::DataInput: return true;
+        case Group::Once:
+        case Group::LengthComp:
+        case Group::WorkOffsets:
+        case Group::Spindle:
+        case Group::Coolant: return false;
+    }
+    return false;
+}
+
+}  // namespace
+
+BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
+    : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
+    most_message_ = static_cast<std::size_t>(std::max(0, rules_.most_message));
+    begin({});
+    prepare_fast();
+}
+
+void BlockWriter::begin(const ProgramInfo& program) {
+    modal_ = {};
+    // The state in which every Kadr program begins; the start lines bring the control there.
+    modal_.meant_of(Group::Motion) = Function::Rapid;
+    modal_.meant_of(Group::Plane) = Function::PlaneXy;
+    modal_.meant_of(Group::Units) = program.is_inch ? Function::Inch : Function::Metric;
+    modal_.meant_of(Group::Distance) = Function::Absolute;
+    modal_.meant_of(Group::FeedMode) = Function::FeedPerMinute;
+    modal_.meant_of(Group::SpeedMode) = Function::CuttingSpeedOff;
+    modal_.meant_of(Group::RadiusComp) = Function::RadiusCompOff;
+    modal_.units.inch = modal_.units.inch_feed = program.is_inch;
+    stand_without_codes();
+    // A shift that keeps its words may be left over from another program.
+    const auto& shifts = tables_.forms_of[static_cast<std::size_t>(Function::Shift)];
+    const bool is_kept =
+        std::ranges::any_of(shifts, [&](FormId id) { return tables_.forms[id].remembers; });
+    for (Standing& s : modal_.shift) s = {!is_kept, 0};
+    modal_.origin = modal_.shift;
+    const BlockNumbers& numbers = tables_.block_numbers;
+    const std::int64_t above =
+        numbers.step > 0 ? (program.greatest_number / numbers.step + 1) * numbers.step : 0;
+    number_ = program.greatest_number > 0 && above <= numbers.most ? std::max(numbers.start, above)
+                                                                   : numbers.start;
+    has_ended_ = false;
+}
+
+/// What the control has no code for it cannot have left: feeds a minute, X as a diameter, where no
+/// code says so.
+void BlockWriter::stand_without_codes() {
+    for (std::size_t group = 0; group < kGroups; ++group) {
+        const Function standing = tables_.power_on[group];
+        if (standing != Function::None && !has_code(standing)) modal_.text[group] = standing;
+    }
+}
+
+bool BlockWriter::has_code(Function function) const {
+    return !tables_.forms_of[static_cast<std::size_t>(function)].empty();
+}
+
+void BlockWriter::forget_modal() {
+    modal_.forget();
+    stand_without_codes();
+}
+
+std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
+    const std::uint32_t before = lines_;
+    switch (block.kind) {
+        case Block::Kind::Nc:
+            if (!write_fast(block, out)) write_long(block, out);
+            if (rules_.comp_empty_blocks >= 0 && (idle_.is_begun || is_compensated()))
+                count_idle(block, before);
+            break;
+        case Block::Kind::Comment: write_comment(block, out); break;
+        case Block::Kind::Raw:
+            write_raw(block, out);
+            idle_ = {};
+            break;
+        case Block::Kind::Label: cannot_express(block, "the label " + quoted(block.text)); break;
+        case Block::Kind::Modal: forget_modal(); break;
+        case Block::Kind::Position: take_position(block); break;
+    }
+    return lines_ == before ? lines_ : before + 1;
+}
+
+/// What the program knows of the axes behind a change of its frame, of which the text says nothing.
+void BlockWriter::take_position(const Block& block) {
+    WrittenPosition& position = modal_.position;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if (!block.has(static_cast<Slot>(axis)) || is_known(axis)) continue;
+        if ((position.reframed & bit(static_cast<Slot>(axis))) == 0)
+            position.named[axis] = {position.meant[axis], position.text[axis]};
+        position.meant[axis] = position.text[axis] = block.at(static_cast<Slot>(axis));
+        position.known |= bit(static_cast<Slot>(axis));
+        position.told |= bit(static_cast<Slot>(axis));
+        position.reframed |= bit(static_cast<Slot>(axis));
+    }
+}
+
+/// Whether the number that would be written is in force already.
+bool BlockWriter::is_standing(Slot slot, double value, const Standing& standing) const {
+    return standing.is_known && standing.value == round_to(to_text(slot, value), decimals(slot));
+}
+
+// ---------------------------------------------------------------- blocks
+
+Function BlockWriter::effective_motion(const Block& block) const {
+    // Whatever the modal motion is.
+    if (block.function_count != 0 && block.find(Function::Probe) != nullptr) return Function::Line;
+    return block.motion != Function::None ? block.motion : modal_.meant[index_of(Group::Motion)];
+}
+
+void BlockWriter::write_long(const Block& block, std::string& out) {
+    given_number_ = block.number;
+    check_front(block);
+    check_arc_words(block);
+    if (block.skip < 0) {
+        write_block(block, out);
+    } else {
+        // The operator may leave it out: behind it, only what is the same with and without it is
+        // known, so that everything else is said again.
+        const std::size_t waiting = pending_.size();
+        const WriterModal before = modal_;
+        write_block(block, out);
+        if (pending_.size() < waiting) {
+            cannot_express(block,
+                           "a block that may be left out where the tool length begins to act");
+        }
+        modal_.join(before);
+    }
+    if (given_number_ >= 0) {  // all that the block says holds already
+        open_line(block.skip, true, out);
+        end_block(out);
+        close_line(out);
+    }
+}
+
+/// Block number and skip level that the control takes.
+void BlockWriter::check_front(const Block& block) {
+    if (block.number > tables_.block_numbers.most) {
+        number_fault(block, NumberFault::TooLarge, block.number, Dimension::Count, "N");
+    }
+    const bool is_level =
+        block.skip >= tables_.notation.default_skip && block.skip < tables_.notation.skip_levels;
+    if (block.skip_also != 0) cannot_express(block, "several skip levels of one block");
+    if (block.skip >= 0 && !is_level) {
+        cannot_express(block, "the skip level " + std::to_string(block.skip));
+    }
+}
+
+/// Centre, radius and turns are for arcs, and an arc that moves has a centre or a radius.
+void BlockWriter::check_arc_words(const Block& block) {
+    constexpr SlotMask kArcMoves = kArcSlots | kTargetSlots;
+    if ((block.given & kArcMoves) == 0) return;
+    const Function motion =
+        block.find(Function::Cycle) != nullptr ? Function::Cycle : effective_motion(block);
+    const bool has_centre = (block.given & kCenterSlots) != 0;
+    if (motion == Function::None || has_fact(motion, Fact::Pitch)) {
+        // After raw text the author knows; beside a motion of threads the centre word is the pitch.
+    } else if (!is_arc(motion)) {
+        for (std::size_t i = 0; i < kSlots; ++i) {
+            const auto slot = static_cast<Slot>(i);
+            if ((block.given & kArcSlots & bit(slot)) == 0) continue;
+            if (!fails_first_time(block, slot_name(slot))) continue;
+            sink_.report(diag::ArcWordWithoutArc, place(block))
+                .arg(slot_name(slot))
+                .arg(info(motion).name);
+        }
+        return;
+    } else if (!has_centre && !block.has(Slot::Radius)) {
+        if (fails_first_time(block, "no centre")) {
+            sink_.report(diag::ArcSaidNowhere, place(block))
+                .fix(
+                    "say its centre by `I`, `J`, `K` or its radius by `CR=`, in a FANUC's source "
+                    "`R`; a straight line begins with `G1`");
+        }
+        return;
+    }
+    if (has_centre && block.has(Slot::Radius) && fails_first_time(block, "centre and radius"))
+        sink_.report(diag::ArcSaidTwice, place(block));
+    if (!block.has(Slot::Turns)) return;
+    const double turns = block.at(Slot::Turns);
+    if (!(turns >= 0 && turns == std::nearbyint(turns))) {
+        number_fault(block, NumberFault::NotReadBack, turns, Dimension::Count,
+                     slot_name(Slot::Turns));
+    } else if (turns > kMostTurns) {
+        number_fault(block, NumberFault::TooLarge, turns, Dimension::Count, slot_name(Slot::Turns));
+    }
+}
+
+/// A control that counts knots needs one beside every control point.
+void BlockWriter::check_knot(const Block& block, Function motion) {
+    if (motion != Function::Spline || (block.given & kTargetSlots) == 0) return;
+    const bool has_intervals = dialect_.can_write(Function::SplineInterval);
+    if (has_intervals || !dialect_.can_write(Function::SplineKnot)) return;
+    if (block.find(Function::SplineKnot) == nullptr)
+        cannot_express(block, "a control point without its knot");
+}
+
+/// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
+BlockWriter::Written BlockWriter::write_other_arc(const Block& block, std::string& out) {
+    if (!is_arc(effective_motion(block))) return split_turns(block, out);
+    const ModalFunctions meant = modal_.meant;
+    follow_modal(rules_, block, modal_.meant);
+    if (split_turns(block, out) == Written::Already || straighten(block, out) == Written::Already ||
+        (!is_part_ && split_arc(block, out) == Written::Already))
+        return Written::Already;
+    modal_.meant = meant;
+    return Written::NotYet;
+}
+
+void BlockWriter::write_block(const Block& block, std::string& out) {
+    if (write_other_arc(block, out) == Written::Already ||
+        write_thread(block, out) == Written::Already)
+        return;
+    if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
+    if (modal_.is_length_due) check_length_due(block);
+    if (block.function_count != 0) say_doubtful(block, out);
+    const Function diameter = modal_.text_of(Group::Diameter);
+    done_ = 0;
+    choose_forms(block);
+    if (needs_incremental(block)) drop_function(block, Function::Absolute);
+    write_functions_alone(block, out);
+    follow_functions(block);
+
+    Items items;
+    restore_modal(block, items);
+    collect_functions(block, items);
+    if (modal_.text_of(Group::Diameter) != diameter) change_diameter(diameter);
+    Targets targets;
+    const WrittenPosition start = modal_.position;
+    const Function motion = effective_motion(block);
+    if (block.motion != Function::None && block.motion != motion)
+        cannot_express(block, "a probing move that is no line at feed");
+    place_targets(block, targets);
+    check_knot(block, motion);
+    if (is_arc(motion)) {
+        place_arc(block, start, targets);
+        place_arc_feed(block, start, targets);
+        place_helix_feed(block, start, targets);
+    } else if (motion == Function::None) {
+        place_arc_as_given(block, start, targets);
+    } else if (has_fact(motion, Fact::Pitch)) {
+        for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
+            if (!block.has(slot)) continue;
+            targets.written |= bit(slot);
+            targets.number[static_cast<std::size_t>(slot)] = to_text(slot, block.at(slot));
+        }
+    } else if (block.function_count == 0 && !options_.verbose_modal) {
+        drop_unchanged(block, start, targets);
+    }
+    if (motion == Function::Line) place_axes_feed(block, start, targets);
+    // An incremental word that the control can only say under incremental dimensions.
+    if (targets.written != 0 && targets.needs_incremental &&
+        modal_.text_of(Group::Distance) != Function::Incremental) {
+        add_code(block, Function::Incremental, items);
+    }
+    const bool probes = block.function_count != 0 && block.find(Function::Probe) != nullptr;
+    const bool says_motion = block.motion != Function::None ||
+                             (!probes && (block.given & (kTargetSlots | kCenterSlots)) != 0);
+    if (says_motion) {
+        const bool is_new = modal_.text_of(Group::Motion) != motion;
+        if (motion != Function::None &&
+            (is_new || (options_.verbose_modal && block.motion != Function::None))) {
+            add_code(block, motion, items);
+        }
+    }
+    add_deferred(block, items);
+    add_edge(block, items);
+    collect_slots(block, targets, items);
+    if (items.count == 0 && given_number_ < 0) {
+        if (!block.comment.empty()) write_comment(block, out);
+    } else if (items.count != 0 || !block.comment.empty()) {
+        write_items(block, items, targets, out);
+    }
+    for (Pending& pending : pending_) pending.tool = own_offset(pending, block);
+    if (block.find(Function::Cycle) != nullptr) leave_cycle(block, out);
+    if (block.function_count == 0) return;
+    const nc::Changer changer =
+        dialect_.is_of_lathe() ? nc::Changer::Turret : nc::Changer::Magazine;
+    for (const Effect& effect : effects_of(rules_, block, changer)) follow_effect(block, effect);
+    if (block.find(Function::Message) != nullptr) check_message(block);
+}
+
+// ---------------------------------------------------------------- threads
+
+/// The axis along which a straight move goes the longer way; nothing if the block does not tell.
+std::optional<std::size_t> BlockWriter::longer_way(const Block& block) const {
+    std::optional<std::size_t> longest;
+    double most = -1;
+    bool is_certain = true;
+    std::size_t count = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto slot = static_cast<Slot>(axis);
+        if (!block.has(slot)) continue;
+        ++count;
+        const bool is_way = is_distance(block, axis);
+        is_certain &= is_way || is_known(axis);
+        const double way =
+            std::fabs(is_way ? block.at(slot) : block.at(slot) - modal_.position.meant[axis]);
+        if (way > most) longest = axis, most = way;
+    }
+    return count == 1 || is_certain ? longest : std::nullopt;
+}
+
+/// The pitch of a thread stands where the control takes it: in F, or in the word of the axis that
+/// goes the longer way.
+BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& out) {
+    if (effective_motion(block) != Function::Thread || (block.given & kTargetSlots) == 0 ||
+        block.find(Function::Cycle) != nullptr)
+        return Written::NotYet;
+    const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
+    if (forms.empty()) return Written::NotYet;
+    const bool is_feed = tables_.forms[forms[0]].feed_is_pitch;
+    const SlotMask words = block.given & kCenterSlots;
+    if (words == 0 && !block.has(Slot::Feed)) {
+        if (fails_first_time(block, "no pitch"))
+            sink_.report(diag::ThreadSaidNowhere, place(block));
+        return Written::Already;
+    }
+    if (is_feed ? words == 0 : words != 0) return Written::NotYet;
+    Block said = block;
+    if (is_feed) {
+        const auto word = static_cast<Slot>(std::countr_zero(words));
+        said.given &= ~kCenterSlots;
+        said.set(Slot::Feed, block.at(word));
+    } else {
+        const std::optional<std::size_t> axis = longer_way(block);
+        if (!axis) {
+            position_unknown(block, "F");
+            return Written::Already;
+        }
+        said.given &= ~bit(Slot::Feed);
+        said.set(static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + *axis),
+                 block.at(Slot::Feed));
+    }
+    // The feed of the program, which the pitch is not, acts again behind the thread.
+    const double feed = block.has(Slot::Feed) ? block.at(Slot::Feed) : modal_.meant_feed;
+    const bool has_feed = block.has(Slot::Feed) || modal_.has_meant_feed;
+    feed_is_lead_ = is_feed;
+    write_block(said, out);
+    feed_is_lead_ = false;
+    modal_.meant_feed = feed;
+    modal_.has_meant_feed = has_feed;
+    if (is_feed) modal_.feed_is_other = true;
+    return Written::Already;
+}
+
+// ---------------------------------------------------------------- comments, raw text
+
+void BlockWriter::write_comment(const Block& block, std::string& out) {
+    std::string_view rest = block.comment;
+    do {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        std::string text = comment_text(rest.substr(0, end), tables_.comment);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        // Long comments go on in the next line, cut at a blank.
+        do {
+            std::size_t length = text.size();
+            const std::size_t most = tables_.comment.max_length;
+            if (most != 0 && length > most) {
+                const std::size_t cut = text.rfind(' ', most);
+                length = cut == std::string::npos || cut == 0 ? most : cut;
+            }
+            open_line(-1, false, out);
+            out += tables_.comment.open;
+            out.append(text, 0, length);
+            if (tables_.comment.close.empty()) {
+                while (out.ends_with(' ')) out.pop_back();
+            }
+            out += tables_.comment.close;
+            close_line(out);
+            text.erase(0, std::min(text.size(), text.find_first_not_of(' ', length)));
+        } while (!text.empty());
+    } while (!rest.empty());
+}
+
+void BlockWriter::write_raw(const Block& block, std::string& out) {
+    // The author's text stands under the dimensions that he has said, not under those that a block
+    // before it needed.
+    if (modal_.feed_is_other && modal_.has_meant_feed) {
+        Block feed;
+        feed.source = block.source;
+        feed.set(Slot::Feed, modal_.meant_feed);
+        write_block(feed, out);
+    }
+    if (modal_.waiting_edge != 0) say_waiting_edge(block, out);
+    Items items;
+    const Function dimensions = modal_.meant_of(Group::Distance);
+    if (dimensions != Function::None && modal_.text_of(Group::Distance) != dimensions &&
+        !tables_.has_incremental_letters)
+        add_code(block, dimensions, items);
+    if (items.count != 0) {
+        Block alone;
+        alone.source = block.source;
+        write_items(alone, items, {}, out);
+    }
+    const auto foreign = std::ranges::find_if(block.text, [](char c) { return (c & 0x80) != 0; });
+    if (tables_.comment.is_ascii && foreign != block.text.end() && first_time(block, "raw")) {
+        const auto at = static_cast<std::size_t>(foreign - block.text.begin());
+        sink_.report(diag::RawCharacter, place(block))
+            .arg(code_points(std::string_view(block.text).substr(at), 0, 1))
+            .arg(tables_.name);
+    }
+    std::string_view rest = block.text;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        open_line(-1, false, out);
+        out += rest.substr(0, end);
+        close_line(out);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    forget_modal();
+}
+
+// ---------------------------------------------------------------- functions
+
+void BlockWriter::choose_forms(const Block& block) {
+    chosen_.fill(kNoForm);
+    // Forms that say several functions at once come first, so that nothing is said twice.
+    for (const bool with_others : {true, false}) {
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            const Invocation& invocation = block.functions[i];
+            const auto function = static_cast<std::size_t>(invocation.function);
+            if (tables_.said_with_others[function] != with_others || (done_ >> i & 1u) != 0)
+                continue;
+            if (is_suppressed(invocation.function)) {
+                done_ |= 1u << i;
+                continue;
+            }
+            if (is_left_to_machine(invocation)) {
+                leave_to_machine(block, invocation);
+                done_ |= 1u << i;
+                continue;
+            }
+            chosen_[i] = choose_form(block, invocation);
+            if (chosen_[i] == kNoForm) {
+                done_ |= 1u << i;
+                continue;
+            }
+            const Form& form = tables_.forms[chosen_[i]];
+            for (std::size_t j = 0; j < block.function_count; ++j) {
+                const Function other = block.functions[j].function;
+                const bool is_said =
+                    j != i && (other == form.function ||
+                               std::ranges::find(form.sets, other) != form.sets.end());
+                if (is_said && !form.sets.empty()) done_ |= 1u << j;
+            }
+        }
+    }
+}
+
+/// The block does without the code; what it means for the blocks behind it holds.
+void BlockWriter::drop_function(const Block& block, Function function) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (block.functions[i].function != function) continue;
+        done_ |= 1u << i;
+        chosen_[i] = kNoForm;
+    }
+}
+
+bool BlockWriter::is_suppressed(Function function) const {
+    const Group group = info(function).group;
+    // Where the letters say it, no code does.
+    if (group == Group::Distance && tables_.has_incremental_letters) return true;
+    return is_quiet_group(group) && modal_.text[index_of(group)] == function &&
+           (!options_.verbose_modal || !has_code(function));
+}
+
+/// Whether X is a diameter, on a control that has neither a code for it nor a rule: its text is the
+/// same, and right where the machine is set so.
+bool BlockWriter::is_left_to_machine(const Invocation& invocation) const {
+    return info(invocation.function).group == Group::Diameter && !has_code(Function::DiameterOn) &&
+           !has_code(Function::DiameterOff) &&
+           tables_.power_on[index_of(Group::Diameter)] == Function::None;
+}
+
+void BlockWriter::leave_to_machine(const Block& block, const Invocation& invocation) {
+    if (first_time(block, info(invocation.function).name)) {
+        const bool is_diameter = invocation.function == Function::DiameterOn;
+        sink_.report(diag::DiameterLeft, place(block))
+            .arg(tables_.name)
+            .arg(is_diameter ? "diameter" : "radius")
+            .fix("for a lathe take the dialect of one, as `fanuc-lathe` is");
+    }
+    modal_.text_of(Group::Diameter) = invocation.function;
+}
+
+/// The line that a form wants before its own: `M29 S800` before the tapping cycle.
+void BlockWriter::write_lead(const Form& form, const Block& block, const Invocation& invocation,
+                             std::string& out) {
+    open_line(block.skip, true, out);
+    append_words(block, form.lead, &invocation, false, out);
+    end_block(out);
+    close_line(out);
+    note_line(form.lead);
+}
+
+/// Functions that cannot share a line with others, and what has to be written before them.
+void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
+    const bool is_only =
+        block.function_count == 1 && block.given == 0 && block.motion == Function::None;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
+        const Form& form = tables_.forms[chosen_[i]];
+        const Invocation& invocation = block.functions[i];
+        write_before(form, block, out);
+        if (is_shift_standing(form, block, invocation)) {
+            done_ |= 1u << i;
+            continue;
+        }
+        if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
+        if (!form.lead.empty()) write_lead(form, block, invocation, out);
+        const bool is_alone = form.owns_block || form.owns_line;
+        if (is_only || !(is_alone || shares_address(form, block))) continue;
+        Items items;
+        for (const Function needed : form.needs) add_code(block, needed, items);
+        items.add(Item::of_form(form.order, chosen_[i], &invocation));
+        Block alone;
+        alone.skip = block.skip;
+        alone.text = block.text;
+        alone.cycle = block.cycle;
+        alone.arguments = block.arguments;
+        alone.source = block.source;
+        write_items(alone, items, {}, out);
+        done_ |= 1u << i;
+    }
+}
+
+/// Whether the text has this shift already, on a control where it stays until another is said.
+bool BlockWriter::is_shift_standing(const Form& form, const Block& block,
+                                    const Invocation& invocation) const {
+    if (!form.remembers || options_.verbose_modal) return false;
+    return std::ranges::all_of(form.words, [&](const FormWord& word) {
+        if (word.parameter < 0) return true;
+        const auto parameter = static_cast<std::size_t>(word.parameter);
+        const Standing& kept = modal_.shift[parameter % modal_.shift.size()];
+        return kept.is_known && kept.value == block.argument(invocation, parameter, word.fallback);
+    });
+}
+
+/// Whether a word of the form has the address of a word that the block has by itself: `G92 X0` and
+/// a move to X. They cannot share a line.
+bool BlockWriter::shares_address(const Form& form, const Block& block) const {
+    if (form.function == Function::Cycle) return false;
+    return std::ranges::any_of(form.words, [&](const FormWord& word) {
+        if (word.address == kNoAddress) return false;
+        const int slot = tables_.addresses[word.address].slot;
+        return slot >= 0 && block.has(static_cast<Slot>(slot));
+    });
+}
+
+void BlockWriter::write_before(const Form& form, const Block& block, std::string& out) {
+    for (const Function function : form.before) {
+        const bool is_rotation = function == Function::RotateOff;
+        const bool is_mirror = function == Function::MirrorOff;
+        if (is_rotation && modal_.rotation == Activity::No) continue;
+        if (is_mirror && modal_.mirror == Activity::No) continue;
+        if (function == Function::ScaleOff && modal_.scale == Activity::No) continue;
+        const auto chosen = chosen_;
+        const std::uint32_t done = done_;
+        Block extra;
+        extra.source = block.source;
+        extra.skip = block.skip;
+        extra.add(function);
+        write_block(extra, out);
+        chosen_ = chosen;
+        done_ = done;
+    }
+}
+
+/// A cycle that begins at the position of the tool axis needs the axis to be there.
+void BlockWriter::write_initial_level(const Form& form, const Block& block,
+                                      const Invocation& invocation, std::string& out) {
+    const auto level_at = static_cast<std::size_t>(form.implied[0]);
+    if ((invocation.given >> level_at & 1u) == 0) return;
+    const double level = block.argument(invocation, level_at);
+    const std::size_t axis = plane_axes()[2];
+    const double half_increment = 0.5 * std::pow(10.0, -decimals(static_cast<Slot>(axis)));
+    const bool is_there =
+        is_named(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
+    if (is_there) return;
+    const auto chosen = chosen_;
+    const std::uint32_t done = done_;
+    const Function motion = modal_.meant_of(Group::Motion);
+    Block move;
+    move.source = block.source;
+    move.motion = Function::Rapid;
+    move.set(static_cast<Slot>(axis), level);
+    move.absolute = bit(static_cast<Slot>(axis));
+    if (!tables_.notation.has_modes || modal_.text_of(Group::Distance) == Function::Absolute)
+        move.absolute = 0;
+    const Function distance = modal_.meant_of(Group::Distance);
+    modal_.meant_of(Group::Distance) = Function::Absolute;
+    write_block(move, out);
+    modal_.meant_of(Group::Distance) = distance;
+    modal_.meant_of(Group::Motion) = motion;
+    chosen_ = chosen;
+    done_ = done;
+}
+
+void BlockWriter::collect_functions(const Block& block, Items& items) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
+        const Form& form = tables_.forms[chosen_[i]];
+        for (const Function needed : form.needs) {
+            if (!is_suppressed(needed)) add_code(block, needed, items);
+        }
+        items.add(Item::of_form(form.order, chosen_[i], &block.functions[i]));
+    }
+}
+
+/// The code of a modal function without parameters.
+void BlockWriter::add_code(const Block& block, Function function, Items& items) {
+    for (const Item& item : items.all()) {
+        if (item.form != kNoForm && tables_.forms[item.form].function == function) return;
+    }
+    static const Block kNothing{};
+    for (const FormId id : tables_.forms_of[static_cast<std::size_t>(function)]) {
+        const Form& form = tables_.forms[id];
+        if (form.function != function || !holds(form, kNothing, function, true)) continue;
+        items.add(Item::of_form(form.order - 1, id, nullptr));
+        note_written(form);
+        return;
+    }
+    cannot_express(block, quoted(info(function).name));
+}
+
+}  // namespace kadr::write

@@ -1,0 +1,390 @@
+// block_writer.h — one Block → its line or lines, against the modal state of the text.
+//
+// For writer.cpp, which puts the frame of the program around it.
+#pragma once
+
+#include <bit>
+#include <span>
+#include <string>
+#include <unordered_set>
+
+#include "base/done.h"
+#include "nc/effects.h"
+#include "write/arc_words.h"
+#include "write/text_state.h"
+#include "write/writer.h"
+
+namespace kadr::write {
+
+class BlockWriter {
+  public:
+    BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink);
+
+    const WriterModal& modal() const { return modal_; }
+    void set_statements(std::span<const SourceRange> statements, const Sources* sources) {
+        statements_ = statements;
+        sources_ = sources;
+    }
+    void begin(const ProgramInfo& program);
+
+    /// Appends the line or lines of the block; returns the number of the first one.
+    std::uint32_t write(const Block& block, std::string& out);
+    /// A line of the program's frame.
+    void write_line(std::string_view line, bool is_numbered, std::string& out);
+    /// A line of the frame whose codes establish the modal state.
+    void write_start_line(std::string_view line, std::string& out);
+
+    std::uint32_t lines() const { return lines_; }
+    bool failed() const { return failed_; }
+    bool has_ended() const { return has_ended_; }
+
+  private:
+    /// What a form cannot say, or lacks.
+    struct Misfit {
+        std::uint32_t parameters = 0;     // a bit each
+        std::uint32_t lacking = 0;        // those of them that were not given
+        Function state = Function::None;  // the form needs it active, and it is not
+        bool is_none() const { return parameters == 0 && state == Function::None; }
+        int count() const { return std::popcount(parameters) + (state != Function::None ? 32 : 0); }
+    };
+    /// One piece of a line: a form with its parameters, deferred words, or the word of a slot.
+    struct Item {
+        int order;
+        FormId form;  // kNoForm: the words, the edge, or the slot
+        Slot slot;
+        const Invocation* invocation;
+        const std::vector<FormWord>* words;
+        int edge;  // a cutting edge that the writer sets itself; -1 none
+
+        static Item of_form(int order, FormId form, const Invocation* invocation) {
+            return {order, form, Slot::X, invocation, nullptr, -1};
+        }
+        static Item of_words(int order, const std::vector<FormWord>& words) {
+            return {order, kNoForm, Slot::X, nullptr, &words, -1};
+        }
+        static Item of_slot(int order, Slot slot) {
+            return {order, kNoForm, slot, nullptr, nullptr, -1};
+        }
+        static Item of_edge(int order, int edge) {
+            return {order, kNoForm, Slot::X, nullptr, nullptr, edge};
+        }
+    };
+    /// The pieces of a line in their order; among equals the first comes first. Not initialised,
+    /// because every block that goes the long way has one.
+    struct Items {
+        static constexpr std::size_t kMost = 96;
+        std::array<Item, kMost> list;
+        std::size_t count = 0;
+        bool is_full = false;  // a piece found no place
+
+        void add(const Item& item) {
+            is_full |= count == kMost;
+            if (is_full) return;
+            std::size_t at = count++;
+            for (; at > 0 && list[at - 1].order > item.order; --at) list[at] = list[at - 1];
+            list[at] = item;
+        }
+        std::span<const Item> all() const { return {list.data(), count}; }
+    };
+    struct Pending {
+        const Deferred* deferred = nullptr;
+        double tool = 0;  // and number of its offsets, until the program names another
+    };
+
+    void write_comment(const Block& block, std::string& out);
+    void write_raw(const Block& block, std::string& out);
+    void write_block(const Block& block, std::string& out);
+    void write_long(const Block& block, std::string& out);
+    /// Whether the block stands in the text, or has a message instead.
+    enum class Written : std::uint8_t { NotYet, Already };
+    Written write_thread(const Block& block, std::string& out);
+    std::optional<std::size_t> longer_way(const Block& block) const;
+    void check_front(const Block& block);
+    void check_arc_words(const Block& block);
+    void check_knot(const Block& block, Function motion);
+
+    // The fast way, for straight moves
+    struct FastAxis {
+        Slot slot = Slot::X;
+        char letter = 'X';
+        bool is_length = true;
+        bool has_point = false;         // of whole numbers, too
+        std::array<int, 2> decimals{};  // metric, inch
+        std::uint64_t most = 0;         // greatest number in increments
+    };
+    void prepare_fast();
+    bool is_fast(const Block& block) const;
+    /// Code of a straight motion; empty if it is no code by itself.
+    const std::string& fast_code(Function motion) const {
+        return motion == Function::Rapid ? fast_rapid_ : fast_line_;
+    }
+    bool write_fast(const Block& block, std::string& out);
+
+    // Functions
+    void write_functions_alone(const Block& block, std::string& out);
+    void collect_functions(const Block& block, Items& items);
+    void choose_forms(const Block& block);
+    FormId choose_form(const Block& block, const Invocation& invocation);
+    Function effective_motion(const Block& block) const;
+    Misfit misfit(const Form& form, const Block& block, const Invocation& invocation) const;
+    void note_refusal(const Form& form, const Block& block, const Invocation& invocation,
+                      const Misfit& misfit) const;
+    static std::string misfit_words(std::span<const Parameter> parameters, const Misfit& misfit);
+    bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
+    bool is_suppressed(Function function) const;
+    bool has_code(Function function) const;
+    bool knows_diameter() const;
+    double on_part(std::size_t axis) const;
+    void stand_without_codes();
+    void forget_modal();
+    bool is_left_to_machine(const Invocation& invocation) const;
+    void leave_to_machine(const Block& block, const Invocation& invocation);
+    void drop_function(const Block& block, Function function);
+    void add_code(const Block& block, Function function, Items& items);
+    bool needs_distance(const Block& block, Function distance) const;
+    void restore_modal(const Block& block, Items& items);
+    bool is_said_again(Group group) const;
+    bool is_depended_on(const Block& block, Group group) const;
+    void count_idle(const Block& block, std::uint32_t before);
+    void say_doubtful(const Block& block, std::string& out);
+    void note_written(const Form& form);
+    bool is_shift_standing(const Form& form, const Block& block,
+                           const Invocation& invocation) const;
+    const Form* kept_shift(AddressId address, double code) const;
+    void note_start_shift(const Form& form, AddressId address, double value);
+    void write_before(const Form& form, const Block& block, std::string& out);
+    void write_lead(const Form& form, const Block& block, const Invocation& invocation,
+                    std::string& out);
+    void leave_cycle(const Block& block, std::string& out);
+    void follow_back(const Block& block, const Invocation& cycle);
+    double cycle_speed(const Block& block, const Invocation& invocation) const;
+    Function spindle_behind(const Form& form, const Block& block,
+                            const Invocation& invocation) const;
+    bool says_speed(const Block& block, const Invocation& invocation) const;
+    static bool ends_by_itself(const Form& form, const Block& block, Function around);
+    Function acting_around(const Form& form, const Block& block) const;
+    Activity is_shifted() const;
+    Activity activity_of(Function function) const;
+    void defer_length(const Block& block, const Invocation& invocation);
+    void write_waiting_edge(const Block& block, std::string& out);
+    void say_waiting_edge(const Block& block, std::string& out);
+    void check_length_due(const Block& block);
+    void add_edge(const Block& block, Items& items);
+    void append_edge(const Block& block, int edge, std::string& out);
+    void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
+                             std::string& out);
+    void follow_functions(const Block& block);
+    void follow_effect(const Block& block, const Effect& effect);
+    void follow_shift(const FrameChange& change);
+    void follow_shift_add(const FrameChange& change);
+    void follow_scale(const FrameChange& change);
+    void name_position(const FrameChange& change);
+    void end_tilt(const Block& block, const Effect& effect);
+    void call_tool(const Block& block, const Effect& effect);
+    void call_edge(const Block& block, const Effect& effect);
+    void forget_words(const Block& block, const Effect& effect);
+    // What waits is said by the program itself: a length for its axis, a radius for its side.
+    void drop_pending_length();
+    void drop_pending_radius();
+    void turn_axes(std::size_t axis);
+    void forget_unsaid(const Block& block);
+    void change_length(const Block& block);
+    void change_diameter(Function before);
+    void forget_motion();
+    void leave_changer();
+    void check_message(const Block& block);
+    bool shares_address(const Form& form, const Block& block) const;
+
+    // Positions
+    struct Targets {
+        SlotMask written = 0;                 // that get a word
+        std::array<double, kSlots> number{};  // what stands there, in the text's units
+        SlotMask wrapped_absolute = 0;        // AC()
+        SlotMask wrapped_incremental = 0;     // IC()
+        SlotMask by_letter = 0;               // that are written with the letter of distances
+        double feed_factor = 1;               // of F
+        bool needs_incremental = false;       // all words are distances from places unknown
+    };
+    bool needs_incremental(const Block& block) const;
+    void place_targets(const Block& block, Targets& targets);
+    void place_target(const Block& block, std::size_t axis, Targets& targets);
+    void place_machine_target(const Block& block, std::size_t axis, bool by_itself,
+                              Targets& targets);
+    void place_arc(const Block& block, const WrittenPosition& start, Targets& targets);
+    bool is_on_circle(const ArcPoints& arc, const PlanePoint& center) const;
+    std::string length_in_words(double length) const;
+    void check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center);
+    void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
+    bool is_coordinate_center(Slot slot) const;
+    void place_center_as_coordinates(const Block& block, const WrittenPosition& start,
+                                     const PlanePoint& center, Targets& targets);
+    void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
+    ArcPoints arc_points(const WrittenPosition& start) const;
+    bool is_exact_arc(const Block& block, double radius) const;
+    void unknown_start(const Block& block);
+    void place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
+    struct MeantArc {
+        double sweep;   // rad, above 0
+        double radius;  // mm
+    };
+    MeantArc meant_arc(const Block& block, const WrittenPosition& start) const;
+    void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_helix_feed(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_axes_feed(const Block& block, const WrittenPosition& start, Targets& targets);
+    std::optional<double> meant_way(const Block& block, const WrittenPosition& start,
+                                    std::size_t axis) const;
+    bool leads_tip();
+    PlanePoint meant_center(const Block& block, const PlanePoint& start,
+                            const PlanePoint& end) const;
+    void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
+    Done require_known_turns(const Block& block);
+    Written write_other_arc(const Block& block, std::string& out);
+    Written split_turns(const Block& block, std::string& out);
+    bool is_distance(const Block& block, std::size_t axis) const;
+    bool is_chord_known(const Block& block, const WrittenPosition& start) const;
+    /// An arc before its words are made: in its plane, on the part, in the text's units.
+    struct PlannedArc {
+        ArcPoints points;
+        PlanePoint center;  // as meant
+        double sweep = 0;   // as meant, rad, above 0
+        bool is_clockwise = false;
+        std::array<double, 2> part = {1, 1};  // what coordinates are multiplied with
+    };
+    std::optional<PlannedArc> planned_arc(const Block& block) const;
+    std::optional<PlannedArc> planned_arc(const Block& block, double x_part) const;
+    double end_increment() const;
+    CenterGrid center_grid(const Block& block) const;
+    double text_error(const Block& block, const PlannedArc& arc) const;
+    Written split_arc(const Block& block, std::string& out);
+    void write_parts(const Block& block, const PlannedArc& arc, std::span<const double> ends,
+                     std::string& out);
+    bool is_compensated() const {
+        const Function side = modal_.text_of(Group::RadiusComp);
+        return has_fact(side, Fact::CompSide);
+    }
+    Written straighten(const Block& block, std::string& out);
+    bool vanishes(const Block& block) const;
+    bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
+    /// Known, and from a word of the text.
+    bool is_named(std::size_t axis) const {
+        return is_known(axis) && (modal_.position.told >> axis & 1u) == 0;
+    }
+    double to_text(Slot slot, double value) const;
+    int decimals(Slot slot) const;
+    const Address& address_of(Slot slot) const;
+    bool has_address(Slot slot) const;
+    std::array<std::size_t, 3> plane_axes() const;
+
+    bool is_standing(Slot slot, double value, const Standing& standing) const;
+
+    // Lines
+    bool repeats_feed(const Block& block, const Targets& targets) const;
+    bool has_feed_word(const Block& block, const Invocation& cycle) const;
+    void collect_slots(const Block& block, const Targets& targets, Items& items);
+    void add_deferred(const Block& block, Items& items);
+    void remove_said(const Deferred& deferred, Items& items) const;
+    double own_offset(const Pending& pending, const Block& block) const;
+    enum class Place : std::uint8_t { Here, Before, Behind };  // the line of the block
+    using Places = std::array<Place, Items::kMost>;
+    bool find_places(const Block& block, const Items& items, Places& places);
+    void write_apart(const Block& block, const Items& items, const Places& places, bool is_behind,
+                     std::string& out);
+    void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
+    void append_item(const Block& block, const Item& item, const Targets& targets,
+                     std::string& out);
+    void append_verbatim(const Block& block, const Form& form, const Invocation& invocation,
+                         std::string& out);
+    void append_words(const Block& block, const std::vector<FormWord>& words,
+                      const Invocation* invocation, bool remembers, std::string& out);
+    /// What a line has: words by address, groups of which it has a function.
+    struct LineRoom {
+        std::array<std::uint8_t, 256> words{};
+        std::uint64_t groups = 0;
+    };
+    bool take_room(const Block& block, const Item& item, LineRoom& room);
+    void check_takers(const Block& block, const Items& items);
+    bool takes_word(const Item& item, const Form& other, const FormWord& word) const;
+    const std::vector<FormWord>* words_of(const Item& item) const;
+    void note_line(const std::vector<FormWord>& words);
+    void append_word(const Block& block, const FormWord& word, const Invocation* invocation,
+                     std::string& out);
+    void append_call(const Block& block, const FormWord& word, const Invocation* invocation,
+                     std::string& out);
+    void append_quantity(const Block& block, const FormWord& word, const NumberFormat& format,
+                         std::string_view name, std::string& out);
+    void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
+                          const NumberFormat& format, std::string_view name, std::string& out);
+    void append_whole(const Block& block, const FormWord& word, double value,
+                      const Invocation* invocation, std::string_view name, std::string& out);
+    void append_factor(const Block& block, double number, bool in_thousandths,
+                       const NumberFormat& address, std::string_view name, std::string& out);
+    void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
+    void append_text(const Block& block, std::string& out);
+    void open_line(int skip, bool is_numbered, std::string& out);
+    void end_block(std::string& out) const;
+    void close_line(std::string& out);
+    void append_comment(const std::string& comment, std::string& out);
+    static void blank(std::string& out) {
+        const char last = out.empty() ? '\n' : out.back();
+        if (last != ' ' && last != '\n' && last != '/') out += ' ';
+    }
+
+    // What rounding costs
+    void check_rounding(const Block& block, double number, int places, Dimension dimension,
+                        std::string_view name);
+    void note_turn(const Block& block, const Invocation& invocation, double angle_deg, int places);
+    void check_turn(const Block& block);
+
+    // Messages
+    SourceRange place(const Block& block) const;
+    SourceRange word_place(const Block& block, std::string_view address) const;
+    void cannot_express(const Block& block, const std::string& what);
+    bool fails_first_time(const Block& block, std::string_view what);
+    bool first_time(const Block& block, std::string_view what);
+    void take_position(const Block& block);
+    void position_unknown(const Block& block, std::string_view name);
+    /// value: in the unit of the text, before what a form makes of it.
+    void number_fault(const Block& block, NumberFault fault, double value, Dimension dimension,
+                      std::string_view name);
+
+    const Dialect& dialect_;
+    const DialectTables& tables_;
+    const Rules& rules_ = tables_.rules;
+    WriteOptions options_;
+    DiagnosticSink& sink_;
+    std::span<const SourceRange> statements_;
+    const Sources* sources_ = nullptr;  // of the statements; may be missing
+    WriterModal modal_;
+    std::vector<Pending> pending_;
+    std::unordered_set<std::uint64_t>
+        reported_;               // statement and message, so that loops report once
+    bool feed_is_lead_ = false;  // F of the block that is being written is the pitch of a thread
+    std::uint32_t lines_ = 0;
+    std::size_t line_start_ = 0;
+    std::int64_t number_ = 0;                       // of the next line
+    std::int32_t given_number_ = -1;                // that the block brings, for its first line
+    std::vector<FastAxis> fast_axes_;               // in the order of their words
+    SlotMask fast_slots_ = 0;                       // that the fast way can write
+    std::string fast_rapid_, fast_line_;            // codes, for the fast way
+    std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
+    std::uint32_t done_ = 0;                        // functions that need no word any more
+    bool is_part_ = false;                          // the blocks are parts of an arc
+    std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
+    bool feed_every_block_ = false;                 // F is not modal in this feed mode
+    bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
+    double deferred_tool_ = 0;
+    static constexpr std::size_t kSkipLevels = 10;  // 0 to 9
+    struct Idle {
+        bool is_begun = false;
+        int moves = 0;   // in the plane, since the compensation began
+        int level = -1;  // of skipping, if the compensation began in an optional block
+        // In a row without a move: with all optional blocks, then without those of each level.
+        std::array<int, 1 + kSkipLevels> lines{};
+    };
+    Idle idle_;
+    bool failed_ = false;
+    bool has_ended_ = false;
+};
+
+}  // namespace kadr::write

@@ -1,0 +1,98 @@
+// The spindle and the feed around a cycle, and what is known behind it.
+#include <algorithm>
+
+#include "nc/cycle_back.h"
+#include "write/block_writer.h"
+
+namespace kadr::write {
+
+/// The first speed among a cycle's arguments; 0 if it has none.
+double BlockWriter::cycle_speed(const Block& block, const Invocation& invocation) const {
+    const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const bool is_given = (invocation.given >> i & 1u) != 0;
+        if (is_given && parameters[i].dimension == Dimension::Speed)
+            return block.argument(invocation, i);
+    }
+    return 0;
+}
+
+/// Whether a cycle's block tells the control a spindle speed, in a word S or as an argument.
+bool BlockWriter::says_speed(const Block& block, const Invocation& invocation) const {
+    const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const bool is_given = (invocation.given >> i & 1u) != 0;
+        if (!is_given || parameters[i].dimension != Dimension::Speed) continue;
+        const double speed = block.argument(invocation, i);
+        if (speed != 0 && speed != modal_.meant_speed) return true;
+    }
+    return false;
+}
+
+/// What the spindle has to be told behind a cycle that leaves it otherwise than it was asked to.
+Function BlockWriter::spindle_behind(const Form& form, const Block& block,
+                                     const Invocation& invocation) const {
+    if (form.spindle_parameter < 0) return Function::None;
+    const auto parameter = static_cast<std::size_t>(form.spindle_parameter);
+    if ((invocation.given >> parameter & 1u) == 0) return Function::None;
+    const auto code = static_cast<int>(block.argument(invocation, parameter));
+    const Function wanted = code == 3   ? Function::SpindleCw
+                            : code == 4 ? Function::SpindleCcw
+                                        : Function::SpindleStop;
+    return wanted == form.leaves ? Function::None : wanted;
+}
+
+/// Where the cycle has left the tool.
+void BlockWriter::follow_back(const Block& block, const Invocation& cycle) {
+    const nc::CycleBack back = cycle_back(tables_.cycles[block.cycle].parameters, cycle.given);
+    if (!back.is_elsewhere) return;
+    WrittenPosition& position = modal_.position;
+    if (back.moves_in_plane)
+        position.known &= static_cast<SlotMask>(~(bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z)));
+    const std::size_t across = plane_axes()[2];
+    const SlotMask mask = bit(static_cast<Slot>(across));
+    position.known &= static_cast<SlotMask>(~mask);
+    if (!back.level) return;
+    const auto slot = static_cast<Slot>(across);
+    const double scale = to_text(slot, 1);
+    position.meant[across] = block.argument(cycle, *back.level);
+    position.text[across] = round_to(position.meant[across] * scale, decimals(slot)) / scale;
+    position.known |= mask;
+    position.told |= mask;
+    position.reframed &= ~mask;
+}
+
+/// A cycle of the control may bring a feed and a speed of its own; those of the program act behind
+/// it.
+void BlockWriter::leave_cycle(const Block& block, std::string& out) {
+    const Invocation* cycle = block.find(Function::Cycle);
+    const FormId id = chosen_[static_cast<std::size_t>(cycle - block.functions.data())];
+    if (id == kNoForm) return;
+    follow_back(block, *cycle);
+    const Form& form = tables_.forms[id];
+    const bool says_feed = has_feed_word(block, *cycle);
+    Block back;
+    back.source = block.source;
+    back.skip = block.skip;
+    const Function mode = modal_.meant_of(Group::FeedMode);
+    const bool changes_mode =
+        mode != Function::None && !form.needs.empty() && modal_.text_of(Group::FeedMode) != mode;
+    if (changes_mode) back.add(mode);
+    if (says_feed || changes_mode) {
+        modal_.feed.is_known = false;
+        if (modal_.has_meant_feed) back.set(Slot::Feed, modal_.meant_feed);
+    }
+    const Function spindle = spindle_behind(form, block, *cycle);
+    if (spindle != Function::None) back.add(spindle);
+    if (says_speed(block, *cycle) || spindle != Function::None) {
+        modal_.speed.is_known = false;
+        if (modal_.has_meant_speed) back.set(Slot::Speed, modal_.meant_speed);
+        else if (const double speed = cycle_speed(block, *cycle);
+                 spindle != Function::None && speed > 0)
+            back.set(Slot::Speed, speed);
+    }
+    if (back.function_count == 0 && back.given == 0) return;
+    write_block(back, out);
+}
+
+}  // namespace kadr::write

@@ -1,0 +1,60 @@
+// Where the length of a tool does not act, and where it acts again.
+#include <utility>
+
+#include "write/block_writer.h"
+
+namespace kadr::write {
+
+/// The edge that a block in machine coordinates put aside acts again where the tool moves next.
+void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
+    const bool is_machine = block.find(Fact::AtMachinePlace) != nullptr;
+    const bool moves = (block.given & kTargetSlots) != 0 || block.find(Function::Cycle) != nullptr;
+    if (is_machine || !moves || block.find(Function::ToolEdge) != nullptr) return;
+    say_waiting_edge(block, out);
+}
+
+/// In a line that nobody leaves out, whatever the block beside it is.
+void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
+    Block edge;
+    edge.source = block.source;
+    Invocation* invocation = edge.add(Function::ToolEdge, 1);
+    edge.set_argument(*invocation, parameter_of<Function::ToolEdge>("edge"),
+                      std::exchange(modal_.waiting_edge, 0));
+    const WrittenPosition position = modal_.position;
+    write_block(edge, out);
+    modal_.position = position;
+    modal_.is_length_due = true;
+}
+
+/// The length comes with the first motion along it: a way there would be travelled less the length.
+void BlockWriter::check_length_due(const Block& block) {
+    const std::size_t along = plane_axes()[2];
+    const bool is_other = block.find(Fact::AtMachinePlace) != nullptr;
+    if (is_other || !block.has(static_cast<Slot>(along))) return;
+    modal_.is_length_due = false;
+    if (!is_distance(block, along)) return;
+    cannot_express(block, "a distance along " + std::string(kAxisNames[along]) +
+                              " behind a move without the tool's length");
+}
+
+/// Where the tool length would act in machine coordinates, edge 0 stands beside them.
+void BlockWriter::add_edge(const Block& block, Items& items) {
+    if (block.function_count == 0 || block.find(Function::ToolEdge) != nullptr) return;
+    for (std::size_t i = 0; i < items.count; ++i) {
+        const Item& item = items.list[i];
+        if (item.form == kNoForm || !tables_.forms[item.form].keeps_length) continue;
+        const Standing old = std::exchange(modal_.edge, Standing{true, 0});
+        if (old.is_known && old.value == 0) return;
+        const auto& edges = tables_.forms_of[static_cast<std::size_t>(Function::ToolEdge)];
+        if (edges.empty()) return;
+        if (old.is_known) modal_.waiting_edge = old.value;
+        if (!old.is_known && modal_.is_edge_lost && modal_.waiting_edge == 0)
+            cannot_express(block,
+                           "a move without tool length, while nobody knows which cutting edge "
+                           "acts (say `D1` before it),");
+        items.add(Item::of_edge(tables_.forms[edges[0]].order, 0));
+        return;
+    }
+}
+
+}  // namespace kadr::write

@@ -1,0 +1,136 @@
+// The fast way: a straight move in absolute coordinates, perhaps with a feed, modal words repeated
+// or not. Nearly all blocks of a program are such, and formatting their numbers is what expansion
+// costs. Whatever is unusual about a block, or about one of its numbers, sends it the long way
+// before anything is written.
+#include <array>
+#include <cmath>
+
+#include "base/powers.h"
+#include "write/block_writer.h"
+
+namespace kadr::write {
+
+void BlockWriter::prepare_fast() {
+    for (const Function motion : {Function::Rapid, Function::Line}) {
+        const auto& forms = tables_.forms_of[static_cast<std::size_t>(motion)];
+        if (forms.empty()) continue;
+        const Form& form = tables_.forms[forms[0]];
+        const bool is_code = form.function == motion && form.sets.empty() &&
+                             form.words.size() == 1 &&
+                             form.words[0].kind == FormWord::Kind::Fixed && form.extra.empty();
+        if (is_code) (motion == Function::Rapid ? fast_rapid_ : fast_line_) = form.words[0].text;
+    }
+    for (const Slot slot : tables_.slot_order) {
+        if ((bit(slot) & kTargetSlots) == 0) continue;
+        const Address& address = address_of(slot);
+        const NumberFormat& format = address.format;
+        // A missing point must not change the meaning, and minus must be allowed.
+        const bool has_increments = format.increment > 0 || format.inch_increment > 0;
+        const bool is_usual = address.name.size() == 1 && format.point != PointRule::Never &&
+                              format.allows_minus && !format.writes_plus &&
+                              (format.point == PointRule::Always || !has_increments);
+        if (!is_usual) continue;
+        FastAxis axis;
+        axis.slot = slot;
+        axis.letter = address.name[0];
+        axis.is_length = address.dimension == Dimension::Length;
+        axis.has_point = format.point == PointRule::Always;
+        axis.decimals = {format.decimals, axis.is_length ? format.inch_decimals : format.decimals};
+        axis.most = most_increments(format);
+        fast_axes_.push_back(axis);
+        fast_slots_ |= bit(slot);
+    }
+}
+
+bool BlockWriter::is_fast(const Block& block) const {
+    if (block.kind != Block::Kind::Nc || block.function_count != 0 || block.skip >= 0 ||
+        block.number >= 0)
+        return false;
+    const SlotMask targets = block.given & kTargetSlots;
+    if (targets == 0 || (block.given & ~(fast_slots_ | bit(Slot::Feed))) != 0) return false;
+    if (((block.incremental | block.absolute) & block.given) != 0) return false;
+    if (!block.comment.empty() || !pending_.empty() || modal_.waiting_edge != 0 ||
+        modal_.is_length_due || modal_.units.inverse_time || modal_.feed_is_other ||
+        modal_.doubtful != 0 || modal_.turn.miss > 0 || modal_.tilt.miss > 0)
+        return false;
+    const Function motion = effective_motion(block);
+    if (motion != Function::Rapid && motion != Function::Line) return false;
+    const bool moves_others = (targets & ~SlotMask{kLinearXYZ}) != 0;
+    if (moves_others && block.feed_of_all_axes != rules_.feed_of_all_axes &&
+        motion == Function::Line)
+        return false;
+    if (options_.verbose_modal && fast_code(motion).empty()) return false;
+    const auto distance = static_cast<std::size_t>(Group::Distance);
+    const auto feed_mode = static_cast<std::size_t>(Group::FeedMode);
+    if (block.has(Slot::Feed) && modal_.text[feed_mode] != modal_.meant[feed_mode]) return false;
+    return modal_.text[static_cast<std::size_t>(Group::Motion)] == motion &&
+           (modal_.text[distance] == Function::Absolute || tables_.has_incremental_letters) &&
+           modal_.meant[distance] == Function::Absolute;
+}
+
+bool BlockWriter::write_fast(const Block& block, std::string& out) {
+    if (!is_fast(block)) return false;
+    struct Word {
+        const FastAxis* axis;
+        std::uint64_t scaled;
+        double text;
+        bool is_minus;
+        int decimals;
+    };
+    std::array<Word, kAxes> words;
+    std::size_t count = 0;
+    SlotMask changed = 0;
+    const std::size_t system = modal_.units.inch ? 1 : 0;
+    for (const FastAxis& axis : fast_axes_) {
+        if (!block.has(axis.slot)) continue;
+        const int decimals = axis.decimals[system];
+        const double scale = axis.is_length ? text_scale(Dimension::Length, modal_.units, true) : 1;
+        const double number = block.at(axis.slot) * scale;
+        std::uint64_t scaled = 0;
+        if (!scaled_magnitude(number, decimals, scaled) || scaled > axis.most) return false;
+        const bool is_minus = number < 0 && scaled != 0;
+        const double rounded =
+            static_cast<double>(scaled) / kPowersOfTen[static_cast<std::size_t>(decimals)];
+        const double text = (is_minus ? -rounded : rounded) / scale;
+        const auto place = static_cast<std::size_t>(axis.slot);
+        const bool is_same = !options_.verbose_modal && is_named(place) &&
+                             std::fabs(text - modal_.position.text[place]) < kSame;
+        if (!is_same) changed |= bit(axis.slot);
+        words[count++] = {&axis, scaled, text, is_minus, decimals};
+    }
+    modal_.meant[static_cast<std::size_t>(Group::Motion)] = effective_motion(block);
+    open_line(-1, true, out);
+    if (options_.verbose_modal && block.motion != Function::None) {
+        blank(out);
+        out += fast_code(block.motion);
+    }
+    std::array<char, 32 * kAxes> line;
+    char* end = line.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Word& word = words[i];
+        const auto place = static_cast<std::size_t>(word.axis->slot);
+        modal_.position.meant[place] = block.at(word.axis->slot);
+        modal_.position.text[place] = word.text;
+        modal_.position.known |= bit(word.axis->slot);
+        modal_.position.name(bit(word.axis->slot));
+        if (changed != 0 && (changed & bit(word.axis->slot)) == 0) continue;
+        if (end != line.data() || out.size() != line_start_) *end++ = ' ';
+        *end++ = word.axis->letter;
+        end =
+            nc::write_scaled(end, word.scaled, word.is_minus, word.decimals, word.axis->has_point);
+    }
+    out.append(line.data(), end);
+    if (block.has(Slot::Feed) &&
+        (options_.verbose_modal || !is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed))) {
+        append_slot(block, Slot::Feed, {}, out);
+    }
+    if (block.has(Slot::Feed)) {
+        modal_.meant_feed = block.at(Slot::Feed);
+        modal_.has_meant_feed = true;
+    }
+    end_block(out);
+    close_line(out);
+    return true;
+}
+
+}  // namespace kadr::write

@@ -1,0 +1,95 @@
+// What the rounding of a word costs: feeds and speeds that become others, and angles of frames,
+// whose rounding grows with the distance of the tool from their centre.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/dialect.h"
+#include "base/numbers.h"
+#include "base/readable.h"
+#include "base/units.h"
+#include "write/block_writer.h"
+
+namespace kadr::write {
+
+/// A feed or a speed that the decimals of its word make another one.
+void BlockWriter::check_rounding(const Block& block, double number, int places, Dimension dimension,
+                                 std::string_view name) {
+    if (dimension != Dimension::Feed && dimension != Dimension::Speed) return;
+    const double written = round_to(number, places);
+    if (written == number || written == 0 || !std::isfinite(number)) return;  // 0 has its message
+    constexpr double kWarning = 0.01;
+    constexpr double kError = 0.1;
+    const double share = std::fabs(written / number - 1);
+    if (share <= kWarning) return;
+    const bool is_error = share > kError;
+    const std::string key = std::string(name) + " rounded";
+    if (is_error ? !fails_first_time(block, key) : !first_time(block, key)) return;
+    sink_.report(is_error ? diag::RoundedFar : diag::RoundedAside, word_place(block, name))
+        .arg(name)
+        .arg(quantity_words(written, dimension, modal_.units))
+        .arg(quantity_words(number, dimension, modal_.units))
+        .arg(readable(round_to(100 * share, 1)));
+}
+
+/// Remembers by how much the angle of a frame is not the one that is meant.
+void BlockWriter::note_turn(const Block& block, const Invocation& invocation, double angle_deg,
+                            int places) {
+    const double miss = std::fabs(round_to(angle_deg, places) - angle_deg);
+    switch (invocation.function) {
+        case Function::Rotate:
+            modal_.turn.miss += rad_from_deg(miss);
+            modal_.turn.source = block.source;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                modal_.turn.center[axis] =
+                    block.argument(invocation, parameter_of<Function::Rotate>("x") + axis);
+            }
+            break;
+        case Function::Tilt:
+        case Function::TiltEuler:
+            modal_.tilt.miss += rad_from_deg(miss);
+            modal_.tilt.source = block.source;
+            modal_.tilt.center = {};
+            break;
+        default: break;
+    }
+}
+
+/// Where the rounded angle of a frame takes the tool beside its place by more than the text's own
+/// rounding does. A rotation turns its plane, a tilted plane all of space.
+void BlockWriter::check_turn(const Block& block) {
+    const auto lever = [&](const TurnMiss& turn, std::size_t axes) {
+        const std::array<std::size_t, 3> order = plane_axes();
+        double square = 0;
+        for (std::size_t i = 0; i < axes; ++i) {
+            if (!is_known(order[i])) continue;
+            const double arm = (modal_.position.meant[order[i]] - turn.center[order[i]]) *
+                               on_part(order[i]) * modal_.factors[order[i]];
+            square += arm * arm;
+        }
+        return std::sqrt(square);
+    };
+    // A text in nanometres asks for no more than machines resolve.
+    constexpr double kSeen = 1e-4;  // mm
+    const double half =
+        std::max(kSeen, end_increment() / to_text(static_cast<Slot>(plane_axes()[0]), 1) / 2);
+    const auto report = [&](const TurnMiss& turn, double beside, const DiagnosticRow& row) {
+        const bool has_place = turn.source.index < statements_.size();
+        DiagnosticBuilder message = sink_.report(row, place(block));
+        message.arg(tables_.name).arg(readable(round_to(1000 * beside, 1)));
+        if (has_place) message.note(statements_[turn.source.index], "the angle is said here");
+    };
+    // Once for each frame.
+    const auto is_far = [&](const TurnMiss& turn, double beside) {
+        return turn.miss > 0 && beside > half &&
+               reported_.insert(~std::uint64_t{turn.source.index}).second;
+    };
+    if (const double beside = modal_.turn.miss * lever(modal_.turn, 2);
+        is_far(modal_.turn, beside)) {
+        failed_ = true;
+        report(modal_.turn, beside, diag::RotationTooFine);
+    }
+    if (const double beside = modal_.tilt.miss * lever(modal_.tilt, 3); is_far(modal_.tilt, beside))
+        report(modal_.tilt, beside, diag::TiltTooFine);
+}
+
+}  // namespace kadr::write

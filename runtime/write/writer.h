@@ -1,0 +1,53 @@
+// writer.h — Block → ISO-7bit text.
+//
+// Knows the control's spelling, its number formats and what is modal. Every word that it writes
+// reads back, under the same dialect's rules, as the intended value within half an increment; a
+// value that cannot be written so is an error, never a wrong word.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "write/names.h"
+
+namespace kadr::write {
+
+struct WriteOptions {
+    bool verbose_modal = false;                // repeat modal words
+    bool number_blocks = true;                 // as the dialect says; false: never
+    bool native_cycles = true;                 // false: cycles have been expanded by the caller
+    std::vector<Refusal>* refusals = nullptr;  // gets the forms that were passed over; null: nobody
+};
+
+struct WriterModal;
+
+class Writer {
+  public:
+    /// dialect and sink outlive the writer. Reports with the range that `range_of` gives.
+    Writer(const Dialect& dialect, WriteOptions options, DiagnosticSink& sink);
+    ~Writer();
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+
+    /// Statement ranges for messages, index SourceId, and the texts that they lie in, so that a
+    /// message can point at one word. Outlive the writer; may be empty.
+    void set_statements(std::span<const SourceRange> statements, const Sources* sources = nullptr);
+
+    void begin(const ProgramInfo& program, std::string& out);
+    /// Appends the line or lines of the block and returns the number of the first one (from 1).
+    std::uint32_t write(const Block& block, std::string& out);
+    void end(std::string& out);
+
+    std::uint32_t lines() const;  // written so far
+    bool failed() const;          // an error was reported
+    /// What the text says behind its last line, as far as the writer knows (text_state.h).
+    const WriterModal& believed() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kadr::write
