@@ -43,7 +43,7 @@ Done BlockWriter::require_known_turns(const Block& block) {
             is_in_plane && (block.absolute & block.given & bit(center_slot(axis))) != 0;
         const bool is_coordinate = block.has(slot) && !is_distance(block, axis);
         if ((start.known >> axis & 1u) != 0 || !(is_coordinate || is_center_absolute)) continue;
-        position_unknown(block, kAxisNames[axis]);
+        messages_.position_unknown(block, kAxisNames[axis]);
         return kFailed;
     }
     return kDone;
@@ -183,9 +183,10 @@ BlockWriter::Written BlockWriter::split_arc(const Block& block, std::string& out
         grid.end_increment + std::pow(10.0, -grid.decimals) + radius_miss(arc->points, arc->center);
     if (text_error(block, *arc) <= most) return Written::NotYet;
     if (has_direction(block)) {
-        cannot_express(block,
-                       "an arc whose rounded words say another one, beside a direction of "
-                       "the tool");
+        messages_.cannot_express(
+            block,
+            "an arc whose rounded words say another one, beside a direction of "
+            "the tool");
         return Written::NotYet;
     }
     // No part is close to half a turn or to a full one, and by its radius none above a third.
@@ -285,7 +286,7 @@ void BlockWriter::write_parts(const Block& block, const PlannedArc& arc,
 /// An arc that the control cannot tell from its chord is written as that.
 BlockWriter::Written BlockWriter::straighten(const Block& block, std::string& out) {
     if (!vanishes(block)) return Written::NotYet;
-    sink_.report(diag::ArcVanishes, place(block)).arg(dialect_.title());
+    messages_.report(diag::ArcVanishes, block).arg(dialect_.title());
     const Function motion = effective_motion(block);
     Block line = block;
     line.motion = Function::Line;
@@ -304,7 +305,8 @@ BlockWriter::Written BlockWriter::split_turns(const Block& block, std::string& o
     last.given &= ~bit(Slot::Turns);
     // No further turns are what every arc has; what cannot be turned has its message.
     const bool is_sane = asked > 0 && asked <= kMostTurns && is_arc(motion);
-    if (asked > 0 && motion == Function::None) cannot_express(block, "turns of an unknown motion");
+    if (asked > 0 && motion == Function::None)
+        messages_.cannot_express(block, "turns of an unknown motion");
     if (!is_sane || !require_known_turns(block)) {
         write_block(last, out);
         return Written::Already;

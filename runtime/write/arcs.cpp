@@ -48,7 +48,7 @@ void BlockWriter::place_arc_as_given(const Block& block, const WrittenPosition& 
                                      Targets& targets) {
     if ((block.given & kCenterSlots) != 0) place_center_as_given(block, start, targets);
     if (!block.has(Slot::Radius)) return;
-    if (!has_address(Slot::Radius)) return cannot_express(block, "an arc by its radius");
+    if (!has_address(Slot::Radius)) return messages_.cannot_express(block, "an arc by its radius");
     targets.written |= bit(Slot::Radius);
     targets.number[static_cast<std::size_t>(Slot::Radius)] =
         to_text(Slot::Radius, block.at(Slot::Radius));
@@ -59,19 +59,20 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Slot slot = center_slot(axis);
         if (!block.has(slot)) continue;
-        if (!has_address(slot)) return cannot_express(block, "an arc centre");
+        if (!has_address(slot)) return messages_.cannot_express(block, "an arc centre");
         double number = to_text(slot, block.at(slot));
         const bool is_start_known = (start.known >> axis & 1u) != 0;
         const bool is_coordinate = (block.absolute & bit(slot)) != 0;
         if (is_coordinate_center(slot)) {
             if (!is_coordinate && is_start_known)
                 number += to_text(slot, start.text[axis] * on_part(axis));
-            if (!is_coordinate && !is_start_known) position_unknown(block, address_of(slot).name);
+            if (!is_coordinate && !is_start_known)
+                messages_.position_unknown(block, address_of(slot).name);
         } else if (is_coordinate) {
             // A coordinate, where the control takes distances only, needs the start.
             if (tables_.notation.has_modes) targets.wrapped_absolute |= bit(slot);
             else if (is_start_known) number -= to_text(slot, start.text[axis]);
-            else position_unknown(block, address_of(slot).name);
+            else messages_.position_unknown(block, address_of(slot).name);
         }
         targets.written |= bit(slot);
         targets.number[static_cast<std::size_t>(slot)] = number;
@@ -97,10 +98,10 @@ std::string BlockWriter::length_in_words(double length) const {
 /// MD21010; FANUC PS0020, No.3410): it is refused here already.
 void BlockWriter::check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center) {
     if (is_on_circle(arc, center)) return;
-    if (!fails_first_time(block, "an arc off its circle")) return;
+    if (!messages_.fails_first_time(block, "an arc off its circle")) return;
     const double begin = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
     const double end = std::hypot(arc.end[0] - center[0], arc.end[1] - center[1]);
-    sink_.report(diag::ArcOffCircle, place(block))
+    messages_.report(diag::ArcOffCircle, block)
         .arg(length_in_words(begin))
         .arg(length_in_words(end));
 }
@@ -111,8 +112,8 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     const bool has_plane = modal_.meant_of(Group::Plane) != Function::None;
     if (const Slot across = center_slot(axes[2]);
         has_plane && (block.given & kCenterSlots & ~in_plane) != 0 && has_address(across)) {
-        if (!fails_first_time(block, "a centre outside of the plane")) return;
-        sink_.report(diag::ArcWordOutsidePlane, word_place(block, address_of(across).name))
+        if (!messages_.fails_first_time(block, "a centre outside of the plane")) return;
+        messages_.report_word(diag::ArcWordOutsidePlane, block, address_of(across).name)
             .arg(address_of(across).name)
             .arg(std::string(kAxisNames[axes[0]]) + std::string(kAxisNames[axes[1]]));
         return;
@@ -120,7 +121,7 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     const bool lacks_word = std::ranges::any_of(std::span(axes).first<2>(), [&](auto axis) {
         return block.has(center_slot(axis)) && !has_address(center_slot(axis));
     });
-    if (lacks_word) return cannot_express(block, "an arc centre");
+    if (lacks_word) return messages_.cannot_express(block, "an arc centre");
     // A coordinate and a distance cannot be compared without the position.
     const bool is_comparable = std::ranges::all_of(std::span(axes).first<2>(), [&](auto axis) {
         return (start.known >> axis & 1u) != 0 ||
@@ -213,8 +214,9 @@ void BlockWriter::place_center_as_coordinates(const Block& block, const WrittenP
     const PlanePoint words = center_words(arc_points(start), center, center_grid(block));
     for (std::size_t i = 0; i < 2; ++i) {
         const Slot slot = center_slot(axes[i]);
-        if (!has_address(slot)) return cannot_express(block, "an arc centre");
-        if ((start.known >> axes[i] & 1u) == 0) return position_unknown(block, kAxisNames[axes[i]]);
+        if (!has_address(slot)) return messages_.cannot_express(block, "an arc centre");
+        if ((start.known >> axes[i] & 1u) == 0)
+            return messages_.position_unknown(block, kAxisNames[axes[i]]);
         const SlotMask end = bit(static_cast<Slot>(axes[i]));
         if ((targets.written & end) == 0) {
             const auto slot_of_end = static_cast<Slot>(axes[i]);
@@ -267,8 +269,8 @@ bool BlockWriter::is_exact_arc(const Block& block, double radius) const {
 /// The centre of an arc by its radius follows from its start, and near half a turn the rounding of
 /// a word moves it by many times as much: from a start that nobody knows it may be anywhere.
 void BlockWriter::unknown_start(const Block& block) {
-    if (!fails_first_time(block, "an arc by radius from an unknown position")) return;
-    sink_.report(diag::ArcStartUnknown, place(block))
+    if (!messages_.fails_first_time(block, "an arc by radius from an unknown position")) return;
+    messages_.report(diag::ArcStartUnknown, block)
         .fix("say the start before it, `G0 X… Y…`, or the centre by `I` and `J`");
 }
 
@@ -281,7 +283,7 @@ void BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     const bool has_word = has_address(Slot::Radius);
     const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
     if (!has_word && !has_center) {
-        cannot_express(block, "an arc by its radius");
+        messages_.cannot_express(block, "an arc by its radius");
         return;
     }
     const int places = decimals(has_word ? Slot::Radius : center_slot(axes[0]));
@@ -295,9 +297,10 @@ void BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
         if (arc.exact && other.exact && is_chord_known(block, start)) {
             // Almost half a turn by the one reading: only its centre says it, and that of the other
             // is elsewhere.
-            cannot_express(block,
-                           "an arc of almost half a turn by its radius, while nothing says "
-                           "whether X is a diameter (`DIAMON`, `DIAMOF`),");
+            messages_.cannot_express(
+                block,
+                "an arc of almost half a turn by its radius, while nothing says "
+                "whether X is a diameter (`DIAMON`, `DIAMOF`),");
             return;
         }
         if (other.fits_fairly || (!arc.exact && other.exact)) arc = other;
@@ -306,8 +309,8 @@ void BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     // Without a position of start and end nothing can be converted; the control judges.
     const bool is_comparable = is_chord_known(block, start);
     if (is_comparable && !exact && !reached) {
-        if (!fails_first_time(block, "an arc by its radius")) return;
-        sink_.report(diag::ArcRadiusImpossible, place(block))
+        if (!messages_.fails_first_time(block, "an arc by its radius")) return;
+        messages_.report(diag::ArcRadiusImpossible, block)
             .arg(length_in_words(radius))
             .arg(length_in_words(
                 std::hypot(points.end[0] - points.start[0], points.end[1] - points.start[1])));
@@ -323,7 +326,7 @@ void BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
         return;
     }
     if (!exact || !has_center || !is_comparable) {
-        cannot_express(block, "an arc by radius from an unknown position");
+        messages_.cannot_express(block, "an arc by radius from an unknown position");
         return;
     }
     if (is_coordinate_center(center_slot(axes[0]))) {
@@ -374,7 +377,7 @@ BlockWriter::MeantArc BlockWriter::meant_arc(const Block& block,
 void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& start,
                                  Targets& targets) {
     if (!modal_.units.inverse_time || !inverse_arc_by_radius_) return;
-    if (!is_chord_known(block, start)) return position_unknown(block, "F");
+    if (!is_chord_known(block, start)) return messages_.position_unknown(block, "F");
     targets.feed_factor = meant_arc(block, start).sweep;
 }
 
@@ -390,11 +393,12 @@ void BlockWriter::place_helix_feed(const Block& block, const WrittenPosition& st
     const auto third = static_cast<Slot>(axes[2]);
     if (!block.has(third)) return;
     const bool is_way = is_distance(block, axes[2]);
-    if (!is_way && (start.known >> axes[2] & 1u) == 0) return position_unknown(block, "F");
+    if (!is_way && (start.known >> axes[2] & 1u) == 0)
+        return messages_.position_unknown(block, "F");
     const double height = (block.at(third) - (is_way ? 0 : start.meant[axes[2]])) *
                           on_part(axes[2]) * modal_.factors[axes[2]];
     if (std::fabs(height) < kSame) return;
-    if (!is_chord_known(block, start)) return position_unknown(block, "F");
+    if (!is_chord_known(block, start)) return messages_.position_unknown(block, "F");
     const auto [sweep, radius] = meant_arc(block, start);
     const double turns = block.has(Slot::Turns) ? std::nearbyint(block.at(Slot::Turns)) : 0;
     const double arc =

@@ -54,7 +54,11 @@ constexpr bool is_quiet_group(Group group) {
 }  // namespace
 
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
-    : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
+    : dialect_(dialect),
+      tables_(dialect.tables()),
+      options_(options),
+      messages_(tables_, modal_.units, sink),
+      lines_(tables_, options.number_blocks, messages_) {
     most_message_ = static_cast<std::size_t>(std::max(0, rules_.most_message));
     begin({});
     prepare_fast();
@@ -78,11 +82,7 @@ void BlockWriter::begin(const ProgramInfo& program) {
         std::ranges::any_of(shifts, [&](FormId id) { return tables_.forms[id].remembers; });
     for (Standing& s : modal_.shift) s = {!is_kept, 0};
     modal_.origin = modal_.shift;
-    const BlockNumbers& numbers = tables_.block_numbers;
-    const std::int64_t above =
-        numbers.step > 0 ? (program.greatest_number / numbers.step + 1) * numbers.step : 0;
-    number_ = program.greatest_number > 0 && above <= numbers.most ? std::max(numbers.start, above)
-                                                                   : numbers.start;
+    lines_.begin(program.greatest_number);
     has_ended_ = false;
 }
 
@@ -105,23 +105,25 @@ void BlockWriter::forget_modal() {
 }
 
 std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
-    const std::uint32_t before = lines_;
+    const std::uint32_t before = lines_.count();
     switch (block.kind) {
         case Block::Kind::Nc:
             if (!write_fast(block, out)) write_long(block, out);
             if (rules_.comp_empty_blocks >= 0 && (idle_.is_begun || is_compensated()))
                 count_idle(block, before);
             break;
-        case Block::Kind::Comment: write_comment(block, out); break;
+        case Block::Kind::Comment: lines_.write_comment(block.comment, out); break;
         case Block::Kind::Raw:
             write_raw(block, out);
             idle_ = {};
             break;
-        case Block::Kind::Label: cannot_express(block, "the label " + quoted(block.text)); break;
+        case Block::Kind::Label:
+            messages_.cannot_express(block, "the label " + quoted(block.text));
+            break;
         case Block::Kind::Modal: forget_modal(); break;
         case Block::Kind::Position: take_position(block); break;
     }
-    return lines_ == before ? lines_ : before + 1;
+    return lines_.count() == before ? lines_.count() : before + 1;
 }
 
 /// What the program knows of the axes behind a change of its frame, of which the text says nothing.
@@ -152,7 +154,7 @@ Function BlockWriter::effective_motion(const Block& block) const {
 }
 
 void BlockWriter::write_long(const Block& block, std::string& out) {
-    given_number_ = block.number;
+    lines_.bring_number(block.number);
     check_front(block);
     check_arc_words(block);
     if (block.skip < 0) {
@@ -164,28 +166,28 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
         const WriterModal before = modal_;
         write_block(block, out);
         if (pending_.size() < waiting) {
-            cannot_express(block,
-                           "a block that may be left out where the tool length begins to act");
+            messages_.cannot_express(
+                block, "a block that may be left out where the tool length begins to act");
         }
         modal_.join(before);
     }
-    if (given_number_ >= 0) {  // all that the block says holds already
-        open_line(block.skip, true, out);
-        end_block(out);
-        close_line(out);
+    if (lines_.brings_number()) {  // all that the block says holds already
+        lines_.open(block.skip, true, out);
+        lines_.end_block(out);
+        lines_.close(out);
     }
 }
 
 /// Block number and skip level that the control takes.
 void BlockWriter::check_front(const Block& block) {
     if (block.number > tables_.block_numbers.most) {
-        number_fault(block, NumberFault::TooLarge, block.number, Dimension::Count, "N");
+        messages_.number_fault(block, NumberFault::TooLarge, block.number, Dimension::Count, "N");
     }
     const bool is_level =
         block.skip >= tables_.notation.default_skip && block.skip < tables_.notation.skip_levels;
-    if (block.skip_also != 0) cannot_express(block, "several skip levels of one block");
+    if (block.skip_also != 0) messages_.cannot_express(block, "several skip levels of one block");
     if (block.skip >= 0 && !is_level) {
-        cannot_express(block, "the skip level " + std::to_string(block.skip));
+        messages_.cannot_express(block, "the skip level " + std::to_string(block.skip));
     }
 }
 
@@ -202,30 +204,32 @@ void BlockWriter::check_arc_words(const Block& block) {
         for (std::size_t i = 0; i < kSlots; ++i) {
             const auto slot = static_cast<Slot>(i);
             if ((block.given & kArcSlots & bit(slot)) == 0) continue;
-            if (!fails_first_time(block, slot_name(slot))) continue;
-            sink_.report(diag::ArcWordWithoutArc, place(block))
+            if (!messages_.fails_first_time(block, slot_name(slot))) continue;
+            messages_.report(diag::ArcWordWithoutArc, block)
                 .arg(slot_name(slot))
                 .arg(info(motion).name);
         }
         return;
     } else if (!has_centre && !block.has(Slot::Radius)) {
-        if (fails_first_time(block, "no centre")) {
-            sink_.report(diag::ArcSaidNowhere, place(block))
+        if (messages_.fails_first_time(block, "no centre")) {
+            messages_.report(diag::ArcSaidNowhere, block)
                 .fix(
                     "say its centre by `I`, `J`, `K` or its radius by `CR=`, in a FANUC's source "
                     "`R`; a straight line begins with `G1`");
         }
         return;
     }
-    if (has_centre && block.has(Slot::Radius) && fails_first_time(block, "centre and radius"))
-        sink_.report(diag::ArcSaidTwice, place(block));
+    if (has_centre && block.has(Slot::Radius) &&
+        messages_.fails_first_time(block, "centre and radius"))
+        messages_.report(diag::ArcSaidTwice, block);
     if (!block.has(Slot::Turns)) return;
     const double turns = block.at(Slot::Turns);
     if (!(turns >= 0 && turns == std::nearbyint(turns))) {
-        number_fault(block, NumberFault::NotReadBack, turns, Dimension::Count,
-                     slot_name(Slot::Turns));
+        messages_.number_fault(block, NumberFault::NotReadBack, turns, Dimension::Count,
+                               slot_name(Slot::Turns));
     } else if (turns > kMostTurns) {
-        number_fault(block, NumberFault::TooLarge, turns, Dimension::Count, slot_name(Slot::Turns));
+        messages_.number_fault(block, NumberFault::TooLarge, turns, Dimension::Count,
+                               slot_name(Slot::Turns));
     }
 }
 
@@ -235,7 +239,7 @@ void BlockWriter::check_knot(const Block& block, Function motion) {
     const bool has_intervals = dialect_.can_write(Function::SplineInterval);
     if (has_intervals || !dialect_.can_write(Function::SplineKnot)) return;
     if (block.find(Function::SplineKnot) == nullptr)
-        cannot_express(block, "a control point without its knot");
+        messages_.cannot_express(block, "a control point without its knot");
 }
 
 /// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
@@ -272,7 +276,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     const WrittenPosition start = modal_.position;
     const Function motion = effective_motion(block);
     if (block.motion != Function::None && block.motion != motion)
-        cannot_express(block, "a probing move that is no line at feed");
+        messages_.cannot_express(block, "a probing move that is no line at feed");
     place_targets(block, targets);
     check_knot(block, motion);
     if (is_arc(motion)) {
@@ -309,8 +313,8 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     add_deferred(block, items);
     add_edge(block, items);
     collect_slots(block, targets, items);
-    if (items.count == 0 && given_number_ < 0) {
-        if (!block.comment.empty()) write_comment(block, out);
+    if (items.count == 0 && !lines_.brings_number()) {
+        if (!block.comment.empty()) lines_.write_comment(block.comment, out);
     } else if (items.count != 0 || !block.comment.empty()) {
         write_items(block, items, targets, out);
     }
@@ -355,8 +359,8 @@ BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& 
     const bool is_feed = tables_.forms[forms[0]].feed_is_pitch;
     const SlotMask words = block.given & kCenterSlots;
     if (words == 0 && !block.has(Slot::Feed)) {
-        if (fails_first_time(block, "no pitch"))
-            sink_.report(diag::ThreadSaidNowhere, place(block));
+        if (messages_.fails_first_time(block, "no pitch"))
+            messages_.report(diag::ThreadSaidNowhere, block);
         return Written::Already;
     }
     if (is_feed ? words == 0 : words != 0) return Written::NotYet;
@@ -368,7 +372,7 @@ BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& 
     } else {
         const std::optional<std::size_t> axis = longer_way(block);
         if (!axis) {
-            position_unknown(block, "F");
+            messages_.position_unknown(block, "F");
             return Written::Already;
         }
         said.given &= ~bit(Slot::Feed);
@@ -388,33 +392,6 @@ BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& 
 }
 
 // ---------------------------------------------------------------- comments, raw text
-
-void BlockWriter::write_comment(const Block& block, std::string& out) {
-    std::string_view rest = block.comment;
-    do {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
-        std::string text = comment_text(rest.substr(0, end), tables_.comment);
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-        // Long comments go on in the next line, cut at a blank.
-        do {
-            std::size_t length = text.size();
-            const std::size_t most = tables_.comment.max_length;
-            if (most != 0 && length > most) {
-                const std::size_t cut = text.rfind(' ', most);
-                length = cut == std::string::npos || cut == 0 ? most : cut;
-            }
-            open_line(-1, false, out);
-            out += tables_.comment.open;
-            out.append(text, 0, length);
-            if (tables_.comment.close.empty()) {
-                while (out.ends_with(' ')) out.pop_back();
-            }
-            out += tables_.comment.close;
-            close_line(out);
-            text.erase(0, std::min(text.size(), text.find_first_not_of(' ', length)));
-        } while (!text.empty());
-    } while (!rest.empty());
-}
 
 void BlockWriter::write_raw(const Block& block, std::string& out) {
     // The author's text stands under the dimensions that he has said, not under those that a block
@@ -437,18 +414,19 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         write_items(alone, items, {}, out);
     }
     const auto foreign = std::ranges::find_if(block.text, [](char c) { return (c & 0x80) != 0; });
-    if (tables_.comment.is_ascii && foreign != block.text.end() && first_time(block, "raw")) {
+    if (tables_.comment.is_ascii && foreign != block.text.end() &&
+        messages_.first_time(block, "raw")) {
         const auto at = static_cast<std::size_t>(foreign - block.text.begin());
-        sink_.report(diag::RawCharacter, place(block))
+        messages_.report(diag::RawCharacter, block)
             .arg(code_points(std::string_view(block.text).substr(at), 0, 1))
             .arg(tables_.name);
     }
     std::string_view rest = block.text;
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        open_line(-1, false, out);
+        lines_.open(-1, false, out);
         out += rest.substr(0, end);
-        close_line(out);
+        lines_.close(out);
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     forget_modal();
@@ -517,9 +495,9 @@ bool BlockWriter::is_left_to_machine(const Invocation& invocation) const {
 }
 
 void BlockWriter::leave_to_machine(const Block& block, const Invocation& invocation) {
-    if (first_time(block, info(invocation.function).name)) {
+    if (messages_.first_time(block, info(invocation.function).name)) {
         const bool is_diameter = invocation.function == Function::DiameterOn;
-        sink_.report(diag::DiameterLeft, place(block))
+        messages_.report(diag::DiameterLeft, block)
             .arg(tables_.name)
             .arg(is_diameter ? "diameter" : "radius")
             .fix("for a lathe take the dialect of one, as `fanuc-lathe` is");
@@ -530,10 +508,10 @@ void BlockWriter::leave_to_machine(const Block& block, const Invocation& invocat
 /// The line that a form wants before its own: `M29 S800` before the tapping cycle.
 void BlockWriter::write_lead(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out) {
-    open_line(block.skip, true, out);
+    lines_.open(block.skip, true, out);
     append_words(block, form.lead, &invocation, false, out);
-    end_block(out);
-    close_line(out);
+    lines_.end_block(out);
+    lines_.close(out);
     note_line(form.lead);
 }
 
@@ -664,7 +642,7 @@ void BlockWriter::add_code(const Block& block, Function function, Items& items) 
         note_written(form);
         return;
     }
-    cannot_express(block, quoted(info(function).name));
+    messages_.cannot_express(block, quoted(info(function).name));
 }
 
 }  // namespace kadr::write

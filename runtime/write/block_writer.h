@@ -6,11 +6,12 @@
 #include <bit>
 #include <span>
 #include <string>
-#include <unordered_set>
 
 #include "base/done.h"
 #include "nc/effects.h"
 #include "write/arc_words.h"
+#include "write/lines.h"
+#include "write/messages.h"
 #include "write/text_state.h"
 #include "write/writer.h"
 
@@ -22,20 +23,21 @@ class BlockWriter {
 
     const WriterModal& modal() const { return modal_; }
     void set_statements(std::span<const SourceRange> statements, const Sources* sources) {
-        statements_ = statements;
-        sources_ = sources;
+        messages_.set_statements(statements, sources);
     }
     void begin(const ProgramInfo& program);
 
     /// Appends the line or lines of the block; returns the number of the first one.
     std::uint32_t write(const Block& block, std::string& out);
     /// A line of the program's frame.
-    void write_line(std::string_view line, bool is_numbered, std::string& out);
+    void write_line(std::string_view line, bool is_numbered, std::string& out) {
+        lines_.write(line, is_numbered, out);
+    }
     /// A line of the frame whose codes establish the modal state.
     void write_start_line(std::string_view line, std::string& out);
 
-    std::uint32_t lines() const { return lines_; }
-    bool failed() const { return failed_; }
+    std::uint32_t lines() const { return lines_.count(); }
+    bool failed() const { return messages_.failed(); }
     bool has_ended() const { return has_ended_; }
 
   private:
@@ -91,7 +93,6 @@ class BlockWriter {
         double tool = 0;  // and number of its offsets, until the program names another
     };
 
-    void write_comment(const Block& block, std::string& out);
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out);
     void write_long(const Block& block, std::string& out);
@@ -321,49 +322,23 @@ class BlockWriter {
                        const NumberFormat& address, std::string_view name, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
     void append_text(const Block& block, std::string& out);
-    void open_line(int skip, bool is_numbered, std::string& out);
-    void end_block(std::string& out) const;
-    void close_line(std::string& out);
-    void append_comment(const std::string& comment, std::string& out);
-    static void blank(std::string& out) {
-        const char last = out.empty() ? '\n' : out.back();
-        if (last != ' ' && last != '\n' && last != '/') out += ' ';
-    }
-
     // What rounding costs
     void check_rounding(const Block& block, double number, int places, Dimension dimension,
                         std::string_view name);
     void note_turn(const Block& block, const Invocation& invocation, double angle_deg, int places);
     void check_turn(const Block& block);
 
-    // Messages
-    SourceRange place(const Block& block) const;
-    SourceRange word_place(const Block& block, std::string_view address) const;
-    void cannot_express(const Block& block, const std::string& what);
-    bool fails_first_time(const Block& block, std::string_view what);
-    bool first_time(const Block& block, std::string_view what);
     void take_position(const Block& block);
-    void position_unknown(const Block& block, std::string_view name);
-    /// value: in the unit of the text, before what a form makes of it.
-    void number_fault(const Block& block, NumberFault fault, double value, Dimension dimension,
-                      std::string_view name);
 
     const Dialect& dialect_;
     const DialectTables& tables_;
     const Rules& rules_ = tables_.rules;
     WriteOptions options_;
-    DiagnosticSink& sink_;
-    std::span<const SourceRange> statements_;
-    const Sources* sources_ = nullptr;  // of the statements; may be missing
     WriterModal modal_;
+    Messages messages_;
+    Lines lines_;
     std::vector<Pending> pending_;
-    std::unordered_set<std::uint64_t>
-        reported_;               // statement and message, so that loops report once
     bool feed_is_lead_ = false;  // F of the block that is being written is the pitch of a thread
-    std::uint32_t lines_ = 0;
-    std::size_t line_start_ = 0;
-    std::int64_t number_ = 0;                       // of the next line
-    std::int32_t given_number_ = -1;                // that the block brings, for its first line
     std::vector<FastAxis> fast_axes_;               // in the order of their words
     SlotMask fast_slots_ = 0;                       // that the fast way can write
     std::string fast_rapid_, fast_line_;            // codes, for the fast way
@@ -383,7 +358,6 @@ class BlockWriter {
         std::array<int, 1 + kSkipLevels> lines{};
     };
     Idle idle_;
-    bool failed_ = false;
     bool has_ended_ = false;
 };
 

@@ -186,8 +186,8 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     }
     const std::string_view name = info(invocation.function).name;
     if (blocking != Function::None) {
-        if (fails_first_time(block, name)) {
-            DiagnosticBuilder builder = sink_.report(diag::WriterFrameOrder, place(block));
+        if (messages_.fails_first_time(block, name)) {
+            DiagnosticBuilder builder = messages_.report(diag::WriterFrameOrder, block);
             builder.arg(tables_.name).arg(name).arg(info(blocking).name);
             if (info(blocking).group == Group::RadiusComp)
                 builder.fix(has_fact(invocation.function, Fact::SetsFrame)
@@ -212,9 +212,9 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
                         : " with these values or in this modal state";
     }
     if (invocation.function != Function::MachineFunction || candidates.empty()) {
-        cannot_express(block, what);
-    } else if (fails_first_time(block, what)) {
-        DiagnosticBuilder builder = sink_.report(diag::CannotExpress, place(block));
+        messages_.cannot_express(block, what);
+    } else if (messages_.fails_first_time(block, what)) {
+        DiagnosticBuilder builder = messages_.report(diag::CannotExpress, block);
         builder.arg(tables_.name).arg(what);
         const double number =
             block.argument(invocation, parameter_of<Function::MachineFunction>("number"));

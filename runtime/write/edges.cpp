@@ -33,8 +33,8 @@ void BlockWriter::check_length_due(const Block& block) {
     if (is_other || !block.has(static_cast<Slot>(along))) return;
     modal_.is_length_due = false;
     if (!is_distance(block, along)) return;
-    cannot_express(block, "a distance along " + std::string(kAxisNames[along]) +
-                              " behind a move without the tool's length");
+    messages_.cannot_express(block, "a distance along " + std::string(kAxisNames[along]) +
+                                        " behind a move without the tool's length");
 }
 
 /// Where the tool length would act in machine coordinates, edge 0 stands beside them.
@@ -49,9 +49,10 @@ void BlockWriter::add_edge(const Block& block, Items& items) {
         if (edges.empty()) return;
         if (old.is_known) modal_.waiting_edge = old.value;
         if (!old.is_known && modal_.is_edge_lost && modal_.waiting_edge == 0)
-            cannot_express(block,
-                           "a move without tool length, while nobody knows which cutting edge "
-                           "acts (say `D1` before it),");
+            messages_.cannot_express(
+                block,
+                "a move without tool length, while nobody knows which cutting edge "
+                "acts (say `D1` before it),");
         items.add(Item::of_edge(tables_.forms[edges[0]].order, 0));
         return;
     }

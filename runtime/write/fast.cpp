@@ -99,7 +99,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
         words[count++] = {&axis, scaled, text, is_minus, decimals};
     }
     modal_.meant[static_cast<std::size_t>(Group::Motion)] = effective_motion(block);
-    open_line(-1, true, out);
+    lines_.open(-1, true, out);
     if (options_.verbose_modal && block.motion != Function::None) {
         blank(out);
         out += fast_code(block.motion);
@@ -114,7 +114,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
         modal_.position.known |= bit(word.axis->slot);
         modal_.position.name(bit(word.axis->slot));
         if (changed != 0 && (changed & bit(word.axis->slot)) == 0) continue;
-        if (end != line.data() || out.size() != line_start_) *end++ = ' ';
+        if (end != line.data() || out.size() != lines_.start()) *end++ = ' ';
         *end++ = word.axis->letter;
         end =
             nc::write_scaled(end, word.scaled, word.is_minus, word.decimals, word.axis->has_point);
@@ -128,8 +128,8 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
         modal_.meant_feed = block.at(Slot::Feed);
         modal_.has_meant_feed = true;
     }
-    end_block(out);
-    close_line(out);
+    lines_.end_block(out);
+    lines_.close(out);
     return true;
 }
 

@@ -249,8 +249,8 @@ void BlockWriter::change_length(const Block& block) {
 void BlockWriter::check_message(const Block& block) {
     const std::size_t length = count_code_points(block.text);
     if (most_message_ == 0 || length <= most_message_) return;
-    if (!first_time(block, "a long message")) return;
-    sink_.report(diag::MessageTooLong, place(block))
+    if (!messages_.first_time(block, "a long message")) return;
+    messages_.report(diag::MessageTooLong, block)
         .arg(length)
         .arg(tables_.name)
         .arg(most_message_)

@@ -28,22 +28,22 @@ void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
         const bool is_left_out =
             i > 0 && (i == 1 + block.skip || (block.skip_also >> (i - 1) & 1u) != 0);
         int& lines = idle_.lines[static_cast<std::size_t>(i)];
-        if (!is_left_out) lines = moves ? 0 : lines + static_cast<int>(lines_ - before);
+        if (!is_left_out) lines = moves ? 0 : lines + static_cast<int>(lines_.count() - before);
         // Without the blocks of a level in which the compensation begins nothing is compensated.
         if (idle_.level < 0 || i != 1 + idle_.level) most = std::max(most, lines);
     }
     if (idle_.moves < kContour || most <= rules_.comp_empty_blocks) return;
-    if (!fails_first_time(block, "idle")) return;
+    if (!messages_.fails_first_time(block, "idle")) return;
     const std::string fix = "end the compensation before them, or move in the plane in between";
     if (!rules_.comp_more_empty_is_alarm) {
-        sink_.report(diag::IdleCutsCorners, place(block))
+        messages_.report(diag::IdleCutsCorners, block)
             .arg(tables_.name)
             .arg(rules_.comp_empty_blocks)
             .fix(fix);
         return;
     }
     const auto alarm = dialect_.alarm(diag::CompEmptyBlocks);
-    sink_.report(diag::TooManyIdle, place(block))
+    messages_.report(diag::TooManyIdle, block)
         .arg(tables_.name)
         .arg(alarm && !alarm->number.empty() ? " with alarm " + alarm->number : std::string())
         .arg(rules_.comp_empty_blocks)

@@ -1,19 +1,18 @@
-// Messages of the writer: each once for a statement, at the word that it is about.
+#include "write/messages.h"
+
 #include <functional>
 
 #include "base/diagnostics/dialect.h"
-#include "write/block_writer.h"
 
 namespace kadr::write {
 
-SourceRange BlockWriter::place(const Block& block) const {
-    return block.source.index < statements_.size() ? statements_[block.source.index]
-                                                   : SourceRange{};
+SourceRange Messages::place(SourceId source) const {
+    return source.index < statements_.size() ? statements_[source.index] : SourceRange{};
 }
 
 /// The word of the statement that sets the address: `Z+=10`, `Z=h`, `Z5`. The statement, if no such
 /// word stands in it.
-SourceRange BlockWriter::word_place(const Block& block, std::string_view address) const {
+SourceRange Messages::word_place(const Block& block, std::string_view address) const {
     SourceRange statement = place(block);
     if (sources_ == nullptr || !statement.file.is_valid()) return statement;
     const std::string_view text = sources_->text(statement);
@@ -53,19 +52,19 @@ SourceRange BlockWriter::word_place(const Block& block, std::string_view address
 }
 
 /// The writing failed; whether the statement has not said this yet: a loop reports once.
-bool BlockWriter::fails_first_time(const Block& block, std::string_view what) {
+bool Messages::fails_first_time(const Block& block, std::string_view what) {
     failed_ = true;
     return first_time(block, what);
 }
 
 /// Whether the statement has not been told this yet.
-bool BlockWriter::first_time(const Block& block, std::string_view what) {
+bool Messages::first_time(const Block& block, std::string_view what) {
     const std::uint64_t key =
         std::hash<std::string_view>()(what) ^ (std::uint64_t{block.source.index} << 32);
     return reported_.insert(key).second;
 }
 
-void BlockWriter::position_unknown(const Block& block, std::string_view name) {
+void Messages::position_unknown(const Block& block, std::string_view name) {
     if (!fails_first_time(block, name)) return;
     DiagnosticBuilder builder = sink_.report(diag::WriterPositionUnknown, word_place(block, name));
     builder.arg(name);
@@ -74,15 +73,15 @@ void BlockWriter::position_unknown(const Block& block, std::string_view name) {
     builder.fix("name the coordinates of the axes in a block before it: `G0 X… Y…`, `Z…`");
 }
 
-void BlockWriter::cannot_express(const Block& block, const std::string& what) {
+void Messages::cannot_express(const Block& block, const std::string& what) {
     if (!fails_first_time(block, what)) return;
     sink_.report(diag::CannotExpress, place(block)).arg(tables_.name).arg(what);
 }
 
-void BlockWriter::number_fault(const Block& block, NumberFault fault, double value,
-                               Dimension dimension, std::string_view name) {
+void Messages::number_fault(const Block& block, NumberFault fault, double value,
+                            Dimension dimension, std::string_view name) {
     if (!fails_first_time(block, name)) return;
-    const std::string quantity = quantity_words(value, dimension, modal_.units);
+    const std::string quantity = quantity_words(value, dimension, units_);
     switch (fault) {
         case NumberFault::None: break;
         case NumberFault::NotFinite:
@@ -99,6 +98,16 @@ void BlockWriter::number_fault(const Block& block, NumberFault fault, double val
             sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(quantity).arg(name);
             break;
     }
+}
+
+void Messages::line_too_long(std::size_t length) {
+    failed_ = true;
+    if (!reported_.insert(length).second) return;
+    sink_.report(diag::LineTooLong).arg(length).arg(tables_.name).arg(tables_.notation.write_line);
+}
+
+bool Messages::first_time_of_frame(SourceId statement) {
+    return reported_.insert(~std::uint64_t{statement.index}).second;
 }
 
 }  // namespace kadr::write

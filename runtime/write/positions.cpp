@@ -73,7 +73,7 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
     const auto slot = static_cast<Slot>(axis);
     const SlotMask mask = bit(slot);
     if (!has_address(slot)) {
-        cannot_express(block, "the axis " + std::string(kAxisNames[axis]));
+        messages_.cannot_express(block, "the axis " + std::string(kAxisNames[axis]));
         return;
     }
     const double scale = to_text(slot, 1);
@@ -115,12 +115,13 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
         (is_distance ? targets.wrapped_incremental : targets.wrapped_absolute) |= mask;
     } else if (tables_.has_incremental_letters) {
         if (is_distance && tables_.incremental_address[axis] == kNoAddress) {
-            cannot_express(block, "a distance along " + std::string(kAxisNames[axis]));
+            messages_.cannot_express(block, "a distance along " + std::string(kAxisNames[axis]));
         }
         if (is_distance) targets.by_letter |= mask;
     } else if (by_itself) {
         writes_distance = text_distance == Function::Incremental || targets.needs_incremental;
-        if (writes_distance != is_distance && !was_known) position_unknown(block, kAxisNames[axis]);
+        if (writes_distance != is_distance && !was_known)
+            messages_.position_unknown(block, kAxisNames[axis]);
     }
     targets.number[axis] =
         (writes_distance ? position.text[axis] - old_text : position.text[axis]) * scale;
@@ -133,12 +134,12 @@ void BlockWriter::place_machine_target(const Block& block, std::size_t axis, boo
     // FANUC ignores it under G91, SINUMERIK travels or not as SD42440 says.
     const bool is_machine = block.find(Function::MachineCoordinates) != nullptr;
     if (is_way && is_machine && (by_itself || tables_.notation.has_modes))
-        return cannot_express(block, "a distance in machine coordinates");
+        return messages_.cannot_express(block, "a distance in machine coordinates");
     if (by_itself && tables_.notation.has_modes) {
         (is_way ? targets.wrapped_incremental : targets.wrapped_absolute) |=
             bit(static_cast<Slot>(axis));
     } else if (is_way && (by_itself || tables_.has_incremental_letters)) {
-        cannot_express(block, "a distance in machine coordinates");
+        messages_.cannot_express(block, "a distance in machine coordinates");
     }
 }
 
@@ -172,7 +173,7 @@ void BlockWriter::place_axes_feed(const Block& block, const WrittenPosition& sta
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (!block.has(static_cast<Slot>(axis))) continue;
         const std::optional<double> distance = meant_way(block, start, axis);
-        if (!distance) return position_unknown(block, "F");
+        if (!distance) return messages_.position_unknown(block, "F");
         const bool turns = is_rotary(static_cast<Axis>(axis));
         const double unit = turns && modal_.units.inch_feed ? kMmPerInch : 1;
         (turns ? turn : axis < 3 ? way : parallel) += *distance * *distance * unit * unit;

@@ -23,8 +23,9 @@ void BlockWriter::check_rounding(const Block& block, double number, int places, 
     if (share <= kWarning) return;
     const bool is_error = share > kError;
     const std::string key = std::string(name) + " rounded";
-    if (is_error ? !fails_first_time(block, key) : !first_time(block, key)) return;
-    sink_.report(is_error ? diag::RoundedFar : diag::RoundedAside, word_place(block, name))
+    if (is_error ? !messages_.fails_first_time(block, key) : !messages_.first_time(block, key))
+        return;
+    messages_.report_word(is_error ? diag::RoundedFar : diag::RoundedAside, block, name)
         .arg(name)
         .arg(quantity_words(written, dimension, modal_.units))
         .arg(quantity_words(number, dimension, modal_.units))
@@ -73,19 +74,18 @@ void BlockWriter::check_turn(const Block& block) {
     const double half =
         std::max(kSeen, end_increment() / to_text(static_cast<Slot>(plane_axes()[0]), 1) / 2);
     const auto report = [&](const TurnMiss& turn, double beside, const DiagnosticRow& row) {
-        const bool has_place = turn.source.index < statements_.size();
-        DiagnosticBuilder message = sink_.report(row, place(block));
+        const SourceRange statement = messages_.place(turn.source);
+        DiagnosticBuilder message = messages_.report(row, block);
         message.arg(tables_.name).arg(readable(round_to(1000 * beside, 1)));
-        if (has_place) message.note(statements_[turn.source.index], "the angle is said here");
+        if (statement.file.is_valid()) message.note(statement, "the angle is said here");
     };
     // Once for each frame.
     const auto is_far = [&](const TurnMiss& turn, double beside) {
-        return turn.miss > 0 && beside > half &&
-               reported_.insert(~std::uint64_t{turn.source.index}).second;
+        return turn.miss > 0 && beside > half && messages_.first_time_of_frame(turn.source);
     };
     if (const double beside = modal_.turn.miss * lever(modal_.turn, 2);
         is_far(modal_.turn, beside)) {
-        failed_ = true;
+        messages_.fail();
         report(modal_.turn, beside, diag::RotationTooFine);
     }
     if (const double beside = modal_.tilt.miss * lever(modal_.tilt, 3); is_far(modal_.tilt, beside))
