@@ -32,35 +32,16 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
     const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
                       needs_distance(block, modal_.meant_of(Group::Distance));
     // Words that are said as distances whatever is meant leave the text as it is.
-    const bool stays = needs_incremental(block) && !needs_distance(block, Function::Absolute);
+    const bool stays = text_.needs_incremental(block) && !needs_distance(block, Function::Absolute);
     if (acts && !stays && !tables_.has_incremental_letters) restore(Group::Distance);
-    if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
+    if (is_arc(text_.effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);
     if (block.has(Slot::Feed)) restore(Group::FeedMode);
     if (modal_.doubtful == 0 || (block.given & (kTargetSlots | kCenterSlots)) == 0) return;
     for (std::size_t i = 0; i < kGroups; ++i) {
         const auto group = static_cast<Group>(i);
-        if (is_said_again(group)) restore(group);
+        if (text_.is_said_again(group)) restore(group);
     }
-}
-
-/// Whether the group is said again before something moves. A compensation that acts is not: to say
-/// it a second time is a command of its own on some controls.
-bool BlockWriter::is_said_again(Group group) const {
-    const Function meant = modal_.meant[index_of(group)];
-    if ((modal_.doubtful & bit(group)) == 0 || meant == Function::None) return false;
-    return has_code(meant) && (group != Group::RadiusComp || meant == Function::RadiusCompOff);
-}
-
-/// Whether the text says something else than is meant of a group on which a function of the block
-/// depends: the plane of a rotation, the dimensions of data. It is no motion, so no code is
-/// restored beside it.
-bool BlockWriter::is_depended_on(const Block& block, Group group) const {
-    const Function meant = modal_.meant[index_of(group)];
-    if (meant == Function::None || meant == modal_.text_of(group) || !has_code(meant)) return false;
-    if (said_of(block, group) != Function::None) return false;
-    return (group == Group::Plane && block.find(Fact::NeedsPlane) != nullptr) ||
-           (group == Group::Distance && block.find(Fact::AddsIncrements) != nullptr);
 }
 
 /// A cycle has no room for codes, and depends on them: they stand before it. So do those of other
@@ -77,37 +58,10 @@ void BlockWriter::say_doubtful(const Block& block, std::string& out) {
         const bool is_other_plane = group == Group::Plane && meant != Function::None &&
                                     modal_.text[i] != Function::None && modal_.text[i] != meant;
         const bool is_of_cycle =
-            is_cycle && modal_.doubtful != 0 && (is_said_again(group) || is_other_plane);
-        if (is_of_cycle || is_depended_on(block, group)) again.add(meant);
+            is_cycle && modal_.doubtful != 0 && (text_.is_said_again(group) || is_other_plane);
+        if (is_of_cycle || text_.is_depended_on(block, group)) again.add(meant);
     }
     if (again.function_count != 0) write_block(again, out);
-}
-
-void BlockWriter::note_written(const Form& form) {
-    const auto note = [&](Function function) {
-        const Group group = info(function).group;
-        if (group == Group::Once) return;
-        modal_.text_of(group) = function;
-        modal_.doubtful &= ~bit(group);
-        if (group == Group::Units) {
-            modal_.units.inch = function == Function::Inch;
-            modal_.units.inch_feed = modal_.units.inch && !form.feed_stays_metric;
-            modal_.feed.is_known = modal_.speed.is_known = false;
-        }
-        if (group == Group::FeedMode) {
-            modal_.units.per_revolution = function == Function::FeedPerRevolution;
-            modal_.units.inverse_time = function == Function::FeedInverseTime;
-            modal_.feed.is_known = false;
-            feed_every_block_ = form.feed_every_block;
-            inverse_arc_by_radius_ = form.feed_by_radius;
-        }
-        if (group == Group::SpeedMode) {
-            modal_.units.cutting_speed = function == Function::CuttingSpeedOn;
-            modal_.speed.is_known = false;
-        }
-    };
-    note(form.function);
-    for (const Function also : form.sets) note(also);
 }
 
 }  // namespace kadr::write

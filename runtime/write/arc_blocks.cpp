@@ -34,14 +34,14 @@ bool has_direction(const Block& block) { return block.find(Fact::ToolWord) != nu
 
 /// Whether the points of a helix are known so far that its turns can be shared out; says so if not.
 Done BlockWriter::require_known_turns(const Block& block) {
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     const WrittenPosition& start = modal_.position;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const auto slot = static_cast<Slot>(axis);
         const bool is_in_plane = axis == axes[0] || axis == axes[1];
         const bool is_center_absolute =
             is_in_plane && (block.absolute & block.given & bit(center_slot(axis))) != 0;
-        const bool is_coordinate = block.has(slot) && !is_distance(block, axis);
+        const bool is_coordinate = block.has(slot) && !text_.is_distance(block, axis);
         if ((start.known >> axis & 1u) != 0 || !(is_coordinate || is_center_absolute)) continue;
         messages_.position_unknown(block, kAxisNames[axis]);
         return kFailed;
@@ -52,8 +52,8 @@ Done BlockWriter::require_known_turns(const Block& block) {
 /// The arc of the block as it is meant and as the text has its ends, with the plane and the
 /// dimensions that are in force; none if it is no arc whose points and centre are known.
 std::optional<BlockWriter::PlannedArc> BlockWriter::planned_arc(const Block& block) const {
-    const bool may_be_diameter = plane_axes()[1] == kX && !knows_diameter();
-    std::optional<PlannedArc> arc = planned_arc(block, on_part(kX));
+    const bool may_be_diameter = text_.plane_axes()[1] == kX && !text_.knows_diameter();
+    std::optional<PlannedArc> arc = planned_arc(block, text_.on_part(kX));
     if (!arc || !may_be_diameter || block.has(Slot::Radius)) return arc;
     // Where no word says what X is, the circle on which start and end lie does.
     std::optional<PlannedArc> other = planned_arc(block, 0.5);
@@ -66,11 +66,11 @@ std::optional<BlockWriter::PlannedArc> BlockWriter::planned_arc(const Block& blo
 /// x_part   what a coordinate of X is multiplied with
 std::optional<BlockWriter::PlannedArc> BlockWriter::planned_arc(const Block& block,
                                                                 double x_part) const {
-    const Function motion = effective_motion(block);
+    const Function motion = text_.effective_motion(block);
     if (!is_arc(motion) || modal_.meant[index_of(Group::Plane)] == Function::None)
         return std::nullopt;
     if (!block.has(Slot::Radius) && (block.given & kCenterSlots) == 0) return std::nullopt;
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     const WrittenPosition& start = modal_.position;
     if (!is_chord_known(block, start)) return std::nullopt;
     PlannedArc arc;
@@ -81,25 +81,25 @@ std::optional<BlockWriter::PlannedArc> BlockWriter::planned_arc(const Block& blo
         const auto slot = static_cast<Slot>(axes[i]);
         const Slot center = center_slot(axes[i]);
         is_center_absolute[i] = (block.absolute & block.given & bit(center)) != 0;
-        if (!has_address(slot) || (is_center_absolute[i] && !is_known(axes[i])))
+        if (!text_.has_address(slot) || (is_center_absolute[i] && !text_.is_known(axes[i])))
             return std::nullopt;
-        const double scale = to_text(slot, 1);
+        const double scale = text_.to_text(slot, 1);
         const double part = axes[i] == kX ? x_part : 1;
         arc.part[i] = part;
         const double begin = start.meant[axes[i]];
-        const double end = !block.has(slot)              ? begin
-                           : is_distance(block, axes[i]) ? begin + block.at(slot)
-                                                         : block.at(slot);
+        const double end = !block.has(slot)                    ? begin
+                           : text_.is_distance(block, axes[i]) ? begin + block.at(slot)
+                                                               : block.at(slot);
         points.start[i] = begin * scale * part;
         points.end[i] = end * scale * part;
         points.text_start[i] = start.text[axes[i]] * scale * part;
-        points.text_end[i] =
-            block.has(slot) ? round_to(end * scale, decimals(slot)) * part : points.text_start[i];
+        points.text_end[i] = block.has(slot) ? round_to(end * scale, text_.decimals(slot)) * part
+                                             : points.text_start[i];
         const double said = block.has(center) ? block.at(center) * scale : 0;
         arc.center[i] = is_center_absolute[i] ? said : points.start[i] + said;
     }
     if (block.has(Slot::Radius)) {
-        const double scale = to_text(static_cast<Slot>(axes[0]), 1);
+        const double scale = text_.to_text(static_cast<Slot>(axes[0]), 1);
         const auto center =
             center_of_radius(points.start, points.end, block.at(Slot::Radius) * scale,
                              arc.is_clockwise, kHalfTurnSlack * scale);
@@ -113,20 +113,23 @@ std::optional<BlockWriter::PlannedArc> BlockWriter::planned_arc(const Block& blo
 /// By how much the control's path leaves the arc if the block is written in one piece, in the
 /// text's units; infinity if it is another one.
 double BlockWriter::text_error(const Block& block, const PlannedArc& arc) const {
-    const std::array<std::size_t, 3> axes = plane_axes();
-    const double scale = to_text(static_cast<Slot>(axes[0]), 1);
-    const bool has_centers = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
-    if (block.has(Slot::Radius) && axes[1] == kX && !knows_diameter()) return 0;  // place_radius
-    if (block.has(Slot::Radius) && has_address(Slot::Radius)) {
-        const RadiusArc by_radius = radius_arc(arc.points, block.at(Slot::Radius) * scale,
-                                               decimals(Slot::Radius), arc.is_clockwise, scale);
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
+    const double scale = text_.to_text(static_cast<Slot>(axes[0]), 1);
+    const bool has_centers =
+        text_.has_address(center_slot(axes[0])) && text_.has_address(center_slot(axes[1]));
+    if (block.has(Slot::Radius) && axes[1] == kX && !text_.knows_diameter())
+        return 0;  // place_radius
+    if (block.has(Slot::Radius) && text_.has_address(Slot::Radius)) {
+        const RadiusArc by_radius =
+            radius_arc(arc.points, block.at(Slot::Radius) * scale, text_.decimals(Slot::Radius),
+                       arc.is_clockwise, scale);
         if (by_radius.fits) return 0;
         if (!has_centers) {
             if (!by_radius.reached) return std::numeric_limits<double>::infinity();
             const TracedArc traced =
                 traced_arc(arc.points, *by_radius.reached, arc.is_clockwise, false);
             return path_error(arc.points, arc.center, arc.sweep, arc.is_clockwise, traced,
-                              end_increment());
+                              text_.end_increment());
         }
     }
     if (!has_centers) return 0;  // what cannot be said has its message
@@ -150,7 +153,7 @@ bool BlockWriter::vanishes(const Block& block) const {
     const std::optional<PlannedArc> arc = planned_arc(block);
     if (!arc) return false;
     const auto& [start, end, text_start, text_end] = arc->points;
-    const double increment = end_increment();
+    const double increment = text_.end_increment();
     const double chord = std::hypot(end[0] - start[0], end[1] - start[1]);
     const double radius = std::hypot(start[0] - arc->center[0], start[1] - arc->center[1]);
     if (chord < kSame)  // a full circle is meant, or nothing
@@ -192,8 +195,8 @@ BlockWriter::Written BlockWriter::split_arc(const Block& block, std::string& out
     // No part is close to half a turn or to a full one, and by its radius none above a third.
     const double sweep = arc->sweep;
     constexpr double kThird = 2 * std::numbers::pi / 3;
-    const bool has_centers =
-        has_address(center_slot(plane_axes()[0])) && has_address(center_slot(plane_axes()[1]));
+    const bool has_centers = text_.has_address(center_slot(text_.plane_axes()[0])) &&
+                             text_.has_address(center_slot(text_.plane_axes()[1]));
     if (!has_centers && sweep > 2 * kThird) {
         write_parts(block, *arc, std::array{1.0 / 3, 2.0 / 3, 1.0}, out);
     } else {
@@ -208,11 +211,11 @@ BlockWriter::Written BlockWriter::split_arc(const Block& block, std::string& out
 /// come first, as everywhere.
 void BlockWriter::write_parts(const Block& block, const PlannedArc& arc,
                               std::span<const double> ends, std::string& out) {
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     const WrittenPosition begin = modal_.position;
     const double turns = block.has(Slot::Turns) ? std::nearbyint(block.at(Slot::Turns)) : 0;
     const double total = 2 * std::numbers::pi * turns + arc.sweep;
-    const bool by_radius = block.has(Slot::Radius) && !has_address(center_slot(axes[0]));
+    const bool by_radius = block.has(Slot::Radius) && !text_.has_address(center_slot(axes[0]));
     const double radius = std::fabs(block.has(Slot::Radius) ? block.at(Slot::Radius) : 0);
     const auto radius_at = [&](const PlanePoint& point) {
         return std::hypot(point[0] - arc.center[0], point[1] - arc.center[1]);
@@ -255,8 +258,8 @@ void BlockWriter::write_parts(const Block& block, const PlannedArc& arc,
         const double share = (2 * std::numbers::pi * turns + arc.sweep * ends[n]) / total;
         for (std::size_t i = 0; i < 2; ++i) {
             const auto slot = static_cast<Slot>(axes[i]);
-            const double scale = to_text(slot, 1);
-            const double base = is_distance(block, axes[i]) ? from[i] : 0;
+            const double scale = text_.to_text(slot, 1);
+            const double base = text_.is_distance(block, axes[i]) ? from[i] : 0;
             if (block.has(slot) || !is_last || to[i] != arc.points.start[i])
                 part.set(slot, (to[i] - base) / scale / arc.part[i]);
             if (!by_radius) part.set(center_slot(axes[i]), (arc.center[i] - from[i]) / scale);
@@ -265,7 +268,7 @@ void BlockWriter::write_parts(const Block& block, const PlannedArc& arc,
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
             const auto slot = static_cast<Slot>(axis);
             if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
-            const bool is_way = is_distance(block, axis);
+            const bool is_way = text_.is_distance(block, axis);
             const double way = block.at(slot) - (is_way ? 0 : begin.meant[axis]);
             part.set(slot, is_way    ? way * (share - share_before)
                            : is_last ? block.at(slot)
@@ -279,27 +282,26 @@ void BlockWriter::write_parts(const Block& block, const PlannedArc& arc,
     }
     is_part_ = false;
     if (!shares_time) return;
-    modal_.meant_feed = feed;
-    modal_.feed_is_other = true;
+    state_.mean_shared_feed(feed);
 }
 
 /// An arc that the control cannot tell from its chord is written as that.
 BlockWriter::Written BlockWriter::straighten(const Block& block, std::string& out) {
     if (!vanishes(block)) return Written::NotYet;
     messages_.report(diag::ArcVanishes, block).arg(dialect_.title());
-    const Function motion = effective_motion(block);
+    const Function motion = text_.effective_motion(block);
     Block line = block;
     line.motion = Function::Line;
     line.given &= ~(kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns));
     write_block(line, out);
-    modal_.meant_of(Group::Motion) = motion;
+    state_.mean(Group::Motion, motion);
     return Written::Already;
 }
 
 /// A helix of several turns on a control without a word for them: one block a turn.
 BlockWriter::Written BlockWriter::split_turns(const Block& block, std::string& out) {
-    if (!block.has(Slot::Turns) || has_address(Slot::Turns)) return Written::NotYet;
-    const Function motion = effective_motion(block);
+    if (!block.has(Slot::Turns) || text_.has_address(Slot::Turns)) return Written::NotYet;
+    const Function motion = text_.effective_motion(block);
     const double asked = block.at(Slot::Turns);
     Block last = block;
     last.given &= ~bit(Slot::Turns);
@@ -312,17 +314,18 @@ BlockWriter::Written BlockWriter::split_turns(const Block& block, std::string& o
         return Written::Already;
     }
     const auto turns = static_cast<int>(std::lround(asked));
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     const WrittenPosition& start = modal_.position;
     const bool is_incremental = modal_.meant_of(Group::Distance) == Function::Incremental;
     const auto end_of = [&](std::size_t axis) {
         const auto slot = static_cast<Slot>(axis);
         if (!block.has(slot)) return start.meant[axis];
-        return is_distance(block, axis) ? start.meant[axis] + block.at(slot) : block.at(slot);
+        return text_.is_distance(block, axis) ? start.meant[axis] + block.at(slot) : block.at(slot);
     };
-    const PlanePoint from = {start.meant[axes[0]] * on_part(axes[0]),
-                             start.meant[axes[1]] * on_part(axes[1])};
-    const PlanePoint to = {end_of(axes[0]) * on_part(axes[0]), end_of(axes[1]) * on_part(axes[1])};
+    const PlanePoint from = {start.meant[axes[0]] * text_.on_part(axes[0]),
+                             start.meant[axes[1]] * text_.on_part(axes[1])};
+    const PlanePoint to = {end_of(axes[0]) * text_.on_part(axes[0]),
+                           end_of(axes[1]) * text_.on_part(axes[1])};
     const PlanePoint center = meant_center(block, from, to);
     constexpr double kTurn = 2 * std::numbers::pi;
     const double sweep = sweep_angle(from, to, center, motion == Function::ArcCw);
@@ -352,7 +355,7 @@ BlockWriter::Written BlockWriter::split_turns(const Block& block, std::string& o
             const auto slot = static_cast<Slot>(axis);
             if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
             const double at = begin[axis] + (end[axis] - begin[axis]) * kTurn * turn / total;
-            const bool as_distance = is_distance(block, axis);
+            const bool as_distance = text_.is_distance(block, axis);
             circle.set(slot, as_distance ? at - start.meant[axis] : at);
             if (as_distance && !is_incremental) circle.incremental |= bit(slot);
             if (!as_distance && is_incremental) circle.absolute |= bit(slot);
@@ -363,7 +366,7 @@ BlockWriter::Written BlockWriter::split_turns(const Block& block, std::string& o
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const auto slot = static_cast<Slot>(axis);
         if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
-        if (is_distance(block, axis)) last.set(slot, end[axis] - start.meant[axis]);
+        if (text_.is_distance(block, axis)) last.set(slot, end[axis] - start.meant[axis]);
     }
     last.function_count = 0;
     last.argument_count = 0;

@@ -26,20 +26,13 @@ void BlockWriter::place_arc(const Block& block, const WrittenPosition& start, Ta
     if ((block.given & kCenterSlots) != 0) place_center(block, start, targets);
 }
 
-/// Whether the axis word is a distance; not where nobody knows what it is.
-bool BlockWriter::is_distance(const Block& block, std::size_t axis) const {
-    const SlotMask mask = bit(static_cast<Slot>(axis));
-    if (((block.incremental | block.absolute) & mask) != 0) return (block.incremental & mask) != 0;
-    return modal_.meant[static_cast<std::size_t>(Group::Distance)] == Function::Incremental;
-}
-
 /// Whether the way from the start of an arc to its end, in the plane, is known: from positions, or
 /// because the block says it. An axis without a word does not move.
 bool BlockWriter::is_chord_known(const Block& block, const WrittenPosition& start) const {
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     return std::ranges::all_of(std::span(axes).first<2>(), [&](std::size_t axis) {
         return (start.known >> axis & 1u) != 0 || !block.has(static_cast<Slot>(axis)) ||
-               is_distance(block, axis);
+               text_.is_distance(block, axis);
     });
 }
 
@@ -48,10 +41,11 @@ void BlockWriter::place_arc_as_given(const Block& block, const WrittenPosition& 
                                      Targets& targets) {
     if ((block.given & kCenterSlots) != 0) place_center_as_given(block, start, targets);
     if (!block.has(Slot::Radius)) return;
-    if (!has_address(Slot::Radius)) return messages_.cannot_express(block, "an arc by its radius");
+    if (!text_.has_address(Slot::Radius))
+        return messages_.cannot_express(block, "an arc by its radius");
     targets.written |= bit(Slot::Radius);
     targets.number[static_cast<std::size_t>(Slot::Radius)] =
-        to_text(Slot::Radius, block.at(Slot::Radius));
+        text_.to_text(Slot::Radius, block.at(Slot::Radius));
 }
 
 void BlockWriter::place_center_as_given(const Block& block, const WrittenPosition& start,
@@ -59,20 +53,20 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Slot slot = center_slot(axis);
         if (!block.has(slot)) continue;
-        if (!has_address(slot)) return messages_.cannot_express(block, "an arc centre");
-        double number = to_text(slot, block.at(slot));
+        if (!text_.has_address(slot)) return messages_.cannot_express(block, "an arc centre");
+        double number = text_.to_text(slot, block.at(slot));
         const bool is_start_known = (start.known >> axis & 1u) != 0;
         const bool is_coordinate = (block.absolute & bit(slot)) != 0;
         if (is_coordinate_center(slot)) {
             if (!is_coordinate && is_start_known)
-                number += to_text(slot, start.text[axis] * on_part(axis));
+                number += text_.to_text(slot, start.text[axis] * text_.on_part(axis));
             if (!is_coordinate && !is_start_known)
-                messages_.position_unknown(block, address_of(slot).name);
+                messages_.position_unknown(block, text_.address_of(slot).name);
         } else if (is_coordinate) {
             // A coordinate, where the control takes distances only, needs the start.
             if (tables_.notation.has_modes) targets.wrapped_absolute |= bit(slot);
-            else if (is_start_known) number -= to_text(slot, start.text[axis]);
-            else messages_.position_unknown(block, address_of(slot).name);
+            else if (is_start_known) number -= text_.to_text(slot, start.text[axis]);
+            else messages_.position_unknown(block, text_.address_of(slot).name);
         }
         targets.written |= bit(slot);
         targets.number[static_cast<std::size_t>(slot)] = number;
@@ -81,7 +75,7 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
 
 /// Whether the end lies on the circle of the start as well as the control wants it.
 bool BlockWriter::is_on_circle(const ArcPoints& arc, const PlanePoint& center) const {
-    const double mm = to_text(static_cast<Slot>(plane_axes()[0]), 1);
+    const double mm = text_.to_text(static_cast<Slot>(text_.plane_axes()[0]), 1);
     const double radius = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
     return radius_miss(arc, center) <=
            std::max(rules_.arc_tolerance * mm, rules_.arc_tolerance_factor * radius);
@@ -107,19 +101,19 @@ void BlockWriter::check_circle(const Block& block, const ArcPoints& arc, const P
 }
 
 void BlockWriter::place_center(const Block& block, const WrittenPosition& start, Targets& targets) {
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     const SlotMask in_plane = bit(center_slot(axes[0])) | bit(center_slot(axes[1]));
     const bool has_plane = modal_.meant_of(Group::Plane) != Function::None;
     if (const Slot across = center_slot(axes[2]);
-        has_plane && (block.given & kCenterSlots & ~in_plane) != 0 && has_address(across)) {
+        has_plane && (block.given & kCenterSlots & ~in_plane) != 0 && text_.has_address(across)) {
         if (!messages_.fails_first_time(block, "a centre outside of the plane")) return;
-        messages_.report_word(diag::ArcWordOutsidePlane, block, address_of(across).name)
-            .arg(address_of(across).name)
+        messages_.report_word(diag::ArcWordOutsidePlane, block, text_.address_of(across).name)
+            .arg(text_.address_of(across).name)
             .arg(std::string(kAxisNames[axes[0]]) + std::string(kAxisNames[axes[1]]));
         return;
     }
     const bool lacks_word = std::ranges::any_of(std::span(axes).first<2>(), [&](auto axis) {
-        return block.has(center_slot(axis)) && !has_address(center_slot(axis));
+        return block.has(center_slot(axis)) && !text_.has_address(center_slot(axis));
     });
     if (lacks_word) return messages_.cannot_express(block, "an arc centre");
     // A coordinate and a distance cannot be compared without the position.
@@ -138,7 +132,7 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
         PlanePoint found{};
         for (std::size_t i = 0; i < 2; ++i) {
             const Slot slot = center_slot(axes[i]);
-            const double scale = to_text(static_cast<Slot>(axes[i]), 1);
+            const double scale = text_.to_text(static_cast<Slot>(axes[i]), 1);
             const bool is_coordinate = (block.absolute & bit(slot) & block.given) != 0;
             is_absolute |= is_coordinate;
             fixed_zero[i] = !block.has(slot);
@@ -150,7 +144,7 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     PlanePoint center = find_center(arc);
     // On a lathe X is a diameter, but the centre is not, and where no word says so the circle on
     // which start and end lie does.
-    if (axes[1] == kX && !knows_diameter()) {
+    if (axes[1] == kX && !text_.knows_diameter()) {
         const ArcPoints radii = halved(arc, 1);
         const PlanePoint other = find_center(radii);
         if (is_on_circle(radii, other) && radius_miss(radii, other) < radius_miss(arc, center)) {
@@ -163,7 +157,7 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
         return place_center_as_coordinates(block, start, center, targets);
     const SlotMask coordinates = block.absolute & block.given & in_plane;
     // Where X is a diameter, controls do not agree on what a coordinate of the centre is.
-    const bool is_turned = on_part(axes[0]) != 1 || on_part(axes[1]) != 1;
+    const bool is_turned = text_.on_part(axes[0]) != 1 || text_.on_part(axes[1]) != 1;
     const bool writes_absolute = is_absolute && tables_.notation.has_modes && !is_turned;
     CenterGrid grid = center_grid(block);
     grid.fixed_zero = fixed_zero;
@@ -181,28 +175,21 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     }
 }
 
-/// The increment of start and end, in the text's units: the coarser one of the plane's axes.
-double BlockWriter::end_increment() const {
-    const std::array<std::size_t, 3> axes = plane_axes();
-    const auto decimals_of = [&](std::size_t i) { return decimals(static_cast<Slot>(axes[i])); };
-    return std::pow(10.0, -std::min(decimals_of(0), decimals_of(1)));
-}
-
 /// What the words of the block's centre can say; the control has one of the two.
 CenterGrid BlockWriter::center_grid(const Block& block) const {
-    const std::array<std::size_t, 3> axes = plane_axes();
-    const Slot first = center_slot(axes[has_address(center_slot(axes[0])) ? 0 : 1]);
-    CenterGrid grid{decimals(first), end_increment(), {}, is_coordinate_center(first)};
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
+    const Slot first = center_slot(axes[text_.has_address(center_slot(axes[0])) ? 0 : 1]);
+    CenterGrid grid{text_.decimals(first), text_.end_increment(), {}, is_coordinate_center(first)};
     const bool has_all = grid.is_absolute || block.has(Slot::Radius);
     for (std::size_t i = 0; i < 2; ++i)
         grid.fixed_zero[i] = !has_all && !block.has(center_slot(axes[i]));
-    grid.most_misfit = rules_.arc_tolerance * to_text(static_cast<Slot>(axes[0]), 1);
+    grid.most_misfit = rules_.arc_tolerance * text_.to_text(static_cast<Slot>(axes[0]), 1);
     return grid;
 }
 
 /// Whether the letter of a centre counts as axis words do, and those are coordinates now.
 bool BlockWriter::is_coordinate_center(Slot slot) const {
-    return has_address(slot) && address_of(slot).is_coordinate &&
+    return text_.has_address(slot) && text_.address_of(slot).is_coordinate &&
            modal_.text_of(Group::Distance) != Function::Incremental;
 }
 
@@ -210,40 +197,30 @@ bool BlockWriter::is_coordinate_center(Slot slot) const {
 /// word that is missing is not 0.
 void BlockWriter::place_center_as_coordinates(const Block& block, const WrittenPosition& start,
                                               const PlanePoint& center, Targets& targets) {
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     const PlanePoint words = center_words(arc_points(start), center, center_grid(block));
     for (std::size_t i = 0; i < 2; ++i) {
         const Slot slot = center_slot(axes[i]);
-        if (!has_address(slot)) return messages_.cannot_express(block, "an arc centre");
+        if (!text_.has_address(slot)) return messages_.cannot_express(block, "an arc centre");
         if ((start.known >> axes[i] & 1u) == 0)
             return messages_.position_unknown(block, kAxisNames[axes[i]]);
         const SlotMask end = bit(static_cast<Slot>(axes[i]));
         if ((targets.written & end) == 0) {
             const auto slot_of_end = static_cast<Slot>(axes[i]);
-            targets.number[axes[i]] = to_text(slot_of_end, modal_.position.text[axes[i]]);
+            targets.number[axes[i]] = text_.to_text(slot_of_end, modal_.position.text[axes[i]]);
         }
         targets.written |= bit(slot) | end;
         targets.number[static_cast<std::size_t>(slot)] = words[i];
     }
 }
 
-/// Whether the text says, or the control knows, what X is.
-bool BlockWriter::knows_diameter() const {
-    return modal_.text_of(Group::Diameter) != Function::None;
-}
-
-/// What a coordinate is multiplied with to be one of the part: X may be a diameter, a centre never.
-double BlockWriter::on_part(std::size_t axis) const {
-    return axis == kX && modal_.text_of(Group::Diameter) == Function::DiameterOn ? 0.5 : 1;
-}
-
 /// Start and end of the arc in the plane, on the part, in the text's units.
 ArcPoints BlockWriter::arc_points(const WrittenPosition& start) const {
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     ArcPoints arc{};
     for (std::size_t i = 0; i < 2; ++i) {
         const std::size_t axis = axes[i];
-        const double scale = to_text(static_cast<Slot>(axis), 1) * on_part(axis);
+        const double scale = text_.to_text(static_cast<Slot>(axis), 1) * text_.on_part(axis);
         arc.start[i] = start.meant[axis] * scale;
         arc.text_start[i] = start.text[axis] * scale;
         arc.end[i] = modal_.position.meant[axis] * scale;
@@ -258,11 +235,12 @@ bool BlockWriter::is_exact_arc(const Block& block, double radius) const {
     const auto is_exact = [](double number, int places) {
         return std::fabs(number - round_to(number, places)) < kExact;
     };
-    const std::array<std::size_t, 3> axes = plane_axes();
-    return is_exact(radius, decimals(Slot::Radius)) &&
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
+    return is_exact(radius, text_.decimals(Slot::Radius)) &&
            std::ranges::all_of(std::span(axes).first<2>(), [&](std::size_t axis) {
                const auto slot = static_cast<Slot>(axis);
-               return !block.has(slot) || is_exact(to_text(slot, block.at(slot)), decimals(slot));
+               return !block.has(slot) ||
+                      is_exact(text_.to_text(slot, block.at(slot)), text_.decimals(slot));
            });
 }
 
@@ -277,22 +255,23 @@ void BlockWriter::unknown_start(const Block& block) {
 /// A radius stays a radius where the control has the word and the rounded points still give the
 /// same centre; near half a turn they do not, and the centre is written instead.
 void BlockWriter::place_radius(const Block& block, const WrittenPosition& start, Targets& targets) {
-    const std::array<std::size_t, 3> axes = plane_axes();
-    const double scale = to_text(static_cast<Slot>(axes[0]), 1);
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
+    const double scale = text_.to_text(static_cast<Slot>(axes[0]), 1);
     const double radius = block.at(Slot::Radius) * scale;
-    const bool has_word = has_address(Slot::Radius);
-    const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
+    const bool has_word = text_.has_address(Slot::Radius);
+    const bool has_center =
+        text_.has_address(center_slot(axes[0])) && text_.has_address(center_slot(axes[1]));
     if (!has_word && !has_center) {
         messages_.cannot_express(block, "an arc by its radius");
         return;
     }
-    const int places = decimals(has_word ? Slot::Radius : center_slot(axes[0]));
-    const bool is_cw = effective_motion(block) == Function::ArcCw;
+    const int places = text_.decimals(has_word ? Slot::Radius : center_slot(axes[0]));
+    const bool is_cw = text_.effective_motion(block) == Function::ArcCw;
     RadiusArc arc = radius_arc(arc_points(start), radius, places, is_cw, scale);
     // On a lathe X is a diameter. While nothing says whether it is, the centre cannot stand for a
     // radius that rounding moves a little.
-    if (axes[1] == kX && !knows_diameter()) arc.fits = arc.fits_fairly;
-    if (axes[1] == kX && !arc.fits && !knows_diameter()) {
+    if (axes[1] == kX && !text_.knows_diameter()) arc.fits = arc.fits_fairly;
+    if (axes[1] == kX && !arc.fits && !text_.knows_diameter()) {
         const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw, scale);
         if (arc.exact && other.exact && is_chord_known(block, start)) {
             // Almost half a turn by the one reading: only its centre says it, and that of the other
@@ -343,7 +322,7 @@ void BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
 /// The centre as the block means it, in the plane; the start if the block does not say.
 PlanePoint BlockWriter::meant_center(const Block& block, const PlanePoint& start,
                                      const PlanePoint& end) const {
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     PlanePoint center = start;
     for (std::size_t i = 0; i < 2; ++i) {
         const Slot slot = center_slot(axes[i]);
@@ -351,21 +330,21 @@ PlanePoint BlockWriter::meant_center(const Block& block, const PlanePoint& start
         center[i] = (block.absolute & bit(slot)) != 0 ? block.at(slot) : start[i] + block.at(slot);
     }
     if (!block.has(Slot::Radius)) return center;
-    const bool is_clockwise = effective_motion(block) == Function::ArcCw;
+    const bool is_clockwise = text_.effective_motion(block) == Function::ArcCw;
     return center_of_radius(start, end, block.at(Slot::Radius), is_clockwise).value_or(center);
 }
 
 /// The arc of a block in its plane, as the program means it. Its chord must be known.
 BlockWriter::MeantArc BlockWriter::meant_arc(const Block& block,
                                              const WrittenPosition& start) const {
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     PlanePoint from{};
     PlanePoint to{};
     for (std::size_t i = 0; i < 2; ++i) {
-        from[i] = start.meant[axes[i]] * on_part(axes[i]);
-        to[i] = modal_.position.meant[axes[i]] * on_part(axes[i]);
+        from[i] = start.meant[axes[i]] * text_.on_part(axes[i]);
+        to[i] = modal_.position.meant[axes[i]] * text_.on_part(axes[i]);
     }
-    const bool is_clockwise = effective_motion(block) == Function::ArcCw;
+    const bool is_clockwise = text_.effective_motion(block) == Function::ArcCw;
     const PlanePoint center = meant_center(block, from, to);
     return {.sweep = sweep_angle(from, to, center, is_clockwise),
             .radius = std::hypot(from[0] - center[0], from[1] - center[1]) / 2 +
@@ -376,7 +355,7 @@ BlockWriter::MeantArc BlockWriter::meant_arc(const Block& block,
 /// greater than 1/time.
 void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& start,
                                  Targets& targets) {
-    if (!modal_.units.inverse_time || !inverse_arc_by_radius_) return;
+    if (!modal_.units.inverse_time || !text_.feed_word.arc_by_radius) return;
     if (!is_chord_known(block, start)) return messages_.position_unknown(block, "F");
     targets.feed_factor = meant_arc(block, start).sweep;
 }
@@ -389,20 +368,20 @@ void BlockWriter::place_helix_feed(const Block& block, const WrittenPosition& st
     if (modal_.meant_of(Group::FeedMode) == Function::FeedInverseTime) return;
     if (!block.has(Slot::Feed) && !modal_.has_meant_feed)
         return;  // whoever cuts without has its message
-    const std::array<std::size_t, 3> axes = plane_axes();
+    const std::array<std::size_t, 3> axes = text_.plane_axes();
     const auto third = static_cast<Slot>(axes[2]);
     if (!block.has(third)) return;
-    const bool is_way = is_distance(block, axes[2]);
+    const bool is_way = text_.is_distance(block, axes[2]);
     if (!is_way && (start.known >> axes[2] & 1u) == 0)
         return messages_.position_unknown(block, "F");
     const double height = (block.at(third) - (is_way ? 0 : start.meant[axes[2]])) *
-                          on_part(axes[2]) * modal_.factors[axes[2]];
+                          text_.on_part(axes[2]) * modal_.frame.factors[axes[2]];
     if (std::fabs(height) < kSame) return;
     if (!is_chord_known(block, start)) return messages_.position_unknown(block, "F");
     const auto [sweep, radius] = meant_arc(block, start);
     const double turns = block.has(Slot::Turns) ? std::nearbyint(block.at(Slot::Turns)) : 0;
     const double arc =
-        radius * (sweep + 2 * std::numbers::pi * turns) * std::fabs(modal_.factors[axes[0]]);
+        radius * (sweep + 2 * std::numbers::pi * turns) * std::fabs(modal_.frame.factors[axes[0]]);
     if (arc < kSame) return;  // no arc: that has its message
     const double path = std::hypot(arc, height);
     targets.feed_factor = block.feed_along_arc ? path / arc : arc / path;

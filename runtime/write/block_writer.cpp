@@ -57,6 +57,7 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
     : dialect_(dialect),
       tables_(dialect.tables()),
       options_(options),
+      state_(dialect),
       messages_(tables_, modal_.units, sink),
       lines_(tables_, options.number_blocks, messages_) {
     most_message_ = static_cast<std::size_t>(std::max(0, rules_.most_message));
@@ -65,43 +66,8 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
 }
 
 void BlockWriter::begin(const ProgramInfo& program) {
-    modal_ = {};
-    // The state in which every Kadr program begins; the start lines bring the control there.
-    modal_.meant_of(Group::Motion) = Function::Rapid;
-    modal_.meant_of(Group::Plane) = Function::PlaneXy;
-    modal_.meant_of(Group::Units) = program.is_inch ? Function::Inch : Function::Metric;
-    modal_.meant_of(Group::Distance) = Function::Absolute;
-    modal_.meant_of(Group::FeedMode) = Function::FeedPerMinute;
-    modal_.meant_of(Group::SpeedMode) = Function::CuttingSpeedOff;
-    modal_.meant_of(Group::RadiusComp) = Function::RadiusCompOff;
-    modal_.units.inch = modal_.units.inch_feed = program.is_inch;
-    stand_without_codes();
-    // A shift that keeps its words may be left over from another program.
-    const auto& shifts = tables_.forms_of[static_cast<std::size_t>(Function::Shift)];
-    const bool is_kept =
-        std::ranges::any_of(shifts, [&](FormId id) { return tables_.forms[id].remembers; });
-    for (Standing& s : modal_.shift) s = {!is_kept, 0};
-    modal_.origin = modal_.shift;
+    state_.begin(program.is_inch);
     lines_.begin(program.greatest_number);
-    has_ended_ = false;
-}
-
-/// What the control has no code for it cannot have left: feeds a minute, X as a diameter, where no
-/// code says so.
-void BlockWriter::stand_without_codes() {
-    for (std::size_t group = 0; group < kGroups; ++group) {
-        const Function standing = tables_.power_on[group];
-        if (standing != Function::None && !has_code(standing)) modal_.text[group] = standing;
-    }
-}
-
-bool BlockWriter::has_code(Function function) const {
-    return !tables_.forms_of[static_cast<std::size_t>(function)].empty();
-}
-
-void BlockWriter::forget_modal() {
-    modal_.forget();
-    stand_without_codes();
 }
 
 std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
@@ -109,7 +75,7 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     switch (block.kind) {
         case Block::Kind::Nc:
             if (!write_fast(block, out)) write_long(block, out);
-            if (rules_.comp_empty_blocks >= 0 && (idle_.is_begun || is_compensated()))
+            if (rules_.comp_empty_blocks >= 0 && (idle_.is_begun || text_.is_compensated()))
                 count_idle(block, before);
             break;
         case Block::Kind::Comment: lines_.write_comment(block.comment, out); break;
@@ -120,38 +86,13 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
         case Block::Kind::Label:
             messages_.cannot_express(block, "the label " + quoted(block.text));
             break;
-        case Block::Kind::Modal: forget_modal(); break;
-        case Block::Kind::Position: take_position(block); break;
+        case Block::Kind::Modal: state_.forget(); break;
+        case Block::Kind::Position: state_.take_position(block); break;
     }
     return lines_.count() == before ? lines_.count() : before + 1;
 }
 
-/// What the program knows of the axes behind a change of its frame, of which the text says nothing.
-void BlockWriter::take_position(const Block& block) {
-    WrittenPosition& position = modal_.position;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        if (!block.has(static_cast<Slot>(axis)) || is_known(axis)) continue;
-        if ((position.reframed & bit(static_cast<Slot>(axis))) == 0)
-            position.named[axis] = {position.meant[axis], position.text[axis]};
-        position.meant[axis] = position.text[axis] = block.at(static_cast<Slot>(axis));
-        position.known |= bit(static_cast<Slot>(axis));
-        position.told |= bit(static_cast<Slot>(axis));
-        position.reframed |= bit(static_cast<Slot>(axis));
-    }
-}
-
-/// Whether the number that would be written is in force already.
-bool BlockWriter::is_standing(Slot slot, double value, const Standing& standing) const {
-    return standing.is_known && standing.value == round_to(to_text(slot, value), decimals(slot));
-}
-
 // ---------------------------------------------------------------- blocks
-
-Function BlockWriter::effective_motion(const Block& block) const {
-    // Whatever the modal motion is.
-    if (block.function_count != 0 && block.find(Function::Probe) != nullptr) return Function::Line;
-    return block.motion != Function::None ? block.motion : modal_.meant[index_of(Group::Motion)];
-}
 
 void BlockWriter::write_long(const Block& block, std::string& out) {
     lines_.bring_number(block.number);
@@ -162,14 +103,14 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
     } else {
         // The operator may leave it out: behind it, only what is the same with and without it is
         // known, so that everything else is said again.
-        const std::size_t waiting = pending_.size();
+        const std::size_t waiting = state_.pending().size();
         const WriterModal before = modal_;
         write_block(block, out);
-        if (pending_.size() < waiting) {
+        if (state_.pending().size() < waiting) {
             messages_.cannot_express(
                 block, "a block that may be left out where the tool length begins to act");
         }
-        modal_.join(before);
+        state_.join(before);
     }
     if (lines_.brings_number()) {  // all that the block says holds already
         lines_.open(block.skip, true, out);
@@ -196,7 +137,7 @@ void BlockWriter::check_arc_words(const Block& block) {
     constexpr SlotMask kArcMoves = kArcSlots | kTargetSlots;
     if ((block.given & kArcMoves) == 0) return;
     const Function motion =
-        block.find(Function::Cycle) != nullptr ? Function::Cycle : effective_motion(block);
+        block.find(Function::Cycle) != nullptr ? Function::Cycle : text_.effective_motion(block);
     const bool has_centre = (block.given & kCenterSlots) != 0;
     if (motion == Function::None || has_fact(motion, Fact::Pitch)) {
         // After raw text the author knows; beside a motion of threads the centre word is the pitch.
@@ -244,13 +185,13 @@ void BlockWriter::check_knot(const Block& block, Function motion) {
 
 /// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
 BlockWriter::Written BlockWriter::write_other_arc(const Block& block, std::string& out) {
-    if (!is_arc(effective_motion(block))) return split_turns(block, out);
+    if (!is_arc(text_.effective_motion(block))) return split_turns(block, out);
     const ModalFunctions meant = modal_.meant;
-    follow_modal(rules_, block, modal_.meant);
+    state_.mean(block);
     if (split_turns(block, out) == Written::Already || straighten(block, out) == Written::Already ||
         (!is_part_ && split_arc(block, out) == Written::Already))
         return Written::Already;
-    modal_.meant = meant;
+    state_.mean(meant);
     return Written::NotYet;
 }
 
@@ -258,23 +199,26 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     if (write_other_arc(block, out) == Written::Already ||
         write_thread(block, out) == Written::Already)
         return;
-    if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
-    if (modal_.is_length_due) check_length_due(block);
+    if (modal_.edge.waiting != 0) write_waiting_edge(block, out);
+    if (modal_.edge.is_length_due) check_length_due(block);
     if (block.function_count != 0) say_doubtful(block, out);
     const Function diameter = modal_.text_of(Group::Diameter);
     done_ = 0;
     choose_forms(block);
-    if (needs_incremental(block)) drop_function(block, Function::Absolute);
+    if (text_.needs_incremental(block)) drop_function(block, Function::Absolute);
     write_functions_alone(block, out);
-    follow_functions(block);
+    state_.mean_all(block);
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) == 0 && chosen_[i] != kNoForm) state_.say(tables_.forms[chosen_[i]]);
+    }
 
     Items items;
     restore_modal(block, items);
     collect_functions(block, items);
-    if (modal_.text_of(Group::Diameter) != diameter) change_diameter(diameter);
+    if (modal_.text_of(Group::Diameter) != diameter) state_.change_diameter(diameter);
     Targets targets;
     const WrittenPosition start = modal_.position;
-    const Function motion = effective_motion(block);
+    const Function motion = text_.effective_motion(block);
     if (block.motion != Function::None && block.motion != motion)
         messages_.cannot_express(block, "a probing move that is no line at feed");
     place_targets(block, targets);
@@ -289,7 +233,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
             if (!block.has(slot)) continue;
             targets.written |= bit(slot);
-            targets.number[static_cast<std::size_t>(slot)] = to_text(slot, block.at(slot));
+            targets.number[static_cast<std::size_t>(slot)] = text_.to_text(slot, block.at(slot));
         }
     } else if (block.function_count == 0 && !options_.verbose_modal) {
         drop_unchanged(block, start, targets);
@@ -318,13 +262,24 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     } else if (items.count != 0 || !block.comment.empty()) {
         write_items(block, items, targets, out);
     }
-    for (Pending& pending : pending_) pending.tool = own_offset(pending, block);
+    for (std::size_t i = 0; i < state_.pending().size(); ++i)
+        state_.set_offset(i, own_offset(state_.pending()[i], block));
     if (block.find(Function::Cycle) != nullptr) leave_cycle(block, out);
     if (block.function_count == 0) return;
-    const nc::Changer changer =
-        dialect_.is_of_lathe() ? nc::Changer::Turret : nc::Changer::Magazine;
-    for (const Effect& effect : effects_of(rules_, block, changer)) follow_effect(block, effect);
+    state_.follow(block);
     if (block.find(Function::Message) != nullptr) check_message(block);
+}
+
+/// A message that the control's line on the screen does not show to its end.
+void BlockWriter::check_message(const Block& block) {
+    const std::size_t length = count_code_points(block.text);
+    if (most_message_ == 0 || length <= most_message_) return;
+    if (!messages_.first_time(block, "a long message")) return;
+    messages_.report(diag::MessageTooLong, block)
+        .arg(length)
+        .arg(tables_.name)
+        .arg(most_message_)
+        .fix("make it shorter, or put the rest into a `note`");
 }
 
 // ---------------------------------------------------------------- threads
@@ -339,8 +294,8 @@ std::optional<std::size_t> BlockWriter::longer_way(const Block& block) const {
         const auto slot = static_cast<Slot>(axis);
         if (!block.has(slot)) continue;
         ++count;
-        const bool is_way = is_distance(block, axis);
-        is_certain &= is_way || is_known(axis);
+        const bool is_way = text_.is_distance(block, axis);
+        is_certain &= is_way || text_.is_known(axis);
         const double way =
             std::fabs(is_way ? block.at(slot) : block.at(slot) - modal_.position.meant[axis]);
         if (way > most) longest = axis, most = way;
@@ -351,7 +306,7 @@ std::optional<std::size_t> BlockWriter::longer_way(const Block& block) const {
 /// The pitch of a thread stands where the control takes it: in F, or in the word of the axis that
 /// goes the longer way.
 BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& out) {
-    if (effective_motion(block) != Function::Thread || (block.given & kTargetSlots) == 0 ||
+    if (text_.effective_motion(block) != Function::Thread || (block.given & kTargetSlots) == 0 ||
         block.find(Function::Cycle) != nullptr)
         return Written::NotYet;
     const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
@@ -382,12 +337,9 @@ BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& 
     // The feed of the program, which the pitch is not, acts again behind the thread.
     const double feed = block.has(Slot::Feed) ? block.at(Slot::Feed) : modal_.meant_feed;
     const bool has_feed = block.has(Slot::Feed) || modal_.has_meant_feed;
-    feed_is_lead_ = is_feed;
+    state_.begin_lead(is_feed);
     write_block(said, out);
-    feed_is_lead_ = false;
-    modal_.meant_feed = feed;
-    modal_.has_meant_feed = has_feed;
-    if (is_feed) modal_.feed_is_other = true;
+    state_.end_lead({has_feed, feed}, is_feed);
     return Written::Already;
 }
 
@@ -402,7 +354,7 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         feed.set(Slot::Feed, modal_.meant_feed);
         write_block(feed, out);
     }
-    if (modal_.waiting_edge != 0) say_waiting_edge(block, out);
+    if (modal_.edge.waiting != 0) say_waiting_edge(block, out);
     Items items;
     const Function dimensions = modal_.meant_of(Group::Distance);
     if (dimensions != Function::None && modal_.text_of(Group::Distance) != dimensions &&
@@ -429,7 +381,7 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         lines_.close(out);
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    forget_modal();
+    state_.forget();
 }
 
 // ---------------------------------------------------------------- functions
@@ -483,14 +435,14 @@ bool BlockWriter::is_suppressed(Function function) const {
     // Where the letters say it, no code does.
     if (group == Group::Distance && tables_.has_incremental_letters) return true;
     return is_quiet_group(group) && modal_.text[index_of(group)] == function &&
-           (!options_.verbose_modal || !has_code(function));
+           (!options_.verbose_modal || !text_.has_code(function));
 }
 
 /// Whether X is a diameter, on a control that has neither a code for it nor a rule: its text is the
 /// same, and right where the machine is set so.
 bool BlockWriter::is_left_to_machine(const Invocation& invocation) const {
-    return info(invocation.function).group == Group::Diameter && !has_code(Function::DiameterOn) &&
-           !has_code(Function::DiameterOff) &&
+    return info(invocation.function).group == Group::Diameter &&
+           !text_.has_code(Function::DiameterOn) && !text_.has_code(Function::DiameterOff) &&
            tables_.power_on[index_of(Group::Diameter)] == Function::None;
 }
 
@@ -502,7 +454,7 @@ void BlockWriter::leave_to_machine(const Block& block, const Invocation& invocat
             .arg(is_diameter ? "diameter" : "radius")
             .fix("for a lathe take the dialect of one, as `fanuc-lathe` is");
     }
-    modal_.text_of(Group::Diameter) = invocation.function;
+    state_.assume(invocation.function);
 }
 
 /// The line that a form wants before its own: `M29 S800` before the tapping cycle.
@@ -553,7 +505,7 @@ bool BlockWriter::is_shift_standing(const Form& form, const Block& block,
     return std::ranges::all_of(form.words, [&](const FormWord& word) {
         if (word.parameter < 0) return true;
         const auto parameter = static_cast<std::size_t>(word.parameter);
-        const Standing& kept = modal_.shift[parameter % modal_.shift.size()];
+        const Standing& kept = modal_.frame.shift[parameter % modal_.frame.shift.size()];
         return kept.is_known && kept.value == block.argument(invocation, parameter, word.fallback);
     });
 }
@@ -573,9 +525,9 @@ void BlockWriter::write_before(const Form& form, const Block& block, std::string
     for (const Function function : form.before) {
         const bool is_rotation = function == Function::RotateOff;
         const bool is_mirror = function == Function::MirrorOff;
-        if (is_rotation && modal_.rotation == Activity::No) continue;
-        if (is_mirror && modal_.mirror == Activity::No) continue;
-        if (function == Function::ScaleOff && modal_.scale == Activity::No) continue;
+        if (is_rotation && modal_.frame.rotation == Activity::No) continue;
+        if (is_mirror && modal_.frame.mirror == Activity::No) continue;
+        if (function == Function::ScaleOff && modal_.frame.scale == Activity::No) continue;
         const auto chosen = chosen_;
         const std::uint32_t done = done_;
         Block extra;
@@ -594,10 +546,10 @@ void BlockWriter::write_initial_level(const Form& form, const Block& block,
     const auto level_at = static_cast<std::size_t>(form.implied[0]);
     if ((invocation.given >> level_at & 1u) == 0) return;
     const double level = block.argument(invocation, level_at);
-    const std::size_t axis = plane_axes()[2];
-    const double half_increment = 0.5 * std::pow(10.0, -decimals(static_cast<Slot>(axis)));
+    const std::size_t axis = text_.plane_axes()[2];
+    const double half_increment = 0.5 * std::pow(10.0, -text_.decimals(static_cast<Slot>(axis)));
     const bool is_there =
-        is_named(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
+        text_.is_named(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
     if (is_there) return;
     const auto chosen = chosen_;
     const std::uint32_t done = done_;
@@ -610,10 +562,10 @@ void BlockWriter::write_initial_level(const Form& form, const Block& block,
     if (!tables_.notation.has_modes || modal_.text_of(Group::Distance) == Function::Absolute)
         move.absolute = 0;
     const Function distance = modal_.meant_of(Group::Distance);
-    modal_.meant_of(Group::Distance) = Function::Absolute;
+    state_.mean(Group::Distance, Function::Absolute);
     write_block(move, out);
-    modal_.meant_of(Group::Distance) = distance;
-    modal_.meant_of(Group::Motion) = motion;
+    state_.mean(Group::Distance, distance);
+    state_.mean(Group::Motion, motion);
     chosen_ = chosen;
     done_ = done;
 }
@@ -639,7 +591,7 @@ void BlockWriter::add_code(const Block& block, Function function, Items& items) 
         const Form& form = tables_.forms[id];
         if (form.function != function || !holds(form, kNothing, function, true)) continue;
         items.add(Item::of_form(form.order - 1, id, nullptr));
-        note_written(form);
+        state_.say(form);
         return;
     }
     messages_.cannot_express(block, quoted(info(function).name));

@@ -21,7 +21,7 @@ class BlockWriter {
   public:
     BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink);
 
-    const WriterModal& modal() const { return modal_; }
+    const WriterModal& modal() const { return state_.modal(); }
     void set_statements(std::span<const SourceRange> statements, const Sources* sources) {
         messages_.set_statements(statements, sources);
     }
@@ -38,7 +38,7 @@ class BlockWriter {
 
     std::uint32_t lines() const { return lines_.count(); }
     bool failed() const { return messages_.failed(); }
-    bool has_ended() const { return has_ended_; }
+    bool has_ended() const { return state_.has_ended(); }
 
   private:
     /// What a form cannot say, or lacks.
@@ -88,11 +88,6 @@ class BlockWriter {
         }
         std::span<const Item> all() const { return {list.data(), count}; }
     };
-    struct Pending {
-        const Deferred* deferred = nullptr;
-        double tool = 0;  // and number of its offsets, until the program names another
-    };
-
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out);
     void write_long(const Block& block, std::string& out);
@@ -126,47 +121,32 @@ class BlockWriter {
     void collect_functions(const Block& block, Items& items);
     void choose_forms(const Block& block);
     FormId choose_form(const Block& block, const Invocation& invocation);
-    Function effective_motion(const Block& block) const;
     Misfit misfit(const Form& form, const Block& block, const Invocation& invocation) const;
     void note_refusal(const Form& form, const Block& block, const Invocation& invocation,
                       const Misfit& misfit) const;
     static std::string misfit_words(std::span<const Parameter> parameters, const Misfit& misfit);
     bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
     bool is_suppressed(Function function) const;
-    bool has_code(Function function) const;
-    bool knows_diameter() const;
-    double on_part(std::size_t axis) const;
-    void stand_without_codes();
-    void forget_modal();
     bool is_left_to_machine(const Invocation& invocation) const;
     void leave_to_machine(const Block& block, const Invocation& invocation);
     void drop_function(const Block& block, Function function);
     void add_code(const Block& block, Function function, Items& items);
     bool needs_distance(const Block& block, Function distance) const;
     void restore_modal(const Block& block, Items& items);
-    bool is_said_again(Group group) const;
-    bool is_depended_on(const Block& block, Group group) const;
     void count_idle(const Block& block, std::uint32_t before);
     void say_doubtful(const Block& block, std::string& out);
-    void note_written(const Form& form);
     bool is_shift_standing(const Form& form, const Block& block,
                            const Invocation& invocation) const;
-    const Form* kept_shift(AddressId address, double code) const;
-    void note_start_shift(const Form& form, AddressId address, double value);
     void write_before(const Form& form, const Block& block, std::string& out);
     void write_lead(const Form& form, const Block& block, const Invocation& invocation,
                     std::string& out);
     void leave_cycle(const Block& block, std::string& out);
-    void follow_back(const Block& block, const Invocation& cycle);
     double cycle_speed(const Block& block, const Invocation& invocation) const;
     Function spindle_behind(const Form& form, const Block& block,
                             const Invocation& invocation) const;
     bool says_speed(const Block& block, const Invocation& invocation) const;
     static bool ends_by_itself(const Form& form, const Block& block, Function around);
     Function acting_around(const Form& form, const Block& block) const;
-    Activity is_shifted() const;
-    Activity activity_of(Function function) const;
-    void defer_length(const Block& block, const Invocation& invocation);
     void write_waiting_edge(const Block& block, std::string& out);
     void say_waiting_edge(const Block& block, std::string& out);
     void check_length_due(const Block& block);
@@ -174,25 +154,6 @@ class BlockWriter {
     void append_edge(const Block& block, int edge, std::string& out);
     void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out);
-    void follow_functions(const Block& block);
-    void follow_effect(const Block& block, const Effect& effect);
-    void follow_shift(const FrameChange& change);
-    void follow_shift_add(const FrameChange& change);
-    void follow_scale(const FrameChange& change);
-    void name_position(const FrameChange& change);
-    void end_tilt(const Block& block, const Effect& effect);
-    void call_tool(const Block& block, const Effect& effect);
-    void call_edge(const Block& block, const Effect& effect);
-    void forget_words(const Block& block, const Effect& effect);
-    // What waits is said by the program itself: a length for its axis, a radius for its side.
-    void drop_pending_length();
-    void drop_pending_radius();
-    void turn_axes(std::size_t axis);
-    void forget_unsaid(const Block& block);
-    void change_length(const Block& block);
-    void change_diameter(Function before);
-    void forget_motion();
-    void leave_changer();
     void check_message(const Block& block);
     bool shares_address(const Form& form, const Block& block) const;
 
@@ -206,7 +167,6 @@ class BlockWriter {
         double feed_factor = 1;               // of F
         bool needs_incremental = false;       // all words are distances from places unknown
     };
-    bool needs_incremental(const Block& block) const;
     void place_targets(const Block& block, Targets& targets);
     void place_target(const Block& block, std::size_t axis, Targets& targets);
     void place_machine_target(const Block& block, std::size_t axis, bool by_itself,
@@ -233,16 +193,12 @@ class BlockWriter {
     void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_helix_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_axes_feed(const Block& block, const WrittenPosition& start, Targets& targets);
-    std::optional<double> meant_way(const Block& block, const WrittenPosition& start,
-                                    std::size_t axis) const;
-    bool leads_tip();
     PlanePoint meant_center(const Block& block, const PlanePoint& start,
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
     Done require_known_turns(const Block& block);
     Written write_other_arc(const Block& block, std::string& out);
     Written split_turns(const Block& block, std::string& out);
-    bool is_distance(const Block& block, std::size_t axis) const;
     bool is_chord_known(const Block& block, const WrittenPosition& start) const;
     /// An arc before its words are made: in its plane, on the part, in the text's units.
     struct PlannedArc {
@@ -254,30 +210,13 @@ class BlockWriter {
     };
     std::optional<PlannedArc> planned_arc(const Block& block) const;
     std::optional<PlannedArc> planned_arc(const Block& block, double x_part) const;
-    double end_increment() const;
     CenterGrid center_grid(const Block& block) const;
     double text_error(const Block& block, const PlannedArc& arc) const;
     Written split_arc(const Block& block, std::string& out);
     void write_parts(const Block& block, const PlannedArc& arc, std::span<const double> ends,
                      std::string& out);
-    bool is_compensated() const {
-        const Function side = modal_.text_of(Group::RadiusComp);
-        return has_fact(side, Fact::CompSide);
-    }
     Written straighten(const Block& block, std::string& out);
     bool vanishes(const Block& block) const;
-    bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
-    /// Known, and from a word of the text.
-    bool is_named(std::size_t axis) const {
-        return is_known(axis) && (modal_.position.told >> axis & 1u) == 0;
-    }
-    double to_text(Slot slot, double value) const;
-    int decimals(Slot slot) const;
-    const Address& address_of(Slot slot) const;
-    bool has_address(Slot slot) const;
-    std::array<std::size_t, 3> plane_axes() const;
-
-    bool is_standing(Slot slot, double value, const Standing& standing) const;
 
     // Lines
     bool repeats_feed(const Block& block, const Targets& targets) const;
@@ -325,20 +264,17 @@ class BlockWriter {
     // What rounding costs
     void check_rounding(const Block& block, double number, int places, Dimension dimension,
                         std::string_view name);
-    void note_turn(const Block& block, const Invocation& invocation, double angle_deg, int places);
     void check_turn(const Block& block);
-
-    void take_position(const Block& block);
 
     const Dialect& dialect_;
     const DialectTables& tables_;
     const Rules& rules_ = tables_.rules;
     WriteOptions options_;
-    WriterModal modal_;
+    TextState state_;
+    const TextView& text_ = state_.view();
+    const WriterModal& modal_ = state_.modal();
     Messages messages_;
     Lines lines_;
-    std::vector<Pending> pending_;
-    bool feed_is_lead_ = false;  // F of the block that is being written is the pitch of a thread
     std::vector<FastAxis> fast_axes_;               // in the order of their words
     SlotMask fast_slots_ = 0;                       // that the fast way can write
     std::string fast_rapid_, fast_line_;            // codes, for the fast way
@@ -346,8 +282,6 @@ class BlockWriter {
     std::uint32_t done_ = 0;                        // functions that need no word any more
     bool is_part_ = false;                          // the blocks are parts of an arc
     std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
-    bool feed_every_block_ = false;                 // F is not modal in this feed mode
-    bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
     double deferred_tool_ = 0;
     static constexpr std::size_t kSkipLevels = 10;  // 0 to 9
     struct Idle {
@@ -358,7 +292,6 @@ class BlockWriter {
         std::array<int, 1 + kSkipLevels> lines{};
     };
     Idle idle_;
-    bool has_ended_ = false;
 };
 
 }  // namespace kadr::write

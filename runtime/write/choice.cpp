@@ -80,7 +80,7 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
         // What the text does not agree upon with the program is said again in this block.
         const bool is_restored = group == Group::Distance && (block.given & kTargetSlots) != 0 &&
                                  modal_.meant[index_of(group)] == needed;
-        const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
+        const bool is_said = group == Group::Motion && text_.effective_motion(block) == needed &&
                              (block.motion == needed || (block.given & kTargetSlots) != 0);
         // In its own line the block says it for the form, or the contrary.
         const bool is_alone = form.owns_block || form.owns_line;
@@ -201,7 +201,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
         // Go on as if it were said: F and S behind it are no mistakes of their own.
         const Group group = info(invocation.function).group;
         if (group == Group::FeedMode || group == Group::SpeedMode)
-            modal_.text_of(group) = invocation.function;
+            state_.assume(invocation.function);
         return kNoForm;
     }
     std::string what = quoted(name);
@@ -262,23 +262,11 @@ bool BlockWriter::ends_by_itself(const Form& form, const Block& block, Function 
            std::ranges::any_of(form.sets, is_of_group);
 }
 
-/// Whether the function acts in the text so far.
-Activity BlockWriter::activity_of(Function function) const {
-    switch (function) {
-        case Function::Shift: return is_shifted();
-        case Function::Rotate: return modal_.rotation;
-        case Function::Scale: return modal_.scale;
-        case Function::Mirror: return modal_.mirror;
-        default: break;
-    }
-    return modal_.text_of(info(function).group) == function ? Activity::Yes : Activity::No;
-}
-
 /// The function that acts and that the form must not stand inside of; None: there is none.
 Function BlockWriter::acting_around(const Form& form, const Block& block) const {
     for (const Function around : form.outside) {
         if (ends_by_itself(form, block, around)) continue;
-        const Activity activity = activity_of(around);
+        const Activity activity = text_.activity_of(around);
         // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
         // depends on those around it.
         if (activity == Activity::Yes) return around;
@@ -286,13 +274,6 @@ Function BlockWriter::acting_around(const Form& form, const Block& block) const 
             return around;
     }
     return Function::None;
-}
-
-/// Where nobody knows, it is taken for none: a program does not begin in somebody's shift.
-Activity BlockWriter::is_shifted() const {
-    const bool is_one = std::ranges::any_of(
-        modal_.origin, [](const Standing& shift) { return shift.is_known && shift.value != 0; });
-    return is_one ? Activity::Yes : Activity::No;
 }
 
 }  // namespace kadr::write

@@ -1,7 +1,6 @@
 // The spindle and the feed around a cycle, and what is known behind it.
 #include <algorithm>
 
-#include "nc/cycle_back.h"
 #include "write/block_writer.h"
 
 namespace kadr::write {
@@ -42,33 +41,13 @@ Function BlockWriter::spindle_behind(const Form& form, const Block& block,
     return wanted == form.leaves ? Function::None : wanted;
 }
 
-/// Where the cycle has left the tool.
-void BlockWriter::follow_back(const Block& block, const Invocation& cycle) {
-    const nc::CycleBack back = cycle_back(tables_.cycles[block.cycle].parameters, cycle.given);
-    if (!back.is_elsewhere) return;
-    WrittenPosition& position = modal_.position;
-    if (back.moves_in_plane)
-        position.known &= static_cast<SlotMask>(~(bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z)));
-    const std::size_t across = plane_axes()[2];
-    const SlotMask mask = bit(static_cast<Slot>(across));
-    position.known &= static_cast<SlotMask>(~mask);
-    if (!back.level) return;
-    const auto slot = static_cast<Slot>(across);
-    const double scale = to_text(slot, 1);
-    position.meant[across] = block.argument(cycle, *back.level);
-    position.text[across] = round_to(position.meant[across] * scale, decimals(slot)) / scale;
-    position.known |= mask;
-    position.told |= mask;
-    position.reframed &= ~mask;
-}
-
 /// A cycle of the control may bring a feed and a speed of its own; those of the program act behind
 /// it.
 void BlockWriter::leave_cycle(const Block& block, std::string& out) {
     const Invocation* cycle = block.find(Function::Cycle);
     const FormId id = chosen_[static_cast<std::size_t>(cycle - block.functions.data())];
     if (id == kNoForm) return;
-    follow_back(block, *cycle);
+    state_.follow_back(block, *cycle);
     const Form& form = tables_.forms[id];
     const bool says_feed = has_feed_word(block, *cycle);
     Block back;
@@ -79,13 +58,13 @@ void BlockWriter::leave_cycle(const Block& block, std::string& out) {
         mode != Function::None && !form.needs.empty() && modal_.text_of(Group::FeedMode) != mode;
     if (changes_mode) back.add(mode);
     if (says_feed || changes_mode) {
-        modal_.feed.is_known = false;
+        state_.doubt_feed();
         if (modal_.has_meant_feed) back.set(Slot::Feed, modal_.meant_feed);
     }
     const Function spindle = spindle_behind(form, block, *cycle);
     if (spindle != Function::None) back.add(spindle);
     if (says_speed(block, *cycle) || spindle != Function::None) {
-        modal_.speed.is_known = false;
+        state_.doubt_speed();
         if (modal_.has_meant_speed) back.set(Slot::Speed, modal_.meant_speed);
         else if (const double speed = cycle_speed(block, *cycle);
                  spindle != Function::None && speed > 0)

@@ -19,20 +19,19 @@ void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
     edge.source = block.source;
     Invocation* invocation = edge.add(Function::ToolEdge, 1);
     edge.set_argument(*invocation, parameter_of<Function::ToolEdge>("edge"),
-                      std::exchange(modal_.waiting_edge, 0));
+                      state_.call_waiting_edge());
     const WrittenPosition position = modal_.position;
     write_block(edge, out);
-    modal_.position = position;
-    modal_.is_length_due = true;
+    state_.edge_is_said(position);
 }
 
 /// The length comes with the first motion along it: a way there would be travelled less the length.
 void BlockWriter::check_length_due(const Block& block) {
-    const std::size_t along = plane_axes()[2];
+    const std::size_t along = text_.plane_axes()[2];
     const bool is_other = block.find(Fact::AtMachinePlace) != nullptr;
     if (is_other || !block.has(static_cast<Slot>(along))) return;
-    modal_.is_length_due = false;
-    if (!is_distance(block, along)) return;
+    state_.length_acts();
+    if (!text_.is_distance(block, along)) return;
     messages_.cannot_express(block, "a distance along " + std::string(kAxisNames[along]) +
                                         " behind a move without the tool's length");
 }
@@ -43,12 +42,12 @@ void BlockWriter::add_edge(const Block& block, Items& items) {
     for (std::size_t i = 0; i < items.count; ++i) {
         const Item& item = items.list[i];
         if (item.form == kNoForm || !tables_.forms[item.form].keeps_length) continue;
-        const Standing old = std::exchange(modal_.edge, Standing{true, 0});
+        const Standing old = state_.drop_edge();
         if (old.is_known && old.value == 0) return;
         const auto& edges = tables_.forms_of[static_cast<std::size_t>(Function::ToolEdge)];
         if (edges.empty()) return;
-        if (old.is_known) modal_.waiting_edge = old.value;
-        if (!old.is_known && modal_.is_edge_lost && modal_.waiting_edge == 0)
+        if (old.is_known) state_.let_wait(old.value);
+        if (!old.is_known && modal_.edge.is_lost && modal_.edge.waiting == 0)
             messages_.cannot_express(
                 block,
                 "a move without tool length, while nobody knows which cutting edge "

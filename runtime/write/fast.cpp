@@ -22,7 +22,7 @@ void BlockWriter::prepare_fast() {
     }
     for (const Slot slot : tables_.slot_order) {
         if ((bit(slot) & kTargetSlots) == 0) continue;
-        const Address& address = address_of(slot);
+        const Address& address = text_.address_of(slot);
         const NumberFormat& format = address.format;
         // A missing point must not change the meaning, and minus must be allowed.
         const bool has_increments = format.increment > 0 || format.inch_increment > 0;
@@ -49,11 +49,11 @@ bool BlockWriter::is_fast(const Block& block) const {
     const SlotMask targets = block.given & kTargetSlots;
     if (targets == 0 || (block.given & ~(fast_slots_ | bit(Slot::Feed))) != 0) return false;
     if (((block.incremental | block.absolute) & block.given) != 0) return false;
-    if (!block.comment.empty() || !pending_.empty() || modal_.waiting_edge != 0 ||
-        modal_.is_length_due || modal_.units.inverse_time || modal_.feed_is_other ||
-        modal_.doubtful != 0 || modal_.turn.miss > 0 || modal_.tilt.miss > 0)
+    if (!block.comment.empty() || !state_.pending().empty() || modal_.edge.waiting != 0 ||
+        modal_.edge.is_length_due || modal_.units.inverse_time || modal_.feed_is_other ||
+        modal_.doubtful != 0 || modal_.frame.turn.miss > 0 || modal_.frame.tilt.miss > 0)
         return false;
-    const Function motion = effective_motion(block);
+    const Function motion = text_.effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;
     const bool moves_others = (targets & ~SlotMask{kLinearXYZ}) != 0;
     if (moves_others && block.feed_of_all_axes != rules_.feed_of_all_axes &&
@@ -73,11 +73,11 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
     struct Word {
         const FastAxis* axis;
         std::uint64_t scaled;
-        double text;
         bool is_minus;
         int decimals;
     };
     std::array<Word, kAxes> words;
+    std::array<TextState::Arrival, kAxes> arrivals;
     std::size_t count = 0;
     SlotMask changed = 0;
     const std::size_t system = modal_.units.inch ? 1 : 0;
@@ -93,12 +93,13 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
             static_cast<double>(scaled) / kPowersOfTen[static_cast<std::size_t>(decimals)];
         const double text = (is_minus ? -rounded : rounded) / scale;
         const auto place = static_cast<std::size_t>(axis.slot);
-        const bool is_same = !options_.verbose_modal && is_named(place) &&
+        const bool is_same = !options_.verbose_modal && text_.is_named(place) &&
                              std::fabs(text - modal_.position.text[place]) < kSame;
         if (!is_same) changed |= bit(axis.slot);
-        words[count++] = {&axis, scaled, text, is_minus, decimals};
+        arrivals[count] = {place, text};
+        words[count++] = {&axis, scaled, is_minus, decimals};
     }
-    modal_.meant[static_cast<std::size_t>(Group::Motion)] = effective_motion(block);
+    state_.arrive(block, text_.effective_motion(block), std::span(arrivals).first(count));
     lines_.open(-1, true, out);
     if (options_.verbose_modal && block.motion != Function::None) {
         blank(out);
@@ -108,11 +109,6 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
     char* end = line.data();
     for (std::size_t i = 0; i < count; ++i) {
         const Word& word = words[i];
-        const auto place = static_cast<std::size_t>(word.axis->slot);
-        modal_.position.meant[place] = block.at(word.axis->slot);
-        modal_.position.text[place] = word.text;
-        modal_.position.known |= bit(word.axis->slot);
-        modal_.position.name(bit(word.axis->slot));
         if (changed != 0 && (changed & bit(word.axis->slot)) == 0) continue;
         if (end != line.data() || out.size() != lines_.start()) *end++ = ' ';
         *end++ = word.axis->letter;
@@ -121,12 +117,9 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
     }
     out.append(line.data(), end);
     if (block.has(Slot::Feed) &&
-        (options_.verbose_modal || !is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed))) {
+        (options_.verbose_modal ||
+         !text_.is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed))) {
         append_slot(block, Slot::Feed, {}, out);
-    }
-    if (block.has(Slot::Feed)) {
-        modal_.meant_feed = block.at(Slot::Feed);
-        modal_.has_meant_feed = true;
     }
     lines_.end_block(out);
     lines_.close(out);

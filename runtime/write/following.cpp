@@ -2,46 +2,18 @@
 // words that wait for their axis.
 #include <algorithm>
 
-#include "base/diagnostics/dialect.h"
-#include "base/text.h"
-#include "write/block_writer.h"
+#include "base/numbers.h"
+#include "write/text_state.h"
 
 namespace kadr::write {
 
-/// Modal functions act in their own block already.
-void BlockWriter::follow_functions(const Block& block) {
-    const Function feed_mode = modal_.meant_of(Group::FeedMode);
-    const Function speed_mode = modal_.meant_of(Group::SpeedMode);
-    const Function plane = modal_.meant_of(Group::Plane);
-    const std::size_t tool_axis = plane_axes()[2];
-    follow_modal(rules_, block, modal_.meant);
-    // The length acts along another axis: both are somewhere else, and are said again.
-    if (rules_.length_axis == LengthAxis::Plane && plane != Function::None &&
-        plane != modal_.meant_of(Group::Plane)) {
-        for (const std::size_t axis : {tool_axis, plane_axes()[2]})
-            modal_.position.told |= modal_.position.known & bit(static_cast<Slot>(axis));
-    }
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        if ((done_ >> i & 1u) == 0 && chosen_[i] != kNoForm)
-            note_written(tables_.forms[chosen_[i]]);
-        const Function function = block.functions[i].function;
-        const Group group = info(function).group;
-        if (group == Group::FeedMode && function != feed_mode) modal_.has_meant_feed = false;
-        if (group == Group::SpeedMode && function != speed_mode) modal_.has_meant_speed = false;
-    }
-    if (block.has(Slot::Speed)) {
-        modal_.meant_speed = block.at(Slot::Speed);
-        modal_.has_meant_speed = true;
-    }
-    if (block.has(Slot::Feed)) {
-        modal_.meant_feed = block.at(Slot::Feed);
-        modal_.has_meant_feed = true;
-    }
+void TextState::follow(const Block& block) {
+    for (const Effect& effect : effects_of(rules_, block, changer_)) follow_effect(block, effect);
 }
 
 /// Whether the tool length acts behind a reference return differs between series of a control: what
 /// a tool change holds back for its axis is said again.
-void BlockWriter::defer_length(const Block& block, const Invocation& invocation) {
+void TextState::defer_length(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kFirstAxis = parameter_of<Function::ReferencePoint>("x");
     for (const Deferred& deferred : tables_.deferred) {
         if (deferred.axis < 0 || !modal_.tool.is_known) continue;
@@ -57,7 +29,7 @@ void BlockWriter::defer_length(const Block& block, const Invocation& invocation)
 
 /// What an effect means for positions, frames and held-back words. Groups were followed before the
 /// words of the block were made.
-void BlockWriter::follow_effect(const Block& block, const Effect& effect) {
+void TextState::follow_effect(const Block& block, const Effect& effect) {
     switch (effect.kind) {
         case EffectKind::Sets:
             if (effect.function == Function::CycleOff) forget_motion();
@@ -65,39 +37,39 @@ void BlockWriter::follow_effect(const Block& block, const Effect& effect) {
         case EffectKind::Shift: follow_shift(frame_change(block, effect)); break;
         case EffectKind::ShiftAdd: follow_shift_add(frame_change(block, effect)); break;
         case EffectKind::Rotate:
-            modal_.rotation = Activity::Yes;
-            turn_axes(plane_axes()[0]);
-            turn_axes(plane_axes()[1]);
+            modal_.frame.rotation = Activity::Yes;
+            turn_axes(view_.plane_axes()[0]);
+            turn_axes(view_.plane_axes()[1]);
             break;
         case EffectKind::RotateOff:
-            modal_.rotation = Activity::No;
-            modal_.turn = {};
-            modal_.position.known &= ~modal_.turned;
+            modal_.frame.rotation = Activity::No;
+            modal_.frame.turn = {};
+            modal_.position.known &= ~modal_.frame.turned;
             break;
         case EffectKind::Scale:
-            modal_.scale = Activity::Yes;
+            modal_.frame.scale = Activity::Yes;
             follow_scale(frame_change(block, effect));
-            modal_.turned = kTargetSlots;
+            modal_.frame.turned = kTargetSlots;
             modal_.position.forget();
             break;
         case EffectKind::ScaleOff:
-            modal_.scale = Activity::No;
-            modal_.factors = {1, 1, 1};
+            modal_.frame.scale = Activity::No;
+            modal_.frame.factors = {1, 1, 1};
             modal_.position.forget();
             break;
         case EffectKind::Mirror: {
-            modal_.mirror = Activity::Yes;
+            modal_.frame.mirror = Activity::Yes;
             const FrameChange change = frame_change(block, effect);
             for (std::size_t axis = 0; axis < 3; ++axis)
                 if (change.given[axis]) turn_axes(axis);
             break;
         }
         case EffectKind::MirrorOff:
-            modal_.mirror = Activity::No;
-            modal_.position.known &= ~modal_.turned;
+            modal_.frame.mirror = Activity::No;
+            modal_.position.known &= ~modal_.frame.turned;
             break;
         case EffectKind::SetPosition: name_position(frame_change(block, effect)); break;
-        case EffectKind::Tilts: modal_.tilted = Activity::Yes; [[fallthrough]];
+        case EffectKind::Tilts: modal_.frame.tilted = Activity::Yes; [[fallthrough]];
         case EffectKind::TurnsSystem:
         case EffectKind::WorkOffset: forget_unsaid(block); break;
         case EffectKind::EndsTilt: end_tilt(block, effect); break;
@@ -131,45 +103,46 @@ void BlockWriter::follow_effect(const Block& block, const Effect& effect) {
     }
 }
 
-void BlockWriter::drop_pending_length() {
+void TextState::drop_pending_length() {
     std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
 }
 
-void BlockWriter::drop_pending_radius() {
+void TextState::drop_pending_radius() {
     std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis < 0; });
 }
 
-void BlockWriter::follow_shift_add(const FrameChange& change) {
+void TextState::follow_shift_add(const FrameChange& change) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (change.values[axis] == 0) continue;
-        modal_.origin[axis].is_known = false;
+        modal_.frame.origin[axis].is_known = false;
         modal_.position.known &= ~bit(static_cast<Slot>(axis));
     }
 }
 
 /// The tool stays where it is, and its coordinates have other numbers.
-void BlockWriter::name_position(const FrameChange& change) {
+void TextState::name_position(const FrameChange& change) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!change.given[axis]) continue;
         const auto slot = static_cast<Slot>(axis);
-        const double scale = to_text(slot, 1);
+        const double scale = view_.to_text(slot, 1);
         modal_.position.meant[axis] = change.values[axis];
-        modal_.position.text[axis] = round_to(change.values[axis] * scale, decimals(slot)) / scale;
+        modal_.position.text[axis] =
+            round_to(change.values[axis] * scale, view_.decimals(slot)) / scale;
         modal_.position.known |= bit(slot);
     }
 }
 
 /// What ends a rotation ends a tilted plane on some controls: where none acts, nothing else is new.
-void BlockWriter::end_tilt(const Block& block, const Effect& effect) {
-    if (effect.function != Function::RotateOff || modal_.tilted != Activity::No) {
-        modal_.tilt = {};
+void TextState::end_tilt(const Block& block, const Effect& effect) {
+    if (effect.function != Function::RotateOff || modal_.frame.tilted != Activity::No) {
+        modal_.frame.tilt = {};
         forget_unsaid(block);
     }
-    modal_.tilted = Activity::No;
+    modal_.frame.tilted = Activity::No;
 }
 
 /// Another tool comes into the spindle. A turret only turns: no modal code is in doubt behind it.
-void BlockWriter::call_tool(const Block& block, const Effect& effect) {
+void TextState::call_tool(const Block& block, const Effect& effect) {
     if (effect.function == Function::ToolSelect) return;
     forget_motion();
     modal_.tool.is_known = effect.function == Function::Tool;
@@ -181,86 +154,63 @@ void BlockWriter::call_tool(const Block& block, const Effect& effect) {
             pending_.push_back({&deferred, modal_.tool.value});
         }
     }
-    modal_.edge = {true, 1};
-    modal_.is_edge_lost = false;
+    modal_.edge.number = {true, 1};
+    modal_.edge.is_lost = false;
     // Behind a move without length the new one is not travelled yet, either.
-    modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
-    modal_.waiting_edge = 0;
+    modal_.edge.is_length_due = modal_.edge.is_length_due || modal_.edge.waiting != 0;
+    modal_.edge.waiting = 0;
     leave_changer();
 }
 
-void BlockWriter::call_edge(const Block& block, const Effect& effect) {
-    modal_.edge = {true, block.argument(effect.invocation_in(block),
-                                        parameter_of<Function::ToolEdge>("edge"))};
-    modal_.is_edge_lost = false;
-    modal_.waiting_edge = 0;
-    modal_.is_length_due = false;
+void TextState::call_edge(const Block& block, const Effect& effect) {
+    modal_.edge.number = {true, block.argument(effect.invocation_in(block),
+                                               parameter_of<Function::ToolEdge>("edge"))};
+    modal_.edge.is_lost = false;
+    modal_.edge.waiting = 0;
+    modal_.edge.is_length_due = false;
     change_length(block);
 }
 
 /// Where the block has brought its axes only the control knows.
-void BlockWriter::forget_words(const Block& block, const Effect& effect) {
+void TextState::forget_words(const Block& block, const Effect& effect) {
     if (effect.function == Function::Probe) forget_motion();  // its code is a motion of its own
     modal_.position.known &= ~block.given;
     if (effect.function != Function::MachineCoordinates) return;
     // In machine coordinates one axis moves: along a turned system several coordinates change.
     constexpr SlotMask kLinear = bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z);
-    const bool is_tilted = modal_.tilted != Activity::No && (block.given & kLinear) != 0;
+    const bool is_tilted = modal_.frame.tilted != Activity::No && (block.given & kLinear) != 0;
     const bool is_turned =
-        modal_.rotation != Activity::No && (block.given & modal_.turned & kTargetSlots) != 0;
-    if (is_turned) modal_.position.known &= ~modal_.turned;
+        modal_.frame.rotation != Activity::No && (block.given & modal_.frame.turned & kTargetSlots) != 0;
+    if (is_turned) modal_.position.known &= ~modal_.frame.turned;
     if (is_tilted) modal_.position.known &= ~kLinear;
 }
 
 /// Another zero point: the axes that the block itself does not bring to a coordinate have others.
-void BlockWriter::forget_unsaid(const Block& block) {
+void TextState::forget_unsaid(const Block& block) {
     SlotMask said = block.given & kTargetSlots;
     for (std::size_t axis = 0; axis < kAxes; ++axis)
-        if (is_distance(block, axis)) said &= static_cast<SlotMask>(~bit(static_cast<Slot>(axis)));
+        if (view_.is_distance(block, axis))
+            said &= static_cast<SlotMask>(~bit(static_cast<Slot>(axis)));
     const SlotMask known = modal_.position.known;
     modal_.position.forget();
     modal_.position.known = known & said;
 }
 
-/// X means something else from here on: where the tool stands has another number.
-void BlockWriter::change_diameter(Function before) {
-    const Function now = modal_.text_of(Group::Diameter);
-    if (before == Function::None || now == Function::None) {
-        modal_.position.known &= ~bit(Slot::X);
-        return;
-    }
-    const auto factor = [](Function member) { return member == Function::DiameterOff ? 1.0 : 2.0; };
-    modal_.position.meant[kX] *= factor(now) / factor(before);
-    modal_.position.text[kX] *= factor(now) / factor(before);
-}
-
 /// Another length along the tool: its axis is elsewhere in the program's coordinates, if the block
 /// does not say where it goes. The others stand where they stood, but are said again: some tools
 /// have lengths along them, too.
-void BlockWriter::change_length(const Block& block) {
+void TextState::change_length(const Block& block) {
     if (modal_.meant_of(Group::Plane) != Function::PlaneXy) return modal_.position.forget();
     constexpr auto kTool = static_cast<std::size_t>(Slot::Z);
-    const bool is_said = block.has(Slot::Z) && !is_distance(block, kTool);
+    const bool is_said = block.has(Slot::Z) && !view_.is_distance(block, kTool);
     if (!is_said) modal_.position.known &= ~bit(Slot::Z);
     modal_.position.told |= modal_.position.known & ~(is_said ? bit(Slot::Z) : 0);
-}
-
-/// A message that the control's line on the screen does not show to its end.
-void BlockWriter::check_message(const Block& block) {
-    const std::size_t length = count_code_points(block.text);
-    if (most_message_ == 0 || length <= most_message_) return;
-    if (!messages_.first_time(block, "a long message")) return;
-    messages_.report(diag::MessageTooLong, block)
-        .arg(length)
-        .arg(tables_.name)
-        .arg(most_message_)
-        .fix("make it shorter, or put the rest into a `note`");
 }
 
 /// Where a tool change leaves the tool: elsewhere along its axis, and in the plane where it stood,
 /// if the builder of the changer does not say otherwise. A turret's tools have lengths in the
 /// plane.
-void BlockWriter::leave_changer() {
+void TextState::leave_changer() {
     WrittenPosition& position = modal_.position;
     if (rules_.tool_change_moves_plane || modal_.meant_of(Group::Plane) != Function::PlaneXy)
         return position.forget();
@@ -270,38 +220,40 @@ void BlockWriter::leave_changer() {
 
 /// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,
 /// and an operator who starts there wants to read it: the next motion says it again.
-void BlockWriter::forget_motion() { modal_.text_of(Group::Motion) = Function::None; }
+void TextState::forget_motion() { modal_.text[index_of(Group::Motion)] = Function::None; }
 
 /// A rotation or mirroring acts on the axis; its coordinate is another one now.
-void BlockWriter::turn_axes(std::size_t axis) {
+void TextState::turn_axes(std::size_t axis) {
     const SlotMask mask = bit(static_cast<Slot>(axis));
-    modal_.turned |= mask;
+    modal_.frame.turned |= mask;
     modal_.position.known &= ~mask;
 }
 
 /// Its factors are multiplied with those that act, where a second one does not replace the first.
-void BlockWriter::follow_scale(const FrameChange& change) {
-    for (std::size_t axis = 0; axis < modal_.factors.size(); ++axis) {
+void TextState::follow_scale(const FrameChange& change) {
+    for (std::size_t axis = 0; axis < modal_.frame.factors.size(); ++axis) {
         const double factor = change.factors[axis];
-        modal_.factors[axis] = rules_.scale_replaces ? factor : modal_.factors[axis] * factor;
+        modal_.frame.factors[axis] =
+            rules_.scale_replaces ? factor : modal_.frame.factors[axis] * factor;
     }
 }
 
 /// A shift replaces all of the programmable frame. Axes whose share in it does not change stay
 /// where they are. Of the others the coordinate could be worked out, but an incremental word behind
 /// it counts from the old one on some controls; and X may be a diameter.
-void BlockWriter::follow_shift(const FrameChange& change) {
+void TextState::follow_shift(const FrameChange& change) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const SlotMask mask = bit(static_cast<Slot>(axis));
         const double shift = change.values[axis];
-        Standing& origin = modal_.origin[axis];
-        const bool stays = (modal_.turned & mask) == 0 && origin.is_known && origin.value == shift;
+        Standing& origin = modal_.frame.origin[axis];
+        const bool stays =
+            (modal_.frame.turned & mask) == 0 && origin.is_known && origin.value == shift;
         if (!stays) modal_.position.known &= ~mask;
         origin = {true, shift};
     }
-    modal_.rotation = modal_.mirror = modal_.scale = Activity::No;
-    modal_.factors = {1, 1, 1};
-    modal_.turned = 0;
+    modal_.frame.rotation = modal_.frame.mirror = modal_.frame.scale = Activity::No;
+    modal_.frame.factors = {1, 1, 1};
+    modal_.frame.turned = 0;
 }
 
 }  // namespace kadr::write

@@ -17,9 +17,9 @@ namespace kadr::write {
 /// source       S 5.2 MD20250; F 4.3 No.19625
 void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
     constexpr int kContour = 2;  // moves: the way to the contour, and its first element
-    if (!is_compensated()) return void(idle_ = {});
+    if (!text_.is_compensated()) return void(idle_ = {});
     if (!std::exchange(idle_.is_begun, true)) idle_.level = block.skip;
-    const auto axes = plane_axes();
+    const auto axes = text_.plane_axes();
     const SlotMask plane = SlotMask{1} << axes[0] | SlotMask{1} << axes[1];
     const bool moves = (block.given & (plane | kCenterSlots)) != 0;
     if (moves) idle_.moves = std::min(idle_.moves + 1, kContour);

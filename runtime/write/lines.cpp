@@ -46,7 +46,9 @@ void Lines::open(int skip, bool has_number, std::string& out) {
     out.append(begin, end);
 }
 
-void Lines::end_block(std::string& out) const { out += tables_.notation.block_end; }
+void Lines::end_block(std::string& out) const {
+    if (!tables_.notation.block_end.empty()) out += tables_.notation.block_end;  // rarely one
+}
 
 void Lines::close(std::string& out) {
     const std::size_t length = out.size() - start_;

@@ -32,39 +32,16 @@ void BlockWriter::check_rounding(const Block& block, double number, int places, 
         .arg(readable(round_to(100 * share, 1)));
 }
 
-/// Remembers by how much the angle of a frame is not the one that is meant.
-void BlockWriter::note_turn(const Block& block, const Invocation& invocation, double angle_deg,
-                            int places) {
-    const double miss = std::fabs(round_to(angle_deg, places) - angle_deg);
-    switch (invocation.function) {
-        case Function::Rotate:
-            modal_.turn.miss += rad_from_deg(miss);
-            modal_.turn.source = block.source;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                modal_.turn.center[axis] =
-                    block.argument(invocation, parameter_of<Function::Rotate>("x") + axis);
-            }
-            break;
-        case Function::Tilt:
-        case Function::TiltEuler:
-            modal_.tilt.miss += rad_from_deg(miss);
-            modal_.tilt.source = block.source;
-            modal_.tilt.center = {};
-            break;
-        default: break;
-    }
-}
-
 /// Where the rounded angle of a frame takes the tool beside its place by more than the text's own
 /// rounding does. A rotation turns its plane, a tilted plane all of space.
 void BlockWriter::check_turn(const Block& block) {
     const auto lever = [&](const TurnMiss& turn, std::size_t axes) {
-        const std::array<std::size_t, 3> order = plane_axes();
+        const std::array<std::size_t, 3> order = text_.plane_axes();
         double square = 0;
         for (std::size_t i = 0; i < axes; ++i) {
-            if (!is_known(order[i])) continue;
+            if (!text_.is_known(order[i])) continue;
             const double arm = (modal_.position.meant[order[i]] - turn.center[order[i]]) *
-                               on_part(order[i]) * modal_.factors[order[i]];
+                               text_.on_part(order[i]) * modal_.frame.factors[order[i]];
             square += arm * arm;
         }
         return std::sqrt(square);
@@ -72,7 +49,8 @@ void BlockWriter::check_turn(const Block& block) {
     // A text in nanometres asks for no more than machines resolve.
     constexpr double kSeen = 1e-4;  // mm
     const double half =
-        std::max(kSeen, end_increment() / to_text(static_cast<Slot>(plane_axes()[0]), 1) / 2);
+        std::max(kSeen, text_.end_increment() /
+                            text_.to_text(static_cast<Slot>(text_.plane_axes()[0]), 1) / 2);
     const auto report = [&](const TurnMiss& turn, double beside, const DiagnosticRow& row) {
         const SourceRange statement = messages_.place(turn.source);
         DiagnosticBuilder message = messages_.report(row, block);
@@ -83,13 +61,14 @@ void BlockWriter::check_turn(const Block& block) {
     const auto is_far = [&](const TurnMiss& turn, double beside) {
         return turn.miss > 0 && beside > half && messages_.first_time_of_frame(turn.source);
     };
-    if (const double beside = modal_.turn.miss * lever(modal_.turn, 2);
-        is_far(modal_.turn, beside)) {
+    if (const double beside = modal_.frame.turn.miss * lever(modal_.frame.turn, 2);
+        is_far(modal_.frame.turn, beside)) {
         messages_.fail();
-        report(modal_.turn, beside, diag::RotationTooFine);
+        report(modal_.frame.turn, beside, diag::RotationTooFine);
     }
-    if (const double beside = modal_.tilt.miss * lever(modal_.tilt, 3); is_far(modal_.tilt, beside))
-        report(modal_.tilt, beside, diag::TiltTooFine);
+    if (const double beside = modal_.frame.tilt.miss * lever(modal_.frame.tilt, 3);
+        is_far(modal_.frame.tilt, beside))
+        report(modal_.frame.tilt, beside, diag::TiltTooFine);
 }
 
 }  // namespace kadr::write

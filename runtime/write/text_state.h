@@ -1,163 +1,127 @@
-// text_state.h — what the writer remembers between blocks.
+// text_state.h — the one owner of what a text has said: its changes, each with a name.
+//
+// Words and blocks change it at once (text_state.cpp); what the functions of a block leave behind
+// comes when its line is written (following.cpp). Nobody else writes to it.
 #pragma once
 
-#include <array>
+#include <span>
 #include <vector>
 
-#include "write/names.h"
+#include "write/text_view.h"
 
 namespace kadr::write {
 
-/// mm or deg; far below any increment, above rounding noise.
-inline constexpr double kSame = 1e-9;
+class TextState {
+  public:
+    explicit TextState(const Dialect& dialect);
+    TextState(const TextState&) = delete;
+    TextState& operator=(const TextState&) = delete;
 
-inline constexpr std::size_t kX = 0;
+    const TextView& view() const { return view_; }
+    const WriterModal& modal() const { return modal_; }
+    std::span<const Pending> pending() const { return pending_; }
+    bool has_ended() const { return has_ended_; }  // the program ends itself
 
-constexpr Slot center_slot(std::size_t axis) {
-    return static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
-}
+    /// The state in which every Kadr program begins; the start lines bring the control there.
+    void begin(bool is_inch);
+    /// Behind raw text nothing is known.
+    void forget();
+    /// Behind a block that the operator may leave out holds what is so with and without it.
+    void join(const WriterModal& before);
+    /// What the program knows of the axes behind a change of its frame, of which the text says
+    /// nothing.
+    void take_position(const Block& block);
 
-constexpr std::size_t index_of(Group group) { return static_cast<std::size_t>(group); }
+    // What the program means
+    void mean(const Block& block);
+    void mean(const ModalFunctions& functions);
+    void mean(Group group, Function function);
+    /// The functions and numbers of a block, before its words are made.
+    void mean_all(const Block& block);
 
-/// Position of the axes, twice: as the program means it, and as the rounded words of the text add
-/// up to it, so that incremental words cannot drift. mm and degrees.
-struct WrittenPosition {
-    std::array<double, kAxes> meant{};
-    std::array<double, kAxes> text{};
-    SlotMask known = 0;     // the axes whose coordinates are known, not only their changes
-    SlotMask told = 0;      // … and of these the ones that no word of the text has named yet
-    SlotMask reframed = 0;  // axes that no word has named since the frame changed …
-    // … and the coordinates that words named last, in the frame before: meant, and in the text.
-    std::array<std::array<double, 2>, kAxes> named{};
+    // What words say
+    void say(const Form& form);
+    /// As if a word said it, where none can.
+    void assume(Function function);
+    void say_feed(double number, bool is_other);
+    void say_speed(double number);
+    /// An argument that stays in force: of a shift.
+    void say_shift(std::size_t argument, double value);
+    /// A word of a start line with a shift that stays: from the beginning the axis has it.
+    void start_shift(const Form& form, AddressId address, double value);
+    /// The angle of a frame, whose rounding the positions behind it pay for.
+    void say_turn(const Block& block, const Invocation& invocation, double angle_deg, int places);
 
-    /// A word of the text names the axis.
-    void name(SlotMask axis) {
-        told &= ~axis;
-        reframed &= ~axis;
-    }
-    void forget() { known = told = reframed = 0; }
-};
+    // F beside its word
+    void begin_lead(bool is_lead);
+    /// Behind a thread: the feed of the program, which the pitch in F is not.
+    void end_lead(const Standing& feed, bool is_other);
+    /// The feed of a block that was written in parts, each with a time of its own.
+    void mean_shared_feed(double feed);
+    void doubt_feed();
+    void doubt_speed();
 
-/// Whether something additive (a rotation, a mirroring) acts.
-enum class Activity : std::uint8_t { No, Yes, Unknown };
+    // Positions
+    /// An axis goes to a coordinate or by a distance, in mm or degrees; returns where it stood in
+    /// the text.
+    double go(std::size_t axis, double value, bool is_distance);
+    /// A straight move that the fast way writes.
+    struct Arrival {
+        std::size_t axis;
+        double text;
+    };
+    void arrive(const Block& block, Function motion, std::span<const Arrival> arrivals);
+    void lose(std::size_t axis);
+    /// X means something else from here on: where the tool stands has another number.
+    void change_diameter(Function before);
+    /// Where the cycle has left the tool.
+    void follow_back(const Block& block, const Invocation& cycle);
 
-/// A number that stays in force and need not be repeated.
-struct Standing {
-    bool is_known = false;
-    double value = 0;
-};
+    // Cutting edges and held-back words
+    /// The edge that waits acts again; 0 if none does.
+    double call_waiting_edge();
+    void edge_is_said(const WrittenPosition& position);
+    void length_acts();
+    /// Edge 0 acts; returns the one before.
+    Standing drop_edge();
+    void let_wait(double edge);
+    void set_offset(std::size_t pending, double tool);
+    void drop_pending(std::size_t pending);
 
-/// A set of modal groups, a bit each.
-using GroupMask = std::uint32_t;
-constexpr GroupMask bit(Group group) { return GroupMask{1} << index_of(group); }
+    /// What the functions of the block leave behind, once its line is written.
+    void follow(const Block& block);
 
-/// Groups that are said again where nobody knows whether the operator has left out the block that
-/// says one of them. The spindle and the coolant are his choice; the motion, the dimensions and the
-/// feed mode are said wherever the text does not have them; the others cannot stand in such a
-/// block.
-inline constexpr GroupMask kSaidAgain =
-    bit(Group::Plane) | bit(Group::RadiusComp) | bit(Group::PathMode) | bit(Group::CompStart) |
-    bit(Group::CompCorner) | bit(Group::CompCheck) | bit(Group::Compressor) | bit(Group::Turning) |
-    bit(Group::OrientAngles) | bit(Group::OrientSystem) | bit(Group::Spinning) |
-    bit(Group::CompSystem) | bit(Group::CompTurning);
+  private:
+    void stand_without_codes();
+    void say(Function function, const Form& form);
 
-/// Additional turns of a helix, as the interpreter takes them.
-inline constexpr double kMostTurns = 999;
+    void follow_effect(const Block& block, const Effect& effect);
+    void follow_shift(const FrameChange& change);
+    void follow_shift_add(const FrameChange& change);
+    void follow_scale(const FrameChange& change);
+    void name_position(const FrameChange& change);
+    void end_tilt(const Block& block, const Effect& effect);
+    void turn_axes(std::size_t axis);
+    void call_tool(const Block& block, const Effect& effect);
+    void call_edge(const Block& block, const Effect& effect);
+    void change_length(const Block& block);
+    void forget_words(const Block& block, const Effect& effect);
+    void forget_unsaid(const Block& block);
+    void forget_motion();
+    void leave_changer();
+    void defer_length(const Block& block, const Invocation& invocation);
+    // What waits is said by the program itself: a length for its axis, a radius for its side.
+    void drop_pending_length();
+    void drop_pending_radius();
 
-/// How much the angle of a frame in the text misses the one that is meant, at most.
-struct TurnMiss {
-    double miss = 0;  // rad
-    std::array<double, 3> center{};
-    SourceId source;  // the statement that says it
-};
-
-struct WriterModal {
-    ModalFunctions meant{};  // as the blocks say; None: not known
-    ModalFunctions text{};   // as the control has it
-    GroupMask doubtful = 0;  // of kSaidAgain, where a block that may be left out says otherwise
-    TextUnits units;
-    Standing feed;  // in the text's units
-    Standing speed;
-    double meant_feed = 0;  // of the blocks; holds if has_meant_feed
-    bool has_meant_feed = false;
-    bool feed_is_other = false;  // F in the text is not meant_feed: a pitch, a helix by its arc
-    double meant_speed = 0;      // holds if has_meant_speed
-    bool has_meant_speed = false;
-    Standing tool;               // the last one that was called
-    Standing edge;               // the cutting edge that the text has selected
-    bool is_edge_lost = false;   // one acted, and nobody knows which one does now
-    bool is_length_due = false;  // it acts again; its axis has not moved since
-    double waiting_edge = 0;     // the one that a block without tool length has put aside; 0: none
-    WrittenPosition position;
-    Activity rotation = Activity::No;
-    Activity mirror = Activity::No;
-    Activity scale = Activity::No;
-    Activity tilted = Activity::No;             // whether the working plane is
-    TurnMiss turn;                              // of the rotation
-    TurnMiss tilt;                              // of the tilted plane
-    std::array<double, 3> factors = {1, 1, 1};  // of the scale, X Y Z
-    SlotMask turned = 0;                        // axes on which a rotation or mirroring acts
-    std::array<Standing, 3> shift{};            // arguments of a function that remembers them
-    std::array<Standing, 3> origin{};           // programmable shift as the program means it, mm
-
-    Function& text_of(Group group) { return text[static_cast<std::size_t>(group)]; }
-    Function text_of(Group group) const { return text[static_cast<std::size_t>(group)]; }
-    Function& meant_of(Group group) { return meant[static_cast<std::size_t>(group)]; }
-
-    /// Keeps what is so in both: behind a block that the operator may leave out.
-    void join(const WriterModal& other) {
-        for (std::size_t i = 0; i < text.size(); ++i) {
-            if (text[i] == other.text[i]) continue;
-            text[i] = Function::None;
-            doubtful |= bit(static_cast<Group>(i)) & kSaidAgain;
-        }
-        doubtful |= other.doubtful;
-        const auto keep = [](Standing& mine, const Standing& theirs) {
-            mine.is_known = mine.is_known && theirs.is_known && mine.value == theirs.value;
-        };
-        keep(feed, other.feed);
-        keep(speed, other.speed);
-        feed_is_other |= other.feed_is_other;
-        for (std::size_t i = 0; i < shift.size(); ++i) {
-            keep(shift[i], other.shift[i]);
-            keep(origin[i], other.origin[i]);
-        }
-        keep(tool, other.tool);
-        keep(edge, other.edge);
-        turned |= other.turned;
-        if (rotation != other.rotation) rotation = Activity::Unknown;
-        if (mirror != other.mirror) mirror = Activity::Unknown;
-        if (scale != other.scale) scale = Activity::Unknown;
-        if (tilted != other.tilted) tilted = Activity::Unknown;
-        if (factors != other.factors) factors = {1, 1, 1};
-        // `turn` and `tilt` are misses of the text's own words; edges and units stand in no block
-        // that may be left out, and an edge that such a block puts aside is said again either way.
-        position.told |= other.position.told;
-        position.reframed |= other.position.reframed;
-        position.known &= other.position.known;
-        for (std::size_t i = 0; i < kAxes; ++i) {
-            const bool is_same = position.text[i] == other.position.text[i] &&
-                                 position.meant[i] == other.position.meant[i];
-            if (!is_same) position.known &= static_cast<SlotMask>(~(SlotMask{1} << i));
-        }
-    }
-
-    /// After raw text nothing is known.
-    void forget() {
-        meant.fill(Function::None);
-        text.fill(Function::None);
-        doubtful = 0;
-        feed.is_known = speed.is_known = has_meant_feed = has_meant_speed = false;
-        is_edge_lost = is_edge_lost || (edge.is_known && edge.value != 0);
-        tool.is_known = edge.is_known = false;
-        waiting_edge = 0;
-        position.forget();
-        rotation = mirror = scale = tilted = Activity::Unknown;
-        factors = {1, 1, 1};
-        turned = kTargetSlots;
-        for (Standing& s : shift) s.is_known = false;
-        for (Standing& s : origin) s.is_known = false;
-    }
+    const DialectTables& tables_;
+    const Rules& rules_;
+    const nc::Changer changer_;
+    WriterModal modal_;
+    FeedWord feed_word_;
+    std::vector<Pending> pending_;
+    bool has_ended_ = false;
+    const TextView view_{tables_, modal_, feed_word_};
 };
 
 }  // namespace kadr::write

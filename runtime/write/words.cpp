@@ -18,16 +18,17 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
         if (!is_target && (block.given & mask & scalars) == 0) continue;
         const bool may_stand = !options_.verbose_modal;
         if (slot == Slot::Feed && may_stand && !modal_.units.inverse_time &&
-            is_standing(slot, block.at(slot) * targets.feed_factor, modal_.feed)) {
+            text_.is_standing(slot, block.at(slot) * targets.feed_factor, modal_.feed)) {
             continue;
         }
-        if (slot == Slot::Speed && may_stand && is_standing(slot, block.at(slot), modal_.speed)) {
+        if (slot == Slot::Speed && may_stand &&
+            text_.is_standing(slot, block.at(slot), modal_.speed)) {
             // The start of a spindle shows its speed, even if it is the old one.
             const bool starts = block.find(Function::SpindleCw) != nullptr ||
                                 block.find(Function::SpindleCcw) != nullptr;
             if (!starts) continue;
         }
-        items.add(Item::of_slot(address_of(slot).order, slot));
+        items.add(Item::of_slot(text_.address_of(slot).order, slot));
     }
     for (std::size_t slot = 0; slot < kSlots; ++slot) {
         if (block.has(static_cast<Slot>(slot)) && tables_.slot_address[slot] == kNoAddress &&
@@ -37,7 +38,7 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
         }
     }
     if (repeats_feed(block, targets)) {
-        items.add(Item::of_slot(address_of(Slot::Feed).order, Slot::Feed));
+        items.add(Item::of_slot(text_.address_of(Slot::Feed).order, Slot::Feed));
     }
 }
 
@@ -45,14 +46,15 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
 /// of a helix, the first one behind it does; and so does a helix that needs an F of its own.
 bool BlockWriter::repeats_feed(const Block& block, const Targets& targets) const {
     const bool is_own = targets.feed_factor != 1;
-    if (!feed_every_block_ && !modal_.feed_is_other && !is_own) return false;
-    if (!has_address(Slot::Feed) || block.has(Slot::Feed) || !modal_.has_meant_feed) return false;
+    if (!text_.feed_word.every_block && !modal_.feed_is_other && !is_own) return false;
+    if (!text_.has_address(Slot::Feed) || block.has(Slot::Feed) || !modal_.has_meant_feed)
+        return false;
     const bool has_words = (block.given & (kTargetSlots | kCenterSlots)) != 0;
-    const Function motion = effective_motion(block);
+    const Function motion = text_.effective_motion(block);
     const bool is_cut = has_fact(motion, Fact::Cut);
     if (has_words && is_cut) {
         const double feed = modal_.meant_feed * targets.feed_factor;
-        return feed_every_block_ || !is_standing(Slot::Feed, feed, modal_.feed);
+        return text_.feed_word.every_block || !text_.is_standing(Slot::Feed, feed, modal_.feed);
     }
     const Invocation* cycle = block.find(Function::Cycle);
     return modal_.feed_is_other && cycle != nullptr && !has_feed_word(block, *cycle);
@@ -72,11 +74,11 @@ bool BlockWriter::has_feed_word(const Block& block, const Invocation& cycle) con
 
 /// Words that a tool change left for the block that moves the tool axis, or says a function.
 void BlockWriter::add_deferred(const Block& block, Items& items) {
-    if (pending_.empty()) return;
+    if (state_.pending().empty()) return;
     const bool is_cycle = block.function_count != 0 && block.find(Function::Cycle) != nullptr;
     const bool is_machine = block.find(Fact::AtMachinePlace) != nullptr;
-    for (std::size_t i = 0; i < pending_.size();) {
-        const Deferred& deferred = *pending_[i].deferred;
+    for (std::size_t i = 0; i < state_.pending().size();) {
+        const Deferred& deferred = *state_.pending()[i].deferred;
         bool acts = false;
         if (deferred.axis >= 0 && !is_machine)
             acts = block.has(static_cast<Slot>(deferred.axis)) || is_cycle;
@@ -86,13 +88,13 @@ void BlockWriter::add_deferred(const Block& block, Items& items) {
             ++i;
             continue;
         }
-        deferred_tool_ = own_offset(pending_[i], block);
+        deferred_tool_ = own_offset(state_.pending()[i], block);
         remove_said(deferred, items);
         items.add(
             Item::of_words(tables_.addresses[deferred.words[0].address].order, deferred.words));
         // Functions may come again for the same tool; an axis word acts once.
         if (deferred.axis >= 0) {
-            pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(i));
+            state_.drop_pending(i);
         } else {
             ++i;
         }
@@ -311,7 +313,7 @@ void BlockWriter::note_line(const std::vector<FormWord>& words) {
     for (const FormWord& word : words) {
         if (word.kind != FormWord::Kind::Fixed || word.is_quantity) continue;
         const Code* code = tables_.find_code(word.address, word.number);
-        if (code != nullptr && code->simple != kNoForm) note_written(tables_.forms[code->simple]);
+        if (code != nullptr && code->simple != kNoForm) state_.say(tables_.forms[code->simple]);
     }
 }
 
@@ -375,9 +377,9 @@ void BlockWriter::append_words(const Block& block, const std::vector<FormWord>& 
         ++values;
         const auto parameter = static_cast<std::size_t>(word.parameter);
         const double value = block.argument(*invocation, parameter, word.fallback);
-        Standing& kept = modal_.shift[parameter % modal_.shift.size()];
+        const Standing& kept = modal_.frame.shift[parameter % modal_.frame.shift.size()];
         if (kept.is_known && kept.value == value) unchanged |= 1u << word.parameter;
-        kept = {true, value};
+        state_.say_shift(parameter, value);
     }
     const bool writes_all = values == static_cast<std::size_t>(std::popcount(unchanged));
     for (const FormWord& word : words) {
@@ -520,7 +522,7 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
     const int places = text_decimals(own, word.dimension, modal_.units);
     check_rounding(block, number, places, word.dimension, name);
     if (word.dimension == Dimension::Angle && invocation != nullptr)
-        note_turn(block, *invocation, number, places);
+        state_.say_turn(block, *invocation, number, places);
 }
 
 /// A whole number without a point: so many increments, or a number in two parts, the first of two
@@ -593,7 +595,7 @@ void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targ
     } else {
         const double value =
             slot == Slot::Feed && !block.has(slot) ? modal_.meant_feed : block.at(slot);
-        number = to_text(slot, value) * (slot == Slot::Feed ? targets.feed_factor : 1);
+        number = text_.to_text(slot, value) * (slot == Slot::Feed ? targets.feed_factor : 1);
     }
     blank(out);
     out += address.name;
@@ -604,7 +606,7 @@ void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targ
     } else if (address.name.size() > 1) {
         out += '=';
     }
-    const bool is_lead = slot == Slot::Feed && feed_is_lead_;
+    const bool is_lead = slot == Slot::Feed && text_.feed_word.is_lead;
     const NumberFault fault =
         is_lead ? append_number(out, number, lead_format(address.format), address.dimension,
                                 modal_.units)
@@ -616,11 +618,9 @@ void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targ
                    text_decimals(is_lead ? lead_format(address.format) : address.format,
                                  address.dimension, modal_.units),
                    address.dimension, address.name);
-    if (slot == Slot::Feed) {
-        modal_.feed = {true, round_to(number, decimals(slot))};
-        modal_.feed_is_other = targets.feed_factor != 1;
-    }
-    if (slot == Slot::Speed) modal_.speed = {true, round_to(number, decimals(slot))};
+    if (slot == Slot::Feed)
+        state_.say_feed(round_to(number, text_.decimals(slot)), targets.feed_factor != 1);
+    if (slot == Slot::Speed) state_.say_speed(round_to(number, text_.decimals(slot)));
 }
 
 /// A text between quotes; one that would end early is an error, what is only shown has apostrophes.
@@ -633,27 +633,6 @@ void BlockWriter::append_text(const Block& block, std::string& out) {
         return;
     }
     out += text;
-}
-
-/// The form of a shift that stays, if a line with this code is one.
-const Form* BlockWriter::kept_shift(AddressId address, double code) const {
-    for (const FormId id : tables_.forms_of[static_cast<std::size_t>(Function::Shift)]) {
-        const Form& form = tables_.forms[id];
-        const FormWord& head = form.words[0];
-        const bool is_code = head.kind == FormWord::Kind::Fixed && head.address == address;
-        if (form.remembers && is_code && head.number == code) return &form;
-    }
-    return nullptr;
-}
-
-/// A word of such a line: from the beginning the axis has this shift. Only 0 is the same in every
-/// unit.
-void BlockWriter::note_start_shift(const Form& form, AddressId address, double value) {
-    for (const FormWord& word : form.words) {
-        if (word.parameter < 0 || word.address != address || value != 0) continue;
-        const auto axis = static_cast<std::size_t>(word.parameter) % modal_.shift.size();
-        modal_.shift[axis] = modal_.origin[axis] = {true, 0};
-    }
 }
 
 void BlockWriter::write_start_line(std::string_view line, std::string& out) {
@@ -669,10 +648,9 @@ void BlockWriter::write_start_line(std::string_view line, std::string& out) {
         if (address != kNoAddress && word.size() > 1) {
             const Decimal number = parse_decimal(word.data() + 1, word.data() + word.size());
             const Code* code = tables_.find_code(address, number.value);
-            if (code != nullptr && code->simple != kNoForm)
-                note_written(tables_.forms[code->simple]);
-            if (shift != nullptr) note_start_shift(*shift, address, number.value);
-            if (shift == nullptr) shift = kept_shift(address, number.value);
+            if (code != nullptr && code->simple != kNoForm) state_.say(tables_.forms[code->simple]);
+            if (shift != nullptr) state_.start_shift(*shift, address, number.value);
+            if (shift == nullptr) shift = text_.kept_shift(address, number.value);
         }
         at = end;
     }

@@ -30,7 +30,7 @@
 #include "interp/interpreter.h"
 #include "interp/program.h"
 #include "tests/control/random_program.h"
-#include "write/text_state.h"
+#include "write/modal.h"
 #include "write/writer.h"
 
 namespace kadr::control_testing {
