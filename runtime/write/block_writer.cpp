@@ -9,7 +9,8 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
-#include "nc/comment_text.h"
+#include "write/arc_blocks.h"
+#include "write/arc_targets.h"
 
 namespace kadr::write {
 
@@ -184,19 +185,53 @@ void BlockWriter::check_knot(const Block& block, Function motion) {
 }
 
 /// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
-BlockWriter::Written BlockWriter::write_other_arc(const Block& block, std::string& out) {
-    if (!is_arc(text_.effective_motion(block))) return split_turns(block, out);
+BlockWriter::Written BlockWriter::write_other_arc(const Block& block, Whole whole,
+                                                  std::string& out) {
+    if (!is_arc(text_.effective_motion(block))) return write_turns(block, whole, out);
     const ModalFunctions meant = modal_.meant;
     state_.mean(block);
-    if (split_turns(block, out) == Written::Already || straighten(block, out) == Written::Already ||
-        (!is_part_ && split_arc(block, out) == Written::Already))
+    if (write_turns(block, whole, out) == Written::Already ||
+        straighten(block, out) == Written::Already ||
+        (whole == Whole::Yes && write_parts(block, out) == Written::Already))
         return Written::Already;
     state_.mean(meant);
     return Written::NotYet;
 }
 
-void BlockWriter::write_block(const Block& block, std::string& out) {
-    if (write_other_arc(block, out) == Written::Already ||
+/// A helix of several turns on a control without a word for them: one block a turn.
+BlockWriter::Written BlockWriter::write_turns(const Block& block, Whole whole, std::string& out) {
+    const std::optional<HelixTurns> helix = turns_of(text_, messages_, block);
+    if (!helix) return Written::NotYet;
+    for (int turn = 1; turn <= helix->turns; ++turn)
+        write_block(circle_of(*helix, turn, text_), out, whole);
+    write_block(rest_of(*helix, text_), out, whole);
+    return Written::Already;
+}
+
+BlockWriter::Written BlockWriter::write_parts(const Block& block, std::string& out) {
+    const std::optional<ArcParts> parts = parts_of_arc(text_, messages_, block);
+    if (!parts) return Written::NotYet;
+    for (std::size_t part = 0; part < parts->count; ++part)
+        write_block(block_of(*parts, part, text_), out, Whole::No);
+    if (parts->shares_time) state_.mean_shared_feed(parts->feed);
+    return Written::Already;
+}
+
+/// An arc that the control cannot tell from its chord is written as that.
+BlockWriter::Written BlockWriter::straighten(const Block& block, std::string& out) {
+    if (!vanishes(text_, block)) return Written::NotYet;
+    messages_.report(diag::ArcVanishes, block).arg(dialect_.title());
+    const Function motion = text_.effective_motion(block);
+    Block line = block;
+    line.motion = Function::Line;
+    line.given &= ~(kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns));
+    write_block(line, out);
+    state_.mean(Group::Motion, motion);
+    return Written::Already;
+}
+
+void BlockWriter::write_block(const Block& block, std::string& out, Whole whole) {
+    if (write_other_arc(block, whole, out) == Written::Already ||
         write_thread(block, out) == Written::Already)
         return;
     if (modal_.edge.waiting != 0) write_waiting_edge(block, out);
@@ -221,14 +256,15 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     const Function motion = text_.effective_motion(block);
     if (block.motion != Function::None && block.motion != motion)
         messages_.cannot_express(block, "a probing move that is no line at feed");
-    place_targets(block, targets);
+    place_targets(state_, messages_, block, targets);
+    if (modal_.frame.turn.miss > 0 || modal_.frame.tilt.miss > 0) check_turn(block);
     check_knot(block, motion);
     if (is_arc(motion)) {
-        place_arc(block, start, targets);
-        place_arc_feed(block, start, targets);
-        place_helix_feed(block, start, targets);
+        place_arc(text_, messages_, block, start, targets);
+        place_arc_feed(text_, messages_, block, start, targets);
+        place_helix_feed(text_, messages_, block, start, targets);
     } else if (motion == Function::None) {
-        place_arc_as_given(block, start, targets);
+        place_arc_as_given(text_, messages_, block, start, targets);
     } else if (has_fact(motion, Fact::Pitch)) {
         for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
             if (!block.has(slot)) continue;
@@ -236,9 +272,9 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
             targets.number[static_cast<std::size_t>(slot)] = text_.to_text(slot, block.at(slot));
         }
     } else if (block.function_count == 0 && !options_.verbose_modal) {
-        drop_unchanged(block, start, targets);
+        drop_unchanged(text_, block, start, targets);
     }
-    if (motion == Function::Line) place_axes_feed(block, start, targets);
+    if (motion == Function::Line) place_axes_feed(text_, messages_, block, start, targets);
     // An incremental word that the control can only say under incremental dimensions.
     if (targets.written != 0 && targets.needs_incremental &&
         modal_.text_of(Group::Distance) != Function::Incremental) {

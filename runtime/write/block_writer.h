@@ -7,11 +7,9 @@
 #include <span>
 #include <string>
 
-#include "base/done.h"
-#include "nc/effects.h"
-#include "write/arc_words.h"
 #include "write/lines.h"
 #include "write/messages.h"
+#include "write/targets.h"
 #include "write/text_state.h"
 #include "write/writer.h"
 
@@ -88,11 +86,13 @@ class BlockWriter {
         }
         std::span<const Item> all() const { return {list.data(), count}; }
     };
-    void write_raw(const Block& block, std::string& out);
-    void write_block(const Block& block, std::string& out);
-    void write_long(const Block& block, std::string& out);
     /// Whether the block stands in the text, or has a message instead.
     enum class Written : std::uint8_t { NotYet, Already };
+    /// No: the block is a part of an arc already, and is not written in parts again.
+    enum class Whole : std::uint8_t { No, Yes };
+    void write_raw(const Block& block, std::string& out);
+    void write_block(const Block& block, std::string& out, Whole whole = Whole::Yes);
+    void write_long(const Block& block, std::string& out);
     Written write_thread(const Block& block, std::string& out);
     std::optional<std::size_t> longer_way(const Block& block) const;
     void check_front(const Block& block);
@@ -157,66 +157,11 @@ class BlockWriter {
     void check_message(const Block& block);
     bool shares_address(const Form& form, const Block& block) const;
 
-    // Positions
-    struct Targets {
-        SlotMask written = 0;                 // that get a word
-        std::array<double, kSlots> number{};  // what stands there, in the text's units
-        SlotMask wrapped_absolute = 0;        // AC()
-        SlotMask wrapped_incremental = 0;     // IC()
-        SlotMask by_letter = 0;               // that are written with the letter of distances
-        double feed_factor = 1;               // of F
-        bool needs_incremental = false;       // all words are distances from places unknown
-    };
-    void place_targets(const Block& block, Targets& targets);
-    void place_target(const Block& block, std::size_t axis, Targets& targets);
-    void place_machine_target(const Block& block, std::size_t axis, bool by_itself,
-                              Targets& targets);
-    void place_arc(const Block& block, const WrittenPosition& start, Targets& targets);
-    bool is_on_circle(const ArcPoints& arc, const PlanePoint& center) const;
-    std::string length_in_words(double length) const;
-    void check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center);
-    void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
-    void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
-    bool is_coordinate_center(Slot slot) const;
-    void place_center_as_coordinates(const Block& block, const WrittenPosition& start,
-                                     const PlanePoint& center, Targets& targets);
-    void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
-    ArcPoints arc_points(const WrittenPosition& start) const;
-    bool is_exact_arc(const Block& block, double radius) const;
-    void unknown_start(const Block& block);
-    void place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
-    struct MeantArc {
-        double sweep;   // rad, above 0
-        double radius;  // mm
-    };
-    MeantArc meant_arc(const Block& block, const WrittenPosition& start) const;
-    void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
-    void place_helix_feed(const Block& block, const WrittenPosition& start, Targets& targets);
-    void place_axes_feed(const Block& block, const WrittenPosition& start, Targets& targets);
-    PlanePoint meant_center(const Block& block, const PlanePoint& start,
-                            const PlanePoint& end) const;
-    void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
-    Done require_known_turns(const Block& block);
-    Written write_other_arc(const Block& block, std::string& out);
-    Written split_turns(const Block& block, std::string& out);
-    bool is_chord_known(const Block& block, const WrittenPosition& start) const;
-    /// An arc before its words are made: in its plane, on the part, in the text's units.
-    struct PlannedArc {
-        ArcPoints points;
-        PlanePoint center;  // as meant
-        double sweep = 0;   // as meant, rad, above 0
-        bool is_clockwise = false;
-        std::array<double, 2> part = {1, 1};  // what coordinates are multiplied with
-    };
-    std::optional<PlannedArc> planned_arc(const Block& block) const;
-    std::optional<PlannedArc> planned_arc(const Block& block, double x_part) const;
-    CenterGrid center_grid(const Block& block) const;
-    double text_error(const Block& block, const PlannedArc& arc) const;
-    Written split_arc(const Block& block, std::string& out);
-    void write_parts(const Block& block, const PlannedArc& arc, std::span<const double> ends,
-                     std::string& out);
+    // Arcs
+    Written write_other_arc(const Block& block, Whole whole, std::string& out);
+    Written write_turns(const Block& block, Whole whole, std::string& out);
+    Written write_parts(const Block& block, std::string& out);
     Written straighten(const Block& block, std::string& out);
-    bool vanishes(const Block& block) const;
 
     // Lines
     bool repeats_feed(const Block& block, const Targets& targets) const;
@@ -280,7 +225,6 @@ class BlockWriter {
     std::string fast_rapid_, fast_line_;            // codes, for the fast way
     std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
     std::uint32_t done_ = 0;                        // functions that need no word any more
-    bool is_part_ = false;                          // the blocks are parts of an arc
     std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
     double deferred_tool_ = 0;
     static constexpr std::size_t kSkipLevels = 10;  // 0 to 9
