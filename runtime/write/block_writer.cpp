@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "write/arc_blocks.h"
 #include "write/arc_targets.h"
+#include "write/frame_turns.h"
 
 namespace kadr::write {
 
@@ -60,7 +61,8 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
       options_(options),
       state_(dialect),
       messages_(tables_, modal_.units, sink),
-      lines_(tables_, options.number_blocks, messages_) {
+      lines_(tables_, options.number_blocks, messages_),
+      words_(state_, messages_) {
     most_message_ = static_cast<std::size_t>(std::max(0, rules_.most_message));
     begin({});
     prepare_fast();
@@ -257,7 +259,8 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
     if (block.motion != Function::None && block.motion != motion)
         messages_.cannot_express(block, "a probing move that is no line at feed");
     place_targets(state_, messages_, block, targets);
-    if (modal_.frame.turn.miss > 0 || modal_.frame.tilt.miss > 0) check_turn(block);
+    if (modal_.frame.turn.miss > 0 || modal_.frame.tilt.miss > 0)
+        check_turn(text_, messages_, block);
     check_knot(block, motion);
     if (is_arc(motion)) {
         place_arc(text_, messages_, block, start, targets);
@@ -497,7 +500,7 @@ void BlockWriter::leave_to_machine(const Block& block, const Invocation& invocat
 void BlockWriter::write_lead(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out) {
     lines_.open(block.skip, true, out);
-    append_words(block, form.lead, &invocation, false, out);
+    words_.append_words(block, form.lead, &invocation, false, out);
     lines_.end_block(out);
     lines_.close(out);
     note_line(form.lead);

@@ -11,6 +11,7 @@
 #include "write/messages.h"
 #include "write/targets.h"
 #include "write/text_state.h"
+#include "write/words.h"
 #include "write/writer.h"
 
 namespace kadr::write {
@@ -46,45 +47,6 @@ class BlockWriter {
         Function state = Function::None;  // the form needs it active, and it is not
         bool is_none() const { return parameters == 0 && state == Function::None; }
         int count() const { return std::popcount(parameters) + (state != Function::None ? 32 : 0); }
-    };
-    /// One piece of a line: a form with its parameters, deferred words, or the word of a slot.
-    struct Item {
-        int order;
-        FormId form;  // kNoForm: the words, the edge, or the slot
-        Slot slot;
-        const Invocation* invocation;
-        const std::vector<FormWord>* words;
-        int edge;  // a cutting edge that the writer sets itself; -1 none
-
-        static Item of_form(int order, FormId form, const Invocation* invocation) {
-            return {order, form, Slot::X, invocation, nullptr, -1};
-        }
-        static Item of_words(int order, const std::vector<FormWord>& words) {
-            return {order, kNoForm, Slot::X, nullptr, &words, -1};
-        }
-        static Item of_slot(int order, Slot slot) {
-            return {order, kNoForm, slot, nullptr, nullptr, -1};
-        }
-        static Item of_edge(int order, int edge) {
-            return {order, kNoForm, Slot::X, nullptr, nullptr, edge};
-        }
-    };
-    /// The pieces of a line in their order; among equals the first comes first. Not initialised,
-    /// because every block that goes the long way has one.
-    struct Items {
-        static constexpr std::size_t kMost = 96;
-        std::array<Item, kMost> list;
-        std::size_t count = 0;
-        bool is_full = false;  // a piece found no place
-
-        void add(const Item& item) {
-            is_full |= count == kMost;
-            if (is_full) return;
-            std::size_t at = count++;
-            for (; at > 0 && list[at - 1].order > item.order; --at) list[at] = list[at - 1];
-            list[at] = item;
-        }
-        std::span<const Item> all() const { return {list.data(), count}; }
     };
     /// Whether the block stands in the text, or has a message instead.
     enum class Written : std::uint8_t { NotYet, Already };
@@ -151,7 +113,6 @@ class BlockWriter {
     void say_waiting_edge(const Block& block, std::string& out);
     void check_length_due(const Block& block);
     void add_edge(const Block& block, Items& items);
-    void append_edge(const Block& block, int edge, std::string& out);
     void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out);
     void check_message(const Block& block);
@@ -168,48 +129,11 @@ class BlockWriter {
     bool has_feed_word(const Block& block, const Invocation& cycle) const;
     void collect_slots(const Block& block, const Targets& targets, Items& items);
     void add_deferred(const Block& block, Items& items);
-    void remove_said(const Deferred& deferred, Items& items) const;
     double own_offset(const Pending& pending, const Block& block) const;
-    enum class Place : std::uint8_t { Here, Before, Behind };  // the line of the block
-    using Places = std::array<Place, Items::kMost>;
-    bool find_places(const Block& block, const Items& items, Places& places);
     void write_apart(const Block& block, const Items& items, const Places& places, bool is_behind,
                      std::string& out);
     void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
-    void append_item(const Block& block, const Item& item, const Targets& targets,
-                     std::string& out);
-    void append_verbatim(const Block& block, const Form& form, const Invocation& invocation,
-                         std::string& out);
-    void append_words(const Block& block, const std::vector<FormWord>& words,
-                      const Invocation* invocation, bool remembers, std::string& out);
-    /// What a line has: words by address, groups of which it has a function.
-    struct LineRoom {
-        std::array<std::uint8_t, 256> words{};
-        std::uint64_t groups = 0;
-    };
-    bool take_room(const Block& block, const Item& item, LineRoom& room);
-    void check_takers(const Block& block, const Items& items);
-    bool takes_word(const Item& item, const Form& other, const FormWord& word) const;
-    const std::vector<FormWord>* words_of(const Item& item) const;
     void note_line(const std::vector<FormWord>& words);
-    void append_word(const Block& block, const FormWord& word, const Invocation* invocation,
-                     std::string& out);
-    void append_call(const Block& block, const FormWord& word, const Invocation* invocation,
-                     std::string& out);
-    void append_quantity(const Block& block, const FormWord& word, const NumberFormat& format,
-                         std::string_view name, std::string& out);
-    void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
-                          const NumberFormat& format, std::string_view name, std::string& out);
-    void append_whole(const Block& block, const FormWord& word, double value,
-                      const Invocation* invocation, std::string_view name, std::string& out);
-    void append_factor(const Block& block, double number, bool in_thousandths,
-                       const NumberFormat& address, std::string_view name, std::string& out);
-    void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
-    void append_text(const Block& block, std::string& out);
-    // What rounding costs
-    void check_rounding(const Block& block, double number, int places, Dimension dimension,
-                        std::string_view name);
-    void check_turn(const Block& block);
 
     const Dialect& dialect_;
     const DialectTables& tables_;
@@ -220,13 +144,13 @@ class BlockWriter {
     const WriterModal& modal_ = state_.modal();
     Messages messages_;
     Lines lines_;
+    Words words_;
     std::vector<FastAxis> fast_axes_;               // in the order of their words
     SlotMask fast_slots_ = 0;                       // that the fast way can write
     std::string fast_rapid_, fast_line_;            // codes, for the fast way
     std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
     std::uint32_t done_ = 0;                        // functions that need no word any more
     std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
-    double deferred_tool_ = 0;
     static constexpr std::size_t kSkipLevels = 10;  // 0 to 9
     struct Idle {
         bool is_begun = false;

@@ -119,7 +119,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
     if (block.has(Slot::Feed) &&
         (options_.verbose_modal ||
          !text_.is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed))) {
-        append_slot(block, Slot::Feed, {}, out);
+        words_.append_slot(block, Slot::Feed, {}, out);
     }
     lines_.end_block(out);
     lines_.close(out);

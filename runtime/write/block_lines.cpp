@@ -1,0 +1,204 @@
+// The lines of a block: their pieces, what stands apart from them, and the words of a tool change
+// that come with them.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostics/dialect.h"
+#include "base/text.h"
+#include "write/block_writer.h"
+
+namespace kadr::write {
+
+void BlockWriter::collect_slots(const Block& block, const Targets& targets, Items& items) {
+    const SlotMask scalars = bit(Slot::Turns) | bit(Slot::Feed) | bit(Slot::Speed) | kReadSlots;
+    for (const Slot slot : tables_.slot_order) {
+        const SlotMask mask = bit(slot);
+        const bool is_target = (targets.written & mask) != 0;
+        if (!is_target && (block.given & mask & scalars) == 0) continue;
+        const bool may_stand = !options_.verbose_modal;
+        if (slot == Slot::Feed && may_stand && !modal_.units.inverse_time &&
+            text_.is_standing(slot, block.at(slot) * targets.feed_factor, modal_.feed)) {
+            continue;
+        }
+        if (slot == Slot::Speed && may_stand &&
+            text_.is_standing(slot, block.at(slot), modal_.speed)) {
+            // The start of a spindle shows its speed, even if it is the old one.
+            const bool starts = block.find(Function::SpindleCw) != nullptr ||
+                                block.find(Function::SpindleCcw) != nullptr;
+            if (!starts) continue;
+        }
+        items.add(Item::of_slot(text_.address_of(slot).order, slot));
+    }
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {
+        if (block.has(static_cast<Slot>(slot)) && tables_.slot_address[slot] == kNoAddress &&
+            (scalars >> slot & 1u) != 0) {
+            messages_.cannot_express(block,
+                                     '`' + std::string(slot_name(static_cast<Slot>(slot))) + '`');
+        }
+    }
+    if (repeats_feed(block, targets)) {
+        items.add(Item::of_slot(text_.address_of(Slot::Feed).order, Slot::Feed));
+    }
+}
+
+/// Where F is not modal, every block at feed repeats it; where F was the pitch of a thread or one
+/// of a helix, the first one behind it does; and so does a helix that needs an F of its own.
+bool BlockWriter::repeats_feed(const Block& block, const Targets& targets) const {
+    const bool is_own = targets.feed_factor != 1;
+    if (!text_.feed_word.every_block && !modal_.feed_is_other && !is_own) return false;
+    if (!text_.has_address(Slot::Feed) || block.has(Slot::Feed) || !modal_.has_meant_feed)
+        return false;
+    const bool has_words = (block.given & (kTargetSlots | kCenterSlots)) != 0;
+    const Function motion = text_.effective_motion(block);
+    const bool is_cut = has_fact(motion, Fact::Cut);
+    if (has_words && is_cut) {
+        const double feed = modal_.meant_feed * targets.feed_factor;
+        return text_.feed_word.every_block || !text_.is_standing(Slot::Feed, feed, modal_.feed);
+    }
+    const Invocation* cycle = block.find(Function::Cycle);
+    return modal_.feed_is_other && cycle != nullptr && !has_feed_word(block, *cycle);
+}
+
+/// Whether the cycle has its F in a word of its own: its pitch, mostly.
+bool BlockWriter::has_feed_word(const Block& block, const Invocation& cycle) const {
+    const FormId id = chosen_[static_cast<std::size_t>(&cycle - block.functions.data())];
+    if (id == kNoForm) return false;
+    const Form& form = tables_.forms[id];
+    const auto is_feed = [&](const FormWord& word) {
+        return word.kind == FormWord::Kind::Value &&
+               tables_.addresses[word.address].slot == static_cast<int>(Slot::Feed);
+    };
+    return std::ranges::any_of(form.words, is_feed) || std::ranges::any_of(form.lead, is_feed);
+}
+
+/// Words that a tool change left for the block that moves the tool axis, or says a function.
+void BlockWriter::add_deferred(const Block& block, Items& items) {
+    if (state_.pending().empty()) return;
+    const bool is_cycle = block.function_count != 0 && block.find(Function::Cycle) != nullptr;
+    const bool is_machine = block.find(Fact::AtMachinePlace) != nullptr;
+    for (std::size_t i = 0; i < state_.pending().size();) {
+        const Deferred& deferred = *state_.pending()[i].deferred;
+        bool acts = false;
+        if (deferred.axis >= 0 && !is_machine)
+            acts = block.has(static_cast<Slot>(deferred.axis)) || is_cycle;
+        for (const Function function : deferred.functions) acts |= block.find(function) != nullptr;
+        if (deferred.axis < 0) acts &= block.find(Function::RadiusOffset) == nullptr;
+        if (!acts) {
+            ++i;
+            continue;
+        }
+        words_.set_held_offset(own_offset(state_.pending()[i], block));
+        remove_said(tables_, deferred, items);
+        items.add(
+            Item::of_words(tables_.addresses[deferred.words[0].address].order, deferred.words));
+        // Functions may come again for the same tool; an axis word acts once.
+        if (deferred.axis >= 0) {
+            state_.drop_pending(i);
+        } else {
+            ++i;
+        }
+    }
+}
+
+/// The offset of held-back words: the tool's, unless the block has a word of its own for it, as
+/// `H5` is for `G43 H{tool}`.
+double BlockWriter::own_offset(const Pending& pending, const Block& block) const {
+    const AddressId offset = pending.deferred->words.back().address;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (chosen_[i] == kNoForm) continue;
+        for (const FormWord& word : tables_.forms[chosen_[i]].words) {
+            if (word.parameter < 0 || word.address != offset) continue;
+            const auto parameter = static_cast<std::size_t>(word.parameter);
+            const Invocation& invocation = block.functions[i];
+            if ((invocation.given >> parameter & 1u) != 0)
+                return block.argument(invocation, parameter);
+        }
+    }
+    return pending.tool;
+}
+
+void BlockWriter::write_items(const Block& block, Items& items, const Targets& targets,
+                              std::string& out) {
+    if (items.is_full) messages_.cannot_express(block, "so many words in one block");
+    // A comment that is too long to stand behind the block stands before it, as does that of a line
+    // which is read letter by letter.
+    const std::size_t most = tables_.comment.max_length;
+    const bool is_verbatim = std::ranges::any_of(items.all(), [&](const Item& item) {
+        return item.form != kNoForm && tables_.forms[item.form].is_verbatim;
+    });
+    const bool fits = !is_verbatim && (most == 0 || count_code_points(block.comment) <= most);
+    if (!fits && !block.comment.empty()) lines_.write_comment(block.comment, out);
+    check_takers(tables_, messages_, block, items);
+    const Places places = places_of(tables_, messages_, block, items);
+    const bool has_all = std::ranges::all_of(std::span(places).first(items.count),
+                                             [](Place p) { return p == Place::Here; });
+    if (!has_all) write_apart(block, items, places, false, out);
+    lines_.open(block.skip, true, out);
+    for (std::size_t i = 0; i < items.count; ++i) {
+        if (places[i] == Place::Here) words_.append_item(block, items.list[i], targets, out);
+    }
+    lines_.end_block(out);
+    if (!block.comment.empty() && fits) lines_.append_comment(block.comment, out);
+    lines_.close(out);
+    for (std::size_t i = 0; i < items.count; ++i) {
+        const Item& item = items.list[i];
+        if (item.form == kNoForm || places[i] != Place::Here) continue;
+        for (const std::vector<FormWord>& line : tables_.forms[item.form].extra) {
+            lines_.open(block.skip, true, out);
+            words_.append_words(block, line, item.invocation, false, out);
+            lines_.end_block(out);
+            lines_.close(out);
+            note_line(line);
+        }
+    }
+    if (!has_all) write_apart(block, items, places, true, out);
+}
+
+/// The words that stand in lines before the block's, or behind it.
+void BlockWriter::write_apart(const Block& block, const Items& items, const Places& places,
+                              bool is_behind, std::string& out) {
+    Items apart;
+    for (std::size_t i = 0; i < items.count; ++i) {
+        if (places[i] == (is_behind ? Place::Behind : Place::Before)) apart.add(items.list[i]);
+    }
+    if (apart.count == 0) return;
+    Block rest;
+    rest.skip = block.skip;
+    rest.source = block.source;
+    rest.text = block.text;
+    rest.arguments = block.arguments;
+    write_items(rest, apart, {}, out);
+}
+
+/// Codes that stand in a form's further lines change the state of the text, too.
+void BlockWriter::note_line(const std::vector<FormWord>& words) {
+    for (const FormWord& word : words) {
+        if (word.kind != FormWord::Kind::Fixed || word.is_quantity) continue;
+        const Code* code = tables_.find_code(word.address, word.number);
+        if (code != nullptr && code->simple != kNoForm) state_.say(tables_.forms[code->simple]);
+    }
+}
+
+void BlockWriter::write_start_line(std::string_view line, std::string& out) {
+    lines_.write(line, true, out);
+    const Form* shift = nullptr;  // that the line says
+    // The codes of the safety line are what the text begins with.
+    for (std::size_t at = 0; at < line.size();) {
+        const std::size_t begin = line.find_first_not_of(' ', at);
+        if (begin == std::string_view::npos) break;
+        const std::size_t end = std::min(line.find(' ', begin), line.size());
+        const std::string_view word = line.substr(begin, end - begin);
+        const AddressId address = tables_.find_address(word.substr(0, 1));
+        if (address != kNoAddress && word.size() > 1) {
+            const Decimal number = parse_decimal(word.data() + 1, word.data() + word.size());
+            const Code* code = tables_.find_code(address, number.value);
+            if (code != nullptr && code->simple != kNoForm) state_.say(tables_.forms[code->simple]);
+            if (shift != nullptr) state_.start_shift(*shift, address, number.value);
+            if (shift == nullptr) shift = text_.kept_shift(address, number.value);
+        }
+        at = end;
+    }
+}
+
+}  // namespace kadr::write

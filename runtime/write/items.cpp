@@ -1,0 +1,158 @@
+#include "write/items.h"
+
+#include <algorithm>
+#include <string>
+
+namespace kadr::write {
+
+namespace {
+
+/// What a line has: words by address, groups of which it has a function.
+struct LineRoom {
+    std::array<std::uint8_t, 256> words{};
+    std::uint64_t groups = 0;
+};
+
+/// Whose line it is, and who hears of what does not go together.
+struct Line {
+    const DialectTables& tables;
+    Messages& messages;
+    const Block& block;
+};
+
+/// Counts the item's words. False: the line does not take it beside those that it has. A control
+/// that takes one M a block gets the others in lines of their own. What else does not go together
+/// is an error: in one line the control would raise an alarm or drop the first, and a line further
+/// on it would act behind the motion.
+bool take_room(const Line& line, const Item& item, LineRoom& room) {
+    const DialectTables& tables = line.tables;
+    if (words_of(tables, item) == nullptr) return true;
+    const Form* form = item.form == kNoForm ? nullptr : &tables.forms[item.form];
+    if (form != nullptr && form->is_comment) return true;
+    const std::vector<FormWord>& words = *words_of(tables, item);
+    const std::uint64_t groups = form != nullptr ? form->excludes : 0;
+    bool is_taken = (room.groups & groups) != 0;
+    bool may_wait = !is_taken;
+    const auto count_of = [&](const FormWord& word) -> std::uint8_t& {
+        return room.words[word.address % room.words.size()];
+    };
+    const auto is_written = [&](const FormWord& word) {
+        return word.address != kNoAddress &&
+               (word.parameter < 0 || word.has_default || item.invocation == nullptr ||
+                (item.invocation->given >> word.parameter & 1u) != 0);
+    };
+    for (const FormWord& word : words) {
+        const Address* address = is_written(word) ? &tables.addresses[word.address] : nullptr;
+        if (address == nullptr || count_of(word) < std::max<int>(address->write_max, 1)) continue;
+        is_taken = true;
+        may_wait &= address->kind == Address::Kind::Code;
+    }
+    if (is_taken && may_wait) return false;
+    if (is_taken) {
+        const std::string what =
+            form != nullptr ? std::string(info(form->function).name) : "H or D";
+        line.messages.cannot_express(line.block,
+                                     '`' + what + "` and the rest of the block in one line");
+    }
+    room.groups |= groups;
+    for (const FormWord& word : words) {
+        if (is_written(word)) ++count_of(word);
+    }
+    return true;
+}
+
+/// Whether the code that the piece begins with would take the word of the other form, with its own
+/// form or another one of the code.
+bool takes_word(const DialectTables& tables, const Item& item, const Form& other,
+                const FormWord& word) {
+    if (item.form == kNoForm || tables.forms[item.form].words.empty()) return false;
+    const Form& form = tables.forms[item.form];
+    // An offset beside the compensation that it belongs to: `G43 H1` is read as both.
+    const Group group = info(form.function).group;
+    const bool is_its_offset =
+        (other.function == Function::LengthOffset && group == Group::LengthComp) ||
+        (other.function == Function::RadiusOffset && group == Group::RadiusComp);
+    const FormWord& head = form.words[0];
+    if (is_its_offset || head.kind != FormWord::Kind::Fixed) return false;
+    const Code* code = tables.find_code(head.address, head.number);
+    if (code == nullptr) return false;
+    return std::ranges::any_of(code->forms, [&](FormId id) {
+        const std::vector<FormWord>& words = tables.forms[id].words;
+        return std::ranges::any_of(words.begin() + 1, words.end(), [&](const FormWord& taken) {
+            return taken.address == word.address;
+        });
+    });
+}
+
+}  // namespace
+
+const std::vector<FormWord>* words_of(const DialectTables& tables, const Item& item) {
+    if (item.form != kNoForm) return &tables.forms[item.form].words;
+    if (item.edge < 0) return item.words;
+    const auto& edges = tables.forms_of[static_cast<std::size_t>(Function::ToolEdge)];
+    return &tables.forms[edges[0]].words;
+}
+
+void remove_said(const DialectTables& tables, const Deferred& deferred, Items& items) {
+    const auto is_said = [&](const Item& item) {
+        if (item.form == kNoForm) return false;
+        const std::vector<FormWord>& own = tables.forms[item.form].words;
+        return std::ranges::all_of(own, [&](const FormWord& word) {
+            return std::ranges::any_of(deferred.words, [&](const FormWord& other) {
+                return word.address == other.address && word.kind == other.kind &&
+                       word.number == other.number;
+            });
+        });
+    };
+    const auto end = std::remove_if(
+        items.list.begin(), items.list.begin() + static_cast<std::ptrdiff_t>(items.count), is_said);
+    items.count = static_cast<std::size_t>(end - items.list.begin());
+}
+
+Places places_of(const DialectTables& tables, Messages& messages, const Block& block,
+                 const Items& items) {
+    Places places{};
+    LineRoom room;
+    for (const Item& item : items.all()) {
+        if (words_of(tables, item) != nullptr) continue;
+        ++room.words[tables.slot_address[static_cast<std::size_t>(item.slot)] % room.words.size()];
+    }
+    const auto stops = [&](const Item& item) {
+        return item.form != kNoForm &&
+               has_fact(tables.forms[item.form].function, Fact::StopsProgram);
+    };
+    const bool moves = (block.given & (kTargetSlots | kCenterSlots)) != 0 ||
+                       (block.function_count != 0 && block.find(Function::Cycle) != nullptr);
+    for (const bool is_stop : {false, true}) {
+        for (std::size_t i = 0; i < items.count; ++i) {
+            const Item& item = items.list[i];
+            if (stops(item) != is_stop) continue;
+            const bool has_place = take_room({tables, messages, block}, item, room);
+            places[i] = has_place ? Place::Here : moves && !is_stop ? Place::Before : Place::Behind;
+        }
+    }
+    return places;
+}
+
+void check_takers(const DialectTables& tables, Messages& messages, const Block& block,
+                  const Items& items) {
+    for (const Item& item : items.all()) {
+        if (item.form == kNoForm || item.invocation == nullptr) continue;
+        const Form& form = tables.forms[item.form];
+        for (const FormWord& word : form.words) {
+            if (word.kind != FormWord::Kind::Value) continue;
+            const bool is_written =
+                word.has_default || (item.invocation->given >> word.parameter & 1u) != 0;
+            if (!is_written) continue;
+            for (const Item& other : items.all()) {
+                if (&other == &item || !takes_word(tables, other, form, word)) continue;
+                std::string both(1, '`');
+                both += info(tables.forms[other.form].function).name;
+                both.append("` and `").append(info(form.function).name).append("` in one line");
+                messages.cannot_express(block, both);
+            }
+        }
+    }
+}
+
+}  // namespace kadr::write
