@@ -6,22 +6,23 @@
 namespace kadr::write {
 
 /// Whether a form of the block stands under these dimensions only.
-bool BlockWriter::needs_distance(const Block& block, Function distance) const {
+bool BlockWriter::needs_distance(const Block& block, const Choice& choice,
+                                 Function distance) const {
     for (std::size_t i = 0; i < block.function_count; ++i) {
-        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
-        const std::vector<Function>& during = tables_.forms[chosen_[i]].during;
+        if (!choice.is_open(i)) continue;
+        const std::vector<Function>& during = tables_.forms[choice.forms[i]].during;
         if (std::ranges::find(during, distance) != during.end()) return true;
     }
     return false;
 }
 
 /// What the text no longer agrees upon with the program: after a conversion, or at the start.
-void BlockWriter::restore_modal(const Block& block, Items& items) {
+void BlockWriter::restore_modal(const Block& block, const Choice& choice, Items& items) {
     const auto restore = [&](Group group) {
         const Function meant = modal_.meant_of(group);
         if (meant == Function::None || modal_.text_of(group) == meant) return;
         for (std::size_t i = 0; i < block.function_count; ++i) {
-            const bool is_done = (done_ >> i & 1u) != 0;  // before a line that changed it again
+            const bool is_done = choice.is_done(i);  // before a line that changed it again
             if (!is_done && info(block.functions[i].function).group == group)
                 return;  // the block says it itself
         }
@@ -30,9 +31,10 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
     // Modal codes outlive the program on many machines: none ends under G91 that did not mean to.
     const bool is_end = block.find(Fact::EndsProgram) != nullptr;
     const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
-                      needs_distance(block, modal_.meant_of(Group::Distance));
+                      needs_distance(block, choice, modal_.meant_of(Group::Distance));
     // Words that are said as distances whatever is meant leave the text as it is.
-    const bool stays = text_.needs_incremental(block) && !needs_distance(block, Function::Absolute);
+    const bool stays =
+        text_.needs_incremental(block) && !needs_distance(block, choice, Function::Absolute);
     if (acts && !stays && !tables_.has_incremental_letters) restore(Group::Distance);
     if (is_arc(text_.effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);

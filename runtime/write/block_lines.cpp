@@ -10,7 +10,8 @@
 
 namespace kadr::write {
 
-void BlockWriter::collect_slots(const Block& block, const Targets& targets, Items& items) {
+void BlockWriter::collect_slots(const Block& block, const Choice& choice, const Targets& targets,
+                                Items& items) {
     const SlotMask scalars = bit(Slot::Turns) | bit(Slot::Feed) | bit(Slot::Speed) | kReadSlots;
     for (const Slot slot : tables_.slot_order) {
         const SlotMask mask = bit(slot);
@@ -37,14 +38,15 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
                                      '`' + std::string(slot_name(static_cast<Slot>(slot))) + '`');
         }
     }
-    if (repeats_feed(block, targets)) {
+    if (repeats_feed(block, choice, targets)) {
         items.add(Item::of_slot(text_.address_of(Slot::Feed).order, Slot::Feed));
     }
 }
 
 /// Where F is not modal, every block at feed repeats it; where F was the pitch of a thread or one
 /// of a helix, the first one behind it does; and so does a helix that needs an F of its own.
-bool BlockWriter::repeats_feed(const Block& block, const Targets& targets) const {
+bool BlockWriter::repeats_feed(const Block& block, const Choice& choice,
+                               const Targets& targets) const {
     const bool is_own = targets.feed_factor != 1;
     if (!text_.feed_word.every_block && !modal_.feed_is_other && !is_own) return false;
     if (!text_.has_address(Slot::Feed) || block.has(Slot::Feed) || !modal_.has_meant_feed)
@@ -57,12 +59,13 @@ bool BlockWriter::repeats_feed(const Block& block, const Targets& targets) const
         return text_.feed_word.every_block || !text_.is_standing(Slot::Feed, feed, modal_.feed);
     }
     const Invocation* cycle = block.find(Function::Cycle);
-    return modal_.feed_is_other && cycle != nullptr && !has_feed_word(block, *cycle);
+    return modal_.feed_is_other && cycle != nullptr && !has_feed_word(block, choice, *cycle);
 }
 
 /// Whether the cycle has its F in a word of its own: its pitch, mostly.
-bool BlockWriter::has_feed_word(const Block& block, const Invocation& cycle) const {
-    const FormId id = chosen_[static_cast<std::size_t>(&cycle - block.functions.data())];
+bool BlockWriter::has_feed_word(const Block& block, const Choice& choice,
+                                const Invocation& cycle) const {
+    const FormId id = choice.forms[static_cast<std::size_t>(&cycle - block.functions.data())];
     if (id == kNoForm) return false;
     const Form& form = tables_.forms[id];
     const auto is_feed = [&](const FormWord& word) {
@@ -73,7 +76,7 @@ bool BlockWriter::has_feed_word(const Block& block, const Invocation& cycle) con
 }
 
 /// Words that a tool change left for the block that moves the tool axis, or says a function.
-void BlockWriter::add_deferred(const Block& block, Items& items) {
+void BlockWriter::add_deferred(const Block& block, const Choice& choice, Items& items) {
     if (state_.pending().empty()) return;
     const bool is_cycle = block.function_count != 0 && block.find(Function::Cycle) != nullptr;
     const bool is_machine = block.find(Fact::AtMachinePlace) != nullptr;
@@ -88,7 +91,7 @@ void BlockWriter::add_deferred(const Block& block, Items& items) {
             ++i;
             continue;
         }
-        words_.set_held_offset(own_offset(state_.pending()[i], block));
+        words_.set_held_offset(own_offset(choice, state_.pending()[i], block));
         remove_said(tables_, deferred, items);
         items.add(
             Item::of_words(tables_.addresses[deferred.words[0].address].order, deferred.words));
@@ -103,11 +106,12 @@ void BlockWriter::add_deferred(const Block& block, Items& items) {
 
 /// The offset of held-back words: the tool's, unless the block has a word of its own for it, as
 /// `H5` is for `G43 H{tool}`.
-double BlockWriter::own_offset(const Pending& pending, const Block& block) const {
+double BlockWriter::own_offset(const Choice& choice, const Pending& pending,
+                               const Block& block) const {
     const AddressId offset = pending.deferred->words.back().address;
     for (std::size_t i = 0; i < block.function_count; ++i) {
-        if (chosen_[i] == kNoForm) continue;
-        for (const FormWord& word : tables_.forms[chosen_[i]].words) {
+        if (choice.forms[i] == kNoForm) continue;
+        for (const FormWord& word : tables_.forms[choice.forms[i]].words) {
             if (word.parameter < 0 || word.address != offset) continue;
             const auto parameter = static_cast<std::size_t>(word.parameter);
             const Invocation& invocation = block.functions[i];

@@ -15,46 +15,6 @@
 
 namespace kadr::write {
 
-namespace {
-
-/// Groups whose active member is not written again. Spindle, coolant, work offset and length
-/// compensation are: a tool change, an operator or another program may have changed them.
-constexpr bool is_quiet_group(Group group) {
-    switch (group) {
-        case Group::Motion:
-        case Group::Plane:
-        case Group::Units:
-        case Group::Distance:
-        case Group::FeedMode:
-        case Group::SpeedMode:
-        case Group::RadiusComp:
-        case Group::PathMode:
-        case Group::CycleMode:
-        case Group::CycleReturn:
-        case Group::CompStart:
-        case Group::CompCorner:
-        case Group::CompCheck:
-        case Group::Diameter:
-        case Group::Compressor:
-        case Group::Transformation:
-        case Group::Turning:
-        case Group::OrientAngles:
-        case Group::OrientSystem:
-        case Group::CompSystem:
-        case Group::CompTurning:
-        case Group::Spinning:
-        case Group::DataInput: return true;
-        case Group::Once:
-        case Group::LengthComp:
-        case Group::WorkOffsets:
-        case Group::Spindle:
-        case Group::Coolant: return false;
-    }
-    return false;
-}
-
-}  // namespace
-
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
     : dialect_(dialect),
       tables_(dialect.tables()),
@@ -62,7 +22,8 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
       state_(dialect),
       messages_(tables_, modal_.units, sink),
       lines_(tables_, options.number_blocks, messages_),
-      words_(state_, messages_) {
+      words_(state_, messages_),
+      chooser_(state_, messages_, options_) {
     most_message_ = static_cast<std::size_t>(std::max(0, rules_.most_message));
     begin({});
     prepare_fast();
@@ -240,18 +201,17 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
     if (modal_.edge.is_length_due) check_length_due(block);
     if (block.function_count != 0) say_doubtful(block, out);
     const Function diameter = modal_.text_of(Group::Diameter);
-    done_ = 0;
-    choose_forms(block);
-    if (text_.needs_incremental(block)) drop_function(block, Function::Absolute);
-    write_functions_alone(block, out);
+    Choice choice = chooser_.choose(block);
+    if (text_.needs_incremental(block)) choice.drop(block, Function::Absolute);
+    write_functions_alone(block, choice, out);
     state_.mean_all(block);
     for (std::size_t i = 0; i < block.function_count; ++i) {
-        if ((done_ >> i & 1u) == 0 && chosen_[i] != kNoForm) state_.say(tables_.forms[chosen_[i]]);
+        if (choice.is_open(i)) state_.say(tables_.forms[choice.forms[i]]);
     }
 
     Items items;
-    restore_modal(block, items);
-    collect_functions(block, items);
+    restore_modal(block, choice, items);
+    collect_functions(block, choice, items);
     if (modal_.text_of(Group::Diameter) != diameter) state_.change_diameter(diameter);
     Targets targets;
     const WrittenPosition start = modal_.position;
@@ -293,17 +253,17 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
             add_code(block, motion, items);
         }
     }
-    add_deferred(block, items);
+    add_deferred(block, choice, items);
     add_edge(block, items);
-    collect_slots(block, targets, items);
+    collect_slots(block, choice, targets, items);
     if (items.count == 0 && !lines_.brings_number()) {
         if (!block.comment.empty()) lines_.write_comment(block.comment, out);
     } else if (items.count != 0 || !block.comment.empty()) {
         write_items(block, items, targets, out);
     }
     for (std::size_t i = 0; i < state_.pending().size(); ++i)
-        state_.set_offset(i, own_offset(state_.pending()[i], block));
-    if (block.find(Function::Cycle) != nullptr) leave_cycle(block, out);
+        state_.set_offset(i, own_offset(choice, state_.pending()[i], block));
+    if (block.find(Function::Cycle) != nullptr) leave_cycle(block, choice, out);
     if (block.function_count == 0) return;
     state_.follow(block);
     if (block.find(Function::Message) != nullptr) check_message(block);
@@ -425,77 +385,6 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
 
 // ---------------------------------------------------------------- functions
 
-void BlockWriter::choose_forms(const Block& block) {
-    chosen_.fill(kNoForm);
-    // Forms that say several functions at once come first, so that nothing is said twice.
-    for (const bool with_others : {true, false}) {
-        for (std::size_t i = 0; i < block.function_count; ++i) {
-            const Invocation& invocation = block.functions[i];
-            const auto function = static_cast<std::size_t>(invocation.function);
-            if (tables_.said_with_others[function] != with_others || (done_ >> i & 1u) != 0)
-                continue;
-            if (is_suppressed(invocation.function)) {
-                done_ |= 1u << i;
-                continue;
-            }
-            if (is_left_to_machine(invocation)) {
-                leave_to_machine(block, invocation);
-                done_ |= 1u << i;
-                continue;
-            }
-            chosen_[i] = choose_form(block, invocation);
-            if (chosen_[i] == kNoForm) {
-                done_ |= 1u << i;
-                continue;
-            }
-            const Form& form = tables_.forms[chosen_[i]];
-            for (std::size_t j = 0; j < block.function_count; ++j) {
-                const Function other = block.functions[j].function;
-                const bool is_said =
-                    j != i && (other == form.function ||
-                               std::ranges::find(form.sets, other) != form.sets.end());
-                if (is_said && !form.sets.empty()) done_ |= 1u << j;
-            }
-        }
-    }
-}
-
-/// The block does without the code; what it means for the blocks behind it holds.
-void BlockWriter::drop_function(const Block& block, Function function) {
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        if (block.functions[i].function != function) continue;
-        done_ |= 1u << i;
-        chosen_[i] = kNoForm;
-    }
-}
-
-bool BlockWriter::is_suppressed(Function function) const {
-    const Group group = info(function).group;
-    // Where the letters say it, no code does.
-    if (group == Group::Distance && tables_.has_incremental_letters) return true;
-    return is_quiet_group(group) && modal_.text[index_of(group)] == function &&
-           (!options_.verbose_modal || !text_.has_code(function));
-}
-
-/// Whether X is a diameter, on a control that has neither a code for it nor a rule: its text is the
-/// same, and right where the machine is set so.
-bool BlockWriter::is_left_to_machine(const Invocation& invocation) const {
-    return info(invocation.function).group == Group::Diameter &&
-           !text_.has_code(Function::DiameterOn) && !text_.has_code(Function::DiameterOff) &&
-           tables_.power_on[index_of(Group::Diameter)] == Function::None;
-}
-
-void BlockWriter::leave_to_machine(const Block& block, const Invocation& invocation) {
-    if (messages_.first_time(block, info(invocation.function).name)) {
-        const bool is_diameter = invocation.function == Function::DiameterOn;
-        messages_.report(diag::DiameterLeft, block)
-            .arg(tables_.name)
-            .arg(is_diameter ? "diameter" : "radius")
-            .fix("for a lathe take the dialect of one, as `fanuc-lathe` is");
-    }
-    state_.assume(invocation.function);
-}
-
 /// The line that a form wants before its own: `M29 S800` before the tapping cycle.
 void BlockWriter::write_lead(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out) {
@@ -507,16 +396,16 @@ void BlockWriter::write_lead(const Form& form, const Block& block, const Invocat
 }
 
 /// Functions that cannot share a line with others, and what has to be written before them.
-void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
+void BlockWriter::write_functions_alone(const Block& block, Choice& choice, std::string& out) {
     const bool is_only =
         block.function_count == 1 && block.given == 0 && block.motion == Function::None;
     for (std::size_t i = 0; i < block.function_count; ++i) {
-        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
-        const Form& form = tables_.forms[chosen_[i]];
+        if (!choice.is_open(i)) continue;
+        const Form& form = tables_.forms[choice.forms[i]];
         const Invocation& invocation = block.functions[i];
         write_before(form, block, out);
         if (is_shift_standing(form, block, invocation)) {
-            done_ |= 1u << i;
+            choice.finish(i);
             continue;
         }
         if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
@@ -525,7 +414,7 @@ void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
         if (is_only || !(is_alone || shares_address(form, block))) continue;
         Items items;
         for (const Function needed : form.needs) add_code(block, needed, items);
-        items.add(Item::of_form(form.order, chosen_[i], &invocation));
+        items.add(Item::of_form(form.order, choice.forms[i], &invocation));
         Block alone;
         alone.skip = block.skip;
         alone.text = block.text;
@@ -533,7 +422,7 @@ void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
         alone.arguments = block.arguments;
         alone.source = block.source;
         write_items(alone, items, {}, out);
-        done_ |= 1u << i;
+        choice.finish(i);
     }
 }
 
@@ -567,15 +456,11 @@ void BlockWriter::write_before(const Form& form, const Block& block, std::string
         if (is_rotation && modal_.frame.rotation == Activity::No) continue;
         if (is_mirror && modal_.frame.mirror == Activity::No) continue;
         if (function == Function::ScaleOff && modal_.frame.scale == Activity::No) continue;
-        const auto chosen = chosen_;
-        const std::uint32_t done = done_;
         Block extra;
         extra.source = block.source;
         extra.skip = block.skip;
         extra.add(function);
         write_block(extra, out);
-        chosen_ = chosen;
-        done_ = done;
     }
 }
 
@@ -590,8 +475,6 @@ void BlockWriter::write_initial_level(const Form& form, const Block& block,
     const bool is_there =
         text_.is_named(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
     if (is_there) return;
-    const auto chosen = chosen_;
-    const std::uint32_t done = done_;
     const Function motion = modal_.meant_of(Group::Motion);
     Block move;
     move.source = block.source;
@@ -605,18 +488,16 @@ void BlockWriter::write_initial_level(const Form& form, const Block& block,
     write_block(move, out);
     state_.mean(Group::Distance, distance);
     state_.mean(Group::Motion, motion);
-    chosen_ = chosen;
-    done_ = done;
 }
 
-void BlockWriter::collect_functions(const Block& block, Items& items) {
+void BlockWriter::collect_functions(const Block& block, const Choice& choice, Items& items) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
-        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
-        const Form& form = tables_.forms[chosen_[i]];
+        if (!choice.is_open(i)) continue;
+        const Form& form = tables_.forms[choice.forms[i]];
         for (const Function needed : form.needs) {
-            if (!is_suppressed(needed)) add_code(block, needed, items);
+            if (!chooser_.is_suppressed(needed)) add_code(block, needed, items);
         }
-        items.add(Item::of_form(form.order, chosen_[i], &block.functions[i]));
+        items.add(Item::of_form(form.order, choice.forms[i], &block.functions[i]));
     }
 }
 
@@ -628,7 +509,7 @@ void BlockWriter::add_code(const Block& block, Function function, Items& items) 
     static const Block kNothing{};
     for (const FormId id : tables_.forms_of[static_cast<std::size_t>(function)]) {
         const Form& form = tables_.forms[id];
-        if (form.function != function || !holds(form, kNothing, function, true)) continue;
+        if (form.function != function || !chooser_.holds(form, kNothing, function, true)) continue;
         items.add(Item::of_form(form.order - 1, id, nullptr));
         state_.say(form);
         return;

@@ -3,10 +3,10 @@
 // For writer.cpp, which puts the frame of the program around it.
 #pragma once
 
-#include <bit>
 #include <span>
 #include <string>
 
+#include "write/choice.h"
 #include "write/lines.h"
 #include "write/messages.h"
 #include "write/targets.h"
@@ -40,14 +40,6 @@ class BlockWriter {
     bool has_ended() const { return state_.has_ended(); }
 
   private:
-    /// What a form cannot say, or lacks.
-    struct Misfit {
-        std::uint32_t parameters = 0;     // a bit each
-        std::uint32_t lacking = 0;        // those of them that were not given
-        Function state = Function::None;  // the form needs it active, and it is not
-        bool is_none() const { return parameters == 0 && state == Function::None; }
-        int count() const { return std::popcount(parameters) + (state != Function::None ? 32 : 0); }
-    };
     /// Whether the block stands in the text, or has a message instead.
     enum class Written : std::uint8_t { NotYet, Already };
     /// No: the block is a part of an arc already, and is not written in parts again.
@@ -79,22 +71,11 @@ class BlockWriter {
     bool write_fast(const Block& block, std::string& out);
 
     // Functions
-    void write_functions_alone(const Block& block, std::string& out);
-    void collect_functions(const Block& block, Items& items);
-    void choose_forms(const Block& block);
-    FormId choose_form(const Block& block, const Invocation& invocation);
-    Misfit misfit(const Form& form, const Block& block, const Invocation& invocation) const;
-    void note_refusal(const Form& form, const Block& block, const Invocation& invocation,
-                      const Misfit& misfit) const;
-    static std::string misfit_words(std::span<const Parameter> parameters, const Misfit& misfit);
-    bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
-    bool is_suppressed(Function function) const;
-    bool is_left_to_machine(const Invocation& invocation) const;
-    void leave_to_machine(const Block& block, const Invocation& invocation);
-    void drop_function(const Block& block, Function function);
+    void write_functions_alone(const Block& block, Choice& choice, std::string& out);
+    void collect_functions(const Block& block, const Choice& choice, Items& items);
     void add_code(const Block& block, Function function, Items& items);
-    bool needs_distance(const Block& block, Function distance) const;
-    void restore_modal(const Block& block, Items& items);
+    bool needs_distance(const Block& block, const Choice& choice, Function distance) const;
+    void restore_modal(const Block& block, const Choice& choice, Items& items);
     void count_idle(const Block& block, std::uint32_t before);
     void say_doubtful(const Block& block, std::string& out);
     bool is_shift_standing(const Form& form, const Block& block,
@@ -102,13 +83,11 @@ class BlockWriter {
     void write_before(const Form& form, const Block& block, std::string& out);
     void write_lead(const Form& form, const Block& block, const Invocation& invocation,
                     std::string& out);
-    void leave_cycle(const Block& block, std::string& out);
+    void leave_cycle(const Block& block, const Choice& choice, std::string& out);
     double cycle_speed(const Block& block, const Invocation& invocation) const;
     Function spindle_behind(const Form& form, const Block& block,
                             const Invocation& invocation) const;
     bool says_speed(const Block& block, const Invocation& invocation) const;
-    static bool ends_by_itself(const Form& form, const Block& block, Function around);
-    Function acting_around(const Form& form, const Block& block) const;
     void write_waiting_edge(const Block& block, std::string& out);
     void say_waiting_edge(const Block& block, std::string& out);
     void check_length_due(const Block& block);
@@ -125,11 +104,12 @@ class BlockWriter {
     Written straighten(const Block& block, std::string& out);
 
     // Lines
-    bool repeats_feed(const Block& block, const Targets& targets) const;
-    bool has_feed_word(const Block& block, const Invocation& cycle) const;
-    void collect_slots(const Block& block, const Targets& targets, Items& items);
-    void add_deferred(const Block& block, Items& items);
-    double own_offset(const Pending& pending, const Block& block) const;
+    bool repeats_feed(const Block& block, const Choice& choice, const Targets& targets) const;
+    bool has_feed_word(const Block& block, const Choice& choice, const Invocation& cycle) const;
+    void collect_slots(const Block& block, const Choice& choice, const Targets& targets,
+                       Items& items);
+    void add_deferred(const Block& block, const Choice& choice, Items& items);
+    double own_offset(const Choice& choice, const Pending& pending, const Block& block) const;
     void write_apart(const Block& block, const Items& items, const Places& places, bool is_behind,
                      std::string& out);
     void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
@@ -145,11 +125,10 @@ class BlockWriter {
     Messages messages_;
     Lines lines_;
     Words words_;
+    FormChooser chooser_;
     std::vector<FastAxis> fast_axes_;               // in the order of their words
     SlotMask fast_slots_ = 0;                       // that the fast way can write
     std::string fast_rapid_, fast_line_;            // codes, for the fast way
-    std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
-    std::uint32_t done_ = 0;                        // functions that need no word any more
     std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
     static constexpr std::size_t kSkipLevels = 10;  // 0 to 9
     struct Idle {

@@ -1,4 +1,5 @@
-// Which form says a function: what it needs, what must not act, and why none fits.
+#include "write/choice.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,12 +12,114 @@
 #include "nc/frame_words.h"
 #include "nc/quoted.h"
 #include "nc/refusals.h"
-#include "write/block_writer.h"
 
 namespace kadr::write {
 
+namespace {
+
+/// Groups whose active member is not written again. Spindle, coolant, work offset and length
+/// compensation are: a tool change, an operator or another program may have changed them.
+constexpr bool is_quiet_group(Group group) {
+    switch (group) {
+        case Group::Motion:
+        case Group::Plane:
+        case Group::Units:
+        case Group::Distance:
+        case Group::FeedMode:
+        case Group::SpeedMode:
+        case Group::RadiusComp:
+        case Group::PathMode:
+        case Group::CycleMode:
+        case Group::CycleReturn:
+        case Group::CompStart:
+        case Group::CompCorner:
+        case Group::CompCheck:
+        case Group::Diameter:
+        case Group::Compressor:
+        case Group::Transformation:
+        case Group::Turning:
+        case Group::OrientAngles:
+        case Group::OrientSystem:
+        case Group::CompSystem:
+        case Group::CompTurning:
+        case Group::Spinning:
+        case Group::DataInput: return true;
+        case Group::Once:
+        case Group::LengthComp:
+        case Group::WorkOffsets:
+        case Group::Spindle:
+        case Group::Coolant: return false;
+    }
+    return false;
+}
+
+}  // namespace
+
+Choice FormChooser::choose(const Block& block) {
+    Choice choice;
+    // Forms that say several functions at once come first, so that nothing is said twice.
+    for (const bool with_others : {true, false}) {
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            const Invocation& invocation = block.functions[i];
+            const auto function = static_cast<std::size_t>(invocation.function);
+            if (tables_.said_with_others[function] != with_others || (choice.done >> i & 1u) != 0)
+                continue;
+            if (is_suppressed(invocation.function)) {
+                choice.done |= 1u << i;
+                continue;
+            }
+            if (is_left_to_machine(invocation)) {
+                leave_to_machine(block, invocation);
+                choice.done |= 1u << i;
+                continue;
+            }
+            choice.forms[i] = choose_form(block, invocation);
+            if (choice.forms[i] == kNoForm) {
+                choice.done |= 1u << i;
+                continue;
+            }
+            const Form& form = tables_.forms[choice.forms[i]];
+            for (std::size_t j = 0; j < block.function_count; ++j) {
+                const Function other = block.functions[j].function;
+                const bool is_said =
+                    j != i && (other == form.function ||
+                               std::ranges::find(form.sets, other) != form.sets.end());
+                if (is_said && !form.sets.empty()) choice.done |= 1u << j;
+            }
+        }
+    }
+    return choice;
+}
+
+bool FormChooser::is_suppressed(Function function) const {
+    const Group group = info(function).group;
+    // Where the letters say it, no code does.
+    if (group == Group::Distance && tables_.has_incremental_letters) return true;
+    return is_quiet_group(group) && modal_.text[index_of(group)] == function &&
+           (!options_.verbose_modal || !text_.has_code(function));
+}
+
+/// Whether X is a diameter, on a control that has neither a code for it nor a rule: its text is the
+/// same, and right where the machine is set so.
+bool FormChooser::is_left_to_machine(const Invocation& invocation) const {
+    return info(invocation.function).group == Group::Diameter &&
+           !text_.has_code(Function::DiameterOn) && !text_.has_code(Function::DiameterOff) &&
+           tables_.power_on[index_of(Group::Diameter)] == Function::None;
+}
+
+void FormChooser::leave_to_machine(const Block& block, const Invocation& invocation) {
+    if (messages_.first_time(block, info(invocation.function).name)) {
+        const bool is_diameter = invocation.function == Function::DiameterOn;
+        messages_.report(diag::DiameterLeft, block)
+            .arg(tables_.name)
+            .arg(is_diameter ? "diameter" : "radius")
+            .fix("for a lathe take the dialect of one, as `fanuc-lathe` is");
+    }
+    state_.assume(invocation.function);
+}
+
 /// Why the form cannot say what was given, or lacks what it needs.
-BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
+FormChooser::Misfit FormChooser::misfit(const Form& form, const Block& block,
                                         const Invocation& invocation) const {
     Misfit misfit;
     std::uint32_t said = 0;
@@ -94,7 +197,7 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
 }
 
 /// Whether the further functions of a form are wanted by the block or in force anyway.
-bool BlockWriter::holds(const Form& form, const Block& block, Function asked,
+bool FormChooser::holds(const Form& form, const Block& block, Function asked,
                         bool allow_unknown) const {
     const auto is_fine = [&](Function also) {
         if (also == asked || block.find(also) != nullptr || block.motion == also) return true;
@@ -155,7 +258,7 @@ static void say_whose(DiagnosticBuilder& builder, double number, const DialectTa
                 file + " and has the number in its `<command name=\"machine_function\">`");
 }
 
-FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation) {
+FormId FormChooser::choose_form(const Block& block, const Invocation& invocation) {
     const bool is_cycle = invocation.function == Function::Cycle;
     KADR_ASSERT(!is_cycle || block.cycle < tables_.forms_of_cycle.size(),
                 "a cycle of the common list");
@@ -224,7 +327,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
 }
 
 /// Tells whoever looks on that the form was passed over.
-void BlockWriter::note_refusal(const Form& form, const Block& block, const Invocation& invocation,
+void FormChooser::note_refusal(const Form& form, const Block& block, const Invocation& invocation,
                                const Misfit& misfit) const {
     std::array<double, kMaxArguments> values{};
     const std::size_t count = std::min(tables_.parameters(form).size(), values.size());
@@ -240,7 +343,7 @@ void BlockWriter::note_refusal(const Form& form, const Block& block, const Invoc
 
 /// " with this `back`": what the control does not take as it was given; " unless `absolute` is
 /// active": when it does not take it.
-std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, const Misfit& misfit) {
+std::string FormChooser::misfit_words(std::span<const Parameter> parameters, const Misfit& misfit) {
     std::string words;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if ((misfit.parameters >> i & 1u) == 0) continue;
@@ -254,7 +357,7 @@ std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, con
 }
 
 /// Whether the block itself asks for an end of the function, which the form says with its own.
-bool BlockWriter::ends_by_itself(const Form& form, const Block& block, Function around) {
+bool FormChooser::ends_by_itself(const Form& form, const Block& block, Function around) {
     const Group group = info(around).group;
     const Function own = said_of(block, group);
     const auto is_of_group = [&](Function function) { return info(function).group == group; };
@@ -263,7 +366,7 @@ bool BlockWriter::ends_by_itself(const Form& form, const Block& block, Function 
 }
 
 /// The function that acts and that the form must not stand inside of; None: there is none.
-Function BlockWriter::acting_around(const Form& form, const Block& block) const {
+Function FormChooser::acting_around(const Form& form, const Block& block) const {
     for (const Function around : form.outside) {
         if (ends_by_itself(form, block, around)) continue;
         const Activity activity = text_.activity_of(around);

@@ -43,13 +43,13 @@ Function BlockWriter::spindle_behind(const Form& form, const Block& block,
 
 /// A cycle of the control may bring a feed and a speed of its own; those of the program act behind
 /// it.
-void BlockWriter::leave_cycle(const Block& block, std::string& out) {
+void BlockWriter::leave_cycle(const Block& block, const Choice& choice, std::string& out) {
     const Invocation* cycle = block.find(Function::Cycle);
-    const FormId id = chosen_[static_cast<std::size_t>(cycle - block.functions.data())];
+    const FormId id = choice.forms[static_cast<std::size_t>(cycle - block.functions.data())];
     if (id == kNoForm) return;
     state_.follow_back(block, *cycle);
     const Form& form = tables_.forms[id];
-    const bool says_feed = has_feed_word(block, *cycle);
+    const bool says_feed = has_feed_word(block, choice, *cycle);
     Block back;
     back.source = block.source;
     back.skip = block.skip;
