@@ -23,10 +23,10 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
       messages_(tables_, modal_.units, sink),
       lines_(tables_, options.number_blocks, messages_),
       words_(state_, messages_),
-      chooser_(state_, messages_, options_) {
-    most_message_ = static_cast<std::size_t>(std::max(0, rules_.most_message));
+      chooser_(state_, messages_, options_),
+      fast_(state_, lines_, words_, options.verbose_modal),
+      idle_(dialect, text_, messages_) {
     begin({});
-    prepare_fast();
 }
 
 void BlockWriter::begin(const ProgramInfo& program) {
@@ -38,14 +38,13 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     const std::uint32_t before = lines_.count();
     switch (block.kind) {
         case Block::Kind::Nc:
-            if (!write_fast(block, out)) write_long(block, out);
-            if (rules_.comp_empty_blocks >= 0 && (idle_.is_begun || text_.is_compensated()))
-                count_idle(block, before);
+            if (!fast_.write(block, out)) write_long(block, out);
+            if (idle_.counts()) idle_.count(block, lines_.count() - before);
             break;
         case Block::Kind::Comment: lines_.write_comment(block.comment, out); break;
         case Block::Kind::Raw:
             write_raw(block, out);
-            idle_ = {};
+            idle_.forget();
             break;
         case Block::Kind::Label:
             messages_.cannot_express(block, "the label " + quoted(block.text));
@@ -272,12 +271,13 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
 /// A message that the control's line on the screen does not show to its end.
 void BlockWriter::check_message(const Block& block) {
     const std::size_t length = count_code_points(block.text);
-    if (most_message_ == 0 || length <= most_message_) return;
+    const auto most = static_cast<std::size_t>(std::max(0, rules_.most_message));  // 0: no limit
+    if (most == 0 || length <= most) return;
     if (!messages_.first_time(block, "a long message")) return;
     messages_.report(diag::MessageTooLong, block)
         .arg(length)
         .arg(tables_.name)
-        .arg(most_message_)
+        .arg(most)
         .fix("make it shorter, or put the rest into a `note`");
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "write/choice.h"
+#include "write/fast_moves.h"
+#include "write/idle_lines.h"
 #include "write/lines.h"
 #include "write/messages.h"
 #include "write/targets.h"
@@ -53,30 +55,12 @@ class BlockWriter {
     void check_arc_words(const Block& block);
     void check_knot(const Block& block, Function motion);
 
-    // The fast way, for straight moves
-    struct FastAxis {
-        Slot slot = Slot::X;
-        char letter = 'X';
-        bool is_length = true;
-        bool has_point = false;         // of whole numbers, too
-        std::array<int, 2> decimals{};  // metric, inch
-        std::uint64_t most = 0;         // greatest number in increments
-    };
-    void prepare_fast();
-    bool is_fast(const Block& block) const;
-    /// Code of a straight motion; empty if it is no code by itself.
-    const std::string& fast_code(Function motion) const {
-        return motion == Function::Rapid ? fast_rapid_ : fast_line_;
-    }
-    bool write_fast(const Block& block, std::string& out);
-
     // Functions
     void write_functions_alone(const Block& block, Choice& choice, std::string& out);
     void collect_functions(const Block& block, const Choice& choice, Items& items);
     void add_code(const Block& block, Function function, Items& items);
     bool needs_distance(const Block& block, const Choice& choice, Function distance) const;
     void restore_modal(const Block& block, const Choice& choice, Items& items);
-    void count_idle(const Block& block, std::uint32_t before);
     void say_doubtful(const Block& block, std::string& out);
     bool is_shift_standing(const Form& form, const Block& block,
                            const Invocation& invocation) const;
@@ -126,19 +110,8 @@ class BlockWriter {
     Lines lines_;
     Words words_;
     FormChooser chooser_;
-    std::vector<FastAxis> fast_axes_;               // in the order of their words
-    SlotMask fast_slots_ = 0;                       // that the fast way can write
-    std::string fast_rapid_, fast_line_;            // codes, for the fast way
-    std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
-    static constexpr std::size_t kSkipLevels = 10;  // 0 to 9
-    struct Idle {
-        bool is_begun = false;
-        int moves = 0;   // in the plane, since the compensation began
-        int level = -1;  // of skipping, if the compensation began in an optional block
-        // In a row without a move: with all optional blocks, then without those of each level.
-        std::array<int, 1 + kSkipLevels> lines{};
-    };
-    Idle idle_;
+    FastMoves fast_;
+    IdleLines idle_;
 };
 
 }  // namespace kadr::write

@@ -1,28 +1,27 @@
-// The fast way: a straight move in absolute coordinates, perhaps with a feed, modal words repeated
-// or not. Nearly all blocks of a program are such, and formatting their numbers is what expansion
-// costs. Whatever is unusual about a block, or about one of its numbers, sends it the long way
-// before anything is written.
+#include "write/fast_moves.h"
+
 #include <array>
 #include <cmath>
 
 #include "base/powers.h"
-#include "write/block_writer.h"
 
 namespace kadr::write {
 
-void BlockWriter::prepare_fast() {
+FastPlan fast_plan(const TextView& text) {
+    const DialectTables& tables = text.tables;
+    FastPlan plan;
     for (const Function motion : {Function::Rapid, Function::Line}) {
-        const auto& forms = tables_.forms_of[static_cast<std::size_t>(motion)];
+        const auto& forms = tables.forms_of[static_cast<std::size_t>(motion)];
         if (forms.empty()) continue;
-        const Form& form = tables_.forms[forms[0]];
+        const Form& form = tables.forms[forms[0]];
         const bool is_code = form.function == motion && form.sets.empty() &&
                              form.words.size() == 1 &&
                              form.words[0].kind == FormWord::Kind::Fixed && form.extra.empty();
-        if (is_code) (motion == Function::Rapid ? fast_rapid_ : fast_line_) = form.words[0].text;
+        if (is_code) (motion == Function::Rapid ? plan.rapid : plan.line) = form.words[0].text;
     }
-    for (const Slot slot : tables_.slot_order) {
+    for (const Slot slot : tables.slot_order) {
         if ((bit(slot) & kTargetSlots) == 0) continue;
-        const Address& address = text_.address_of(slot);
+        const Address& address = text.address_of(slot);
         const NumberFormat& format = address.format;
         // A missing point must not change the meaning, and minus must be allowed.
         const bool has_increments = format.increment > 0 || format.inch_increment > 0;
@@ -37,17 +36,18 @@ void BlockWriter::prepare_fast() {
         axis.has_point = format.point == PointRule::Always;
         axis.decimals = {format.decimals, axis.is_length ? format.inch_decimals : format.decimals};
         axis.most = most_increments(format);
-        fast_axes_.push_back(axis);
-        fast_slots_ |= bit(slot);
+        plan.axes.push_back(axis);
+        plan.slots |= bit(slot);
     }
+    return plan;
 }
 
-bool BlockWriter::is_fast(const Block& block) const {
+bool FastMoves::is_fast(const Block& block) const {
     if (block.kind != Block::Kind::Nc || block.function_count != 0 || block.skip >= 0 ||
         block.number >= 0)
         return false;
     const SlotMask targets = block.given & kTargetSlots;
-    if (targets == 0 || (block.given & ~(fast_slots_ | bit(Slot::Feed))) != 0) return false;
+    if (targets == 0 || (block.given & ~(plan_.slots | bit(Slot::Feed))) != 0) return false;
     if (((block.incremental | block.absolute) & block.given) != 0) return false;
     if (!block.comment.empty() || !state_.pending().empty() || modal_.edge.waiting != 0 ||
         modal_.edge.is_length_due || modal_.units.inverse_time || modal_.feed_is_other ||
@@ -56,10 +56,10 @@ bool BlockWriter::is_fast(const Block& block) const {
     const Function motion = text_.effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;
     const bool moves_others = (targets & ~SlotMask{kLinearXYZ}) != 0;
-    if (moves_others && block.feed_of_all_axes != rules_.feed_of_all_axes &&
+    if (moves_others && block.feed_of_all_axes != tables_.rules.feed_of_all_axes &&
         motion == Function::Line)
         return false;
-    if (options_.verbose_modal && fast_code(motion).empty()) return false;
+    if (repeats_ && plan_.code(motion).empty()) return false;
     const auto distance = static_cast<std::size_t>(Group::Distance);
     const auto feed_mode = static_cast<std::size_t>(Group::FeedMode);
     if (block.has(Slot::Feed) && modal_.text[feed_mode] != modal_.meant[feed_mode]) return false;
@@ -68,7 +68,7 @@ bool BlockWriter::is_fast(const Block& block) const {
            modal_.meant[distance] == Function::Absolute;
 }
 
-bool BlockWriter::write_fast(const Block& block, std::string& out) {
+bool FastMoves::write(const Block& block, std::string& out) {
     if (!is_fast(block)) return false;
     struct Word {
         const FastAxis* axis;
@@ -81,7 +81,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
     std::size_t count = 0;
     SlotMask changed = 0;
     const std::size_t system = modal_.units.inch ? 1 : 0;
-    for (const FastAxis& axis : fast_axes_) {
+    for (const FastAxis& axis : plan_.axes) {
         if (!block.has(axis.slot)) continue;
         const int decimals = axis.decimals[system];
         const double scale = axis.is_length ? text_scale(Dimension::Length, modal_.units, true) : 1;
@@ -93,7 +93,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
             static_cast<double>(scaled) / kPowersOfTen[static_cast<std::size_t>(decimals)];
         const double text = (is_minus ? -rounded : rounded) / scale;
         const auto place = static_cast<std::size_t>(axis.slot);
-        const bool is_same = !options_.verbose_modal && text_.is_named(place) &&
+        const bool is_same = !repeats_ && text_.is_named(place) &&
                              std::fabs(text - modal_.position.text[place]) < kSame;
         if (!is_same) changed |= bit(axis.slot);
         arrivals[count] = {place, text};
@@ -101,9 +101,9 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
     }
     state_.arrive(block, text_.effective_motion(block), std::span(arrivals).first(count));
     lines_.open(-1, true, out);
-    if (options_.verbose_modal && block.motion != Function::None) {
+    if (repeats_ && block.motion != Function::None) {
         blank(out);
-        out += fast_code(block.motion);
+        out += plan_.code(block.motion);
     }
     std::array<char, 32 * kAxes> line;
     char* end = line.data();
@@ -117,8 +117,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
     }
     out.append(line.data(), end);
     if (block.has(Slot::Feed) &&
-        (options_.verbose_modal ||
-         !text_.is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed))) {
+        (repeats_ || !text_.is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed))) {
         words_.append_slot(block, Slot::Feed, {}, out);
     }
     lines_.end_block(out);
