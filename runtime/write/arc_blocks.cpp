@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "base/done.h"
-#include "base/numbers.h"
 
 namespace kadr::write {
 

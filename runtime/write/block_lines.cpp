@@ -1,10 +1,8 @@
 // The lines of a block: their pieces, what stands apart from them, and the words of a tool change
 // that come with them.
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
-#include "base/diagnostics/dialect.h"
+#include "base/numbers.h"
 #include "base/text.h"
 #include "write/block_writer.h"
 

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
 
-#include "base/assert.h"
 #include "base/diagnostics/dialect.h"
-#include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "write/arc_blocks.h"
 #include "write/arc_targets.h"
@@ -212,31 +209,10 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
     restore_modal(block, choice, items);
     collect_functions(block, choice, items);
     if (modal_.text_of(Group::Diameter) != diameter) state_.change_diameter(diameter);
-    Targets targets;
-    const WrittenPosition start = modal_.position;
     const Function motion = text_.effective_motion(block);
     if (block.motion != Function::None && block.motion != motion)
         messages_.cannot_express(block, "a probing move that is no line at feed");
-    place_targets(state_, messages_, block, targets);
-    if (modal_.frame.turn.miss > 0 || modal_.frame.tilt.miss > 0)
-        check_turn(text_, messages_, block);
-    check_knot(block, motion);
-    if (is_arc(motion)) {
-        place_arc(text_, messages_, block, start, targets);
-        place_arc_feed(text_, messages_, block, start, targets);
-        place_helix_feed(text_, messages_, block, start, targets);
-    } else if (motion == Function::None) {
-        place_arc_as_given(text_, messages_, block, start, targets);
-    } else if (has_fact(motion, Fact::Pitch)) {
-        for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
-            if (!block.has(slot)) continue;
-            targets.written |= bit(slot);
-            targets.number[static_cast<std::size_t>(slot)] = text_.to_text(slot, block.at(slot));
-        }
-    } else if (block.function_count == 0 && !options_.verbose_modal) {
-        drop_unchanged(text_, block, start, targets);
-    }
-    if (motion == Function::Line) place_axes_feed(text_, messages_, block, start, targets);
+    const Targets targets = place_words(block, motion);
     // An incremental word that the control can only say under incremental dimensions.
     if (targets.written != 0 && targets.needs_incremental &&
         modal_.text_of(Group::Distance) != Function::Incremental) {
@@ -266,6 +242,33 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
     if (block.function_count == 0) return;
     state_.follow(block);
     if (block.find(Function::Message) != nullptr) check_message(block);
+}
+
+/// The words of axes, centre, radius and feed. The text's position goes to the end of the block.
+Targets BlockWriter::place_words(const Block& block, Function motion) {
+    Targets targets;
+    const WrittenPosition start = modal_.position;
+    place_targets(state_, messages_, block, targets);
+    if (modal_.frame.turn.miss > 0 || modal_.frame.tilt.miss > 0)
+        check_turn(text_, messages_, block);
+    check_knot(block, motion);
+    if (is_arc(motion)) {
+        place_arc(text_, messages_, block, start, targets);
+        place_arc_feed(text_, messages_, block, start, targets);
+        place_helix_feed(text_, messages_, block, start, targets);
+    } else if (motion == Function::None) {
+        place_arc_as_given(text_, messages_, block, start, targets);
+    } else if (has_fact(motion, Fact::Pitch)) {
+        for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
+            if (!block.has(slot)) continue;
+            targets.written |= bit(slot);
+            targets.number[static_cast<std::size_t>(slot)] = text_.to_text(slot, block.at(slot));
+        }
+    } else if (block.function_count == 0 && !options_.verbose_modal) {
+        drop_unchanged(text_, block, start, targets);
+    }
+    if (motion == Function::Line) place_axes_feed(text_, messages_, block, start, targets);
+    return targets;
 }
 
 /// A message that the control's line on the screen does not show to its end.

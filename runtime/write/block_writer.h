@@ -49,6 +49,7 @@ class BlockWriter {
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out, Whole whole = Whole::Yes);
     void write_long(const Block& block, std::string& out);
+    Targets place_words(const Block& block, Function motion);
     Written write_thread(const Block& block, std::string& out);
     std::optional<std::size_t> longer_way(const Block& block) const;
     void check_front(const Block& block);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"

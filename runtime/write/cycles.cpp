@@ -1,6 +1,4 @@
 // The spindle and the feed around a cycle, and what is known behind it.
-#include <algorithm>
-
 #include "write/block_writer.h"
 
 namespace kadr::write {

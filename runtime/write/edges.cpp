@@ -1,6 +1,4 @@
 // Where the length of a tool does not act, and where it acts again.
-#include <utility>
-
 #include "write/block_writer.h"
 
 namespace kadr::write {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "base/powers.h"
 
 namespace kadr::write {
