@@ -42,7 +42,7 @@ class Writer {
 
     std::uint32_t lines() const;  // written so far
     bool failed() const;          // an error was reported
-    /// What the text says behind its last line, as far as the writer knows (text_state.h).
+    /// What the text says behind its last line, as far as the writer knows (modal.h).
     const WriterModal& believed() const;
 
   private:
