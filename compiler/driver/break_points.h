@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "expand/expander.h"
-#include "interp/line_watch.h"
+#include "macro/line_watch.h"
 
 namespace kadr::driver {
 

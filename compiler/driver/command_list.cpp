@@ -20,7 +20,7 @@ const std::string& CommandList::source_of(const path::Command& command) {
 
 void CommandList::write(const path::Command& command) {
     line_.clear();
-    if (interp::Program::is_in_main_text(command.line)) {
+    if (macro::Program::is_in_main_text(command.line)) {
         listing_.append(command, source_of(command), line_);
     } else {
         const LinePlace place = execution_.place_of(command.line);

@@ -63,7 +63,7 @@ class Side {
         return std::filesystem::path(execution_->text_name()).filename().string();
     }
     std::string place(std::uint32_t line) const {
-        if (interp::Program::is_in_main_text(line)) return text_name() + ':' + std::to_string(line);
+        if (macro::Program::is_in_main_text(line)) return text_name() + ':' + std::to_string(line);
         const LinePlace called = execution_->place_of(line);
         return std::filesystem::path(called.file).filename().string() + ':' +
                std::to_string(called.line);

@@ -31,15 +31,15 @@ TraceFormat format_of(const std::string& file) {
     return file.ends_with(".jsonl") ? TraceFormat::Json : TraceFormat::Table;
 }
 
-bool is_same_value(const interp::ControlVariable& a, const interp::ControlVariable& b) {
+bool is_same_value(const macro::ControlVariable& a, const macro::ControlVariable& b) {
     return a.kind == b.kind && a.number == b.number && a.text == b.text;
 }
 
 /// Each variable once, from its first value in the block to its last; without those that have it
 /// back.
-std::vector<interp::VariableChange> summed_up(std::vector<interp::VariableChange>& changes) {
-    std::vector<interp::VariableChange> sum;
-    for (interp::VariableChange& change : changes) {
+std::vector<macro::VariableChange> summed_up(std::vector<macro::VariableChange>& changes) {
+    std::vector<macro::VariableChange> sum;
+    for (macro::VariableChange& change : changes) {
         const auto known = std::find_if(sum.begin(), sum.end(), [&](const auto& other) {
             return other.after.name == change.after.name;
         });
@@ -117,7 +117,7 @@ void Debugger::find_statement(TraceStep& step) const {
     if (step.has_calls) step.calls = *calls;
 }
 
-void Debugger::begin_step(const interp::WatchedLine& line) {
+void Debugger::begin_step(const macro::WatchedLine& line) {
     TraceStep& step = step_.emplace();
     step.file = line.file.empty() ? execution_->text_name() : std::string(line.file);
     step.line = line.line;
@@ -174,7 +174,7 @@ FileLine Debugger::lines_of(const SourceRange& range) const {
             sources.locate(range.file, range.end).line};
 }
 
-Arrival Debugger::arrival_at(const interp::WatchedLine& line) {
+Arrival Debugger::arrival_at(const macro::WatchedLine& line) {
     Arrival arrival;
     arrival.has_number = line.number >= 0;
     arrival.number = arrival.has_number ? static_cast<std::uint64_t>(line.number) : 0;
@@ -206,7 +206,7 @@ const Debugger::Place* Debugger::find(std::vector<Place>& places, const Arrival&
     return found;
 }
 
-bool Debugger::comes_to(const interp::WatchedLine& line) {
+bool Debugger::comes_to(const macro::WatchedLine& line) {
     end_step();
     if (trace_ && !has_begun_) {
         TraceStep begin;
@@ -322,7 +322,7 @@ void Debugger::show_position() {
 void Debugger::show_state() {
     const TraceState now = state();
     std::string out = "codes    ";
-    for (const interp::ActiveCode& code : now.codes) out += ' ' + std::string(code.code);
+    for (const macro::ActiveCode& code : now.codes) out += ' ' + std::string(code.code);
     out += '\n';
     for (const ModalEntry& entry : now.modal) {
         std::string_view value = entry.value;
@@ -335,7 +335,7 @@ void Debugger::show_state() {
 void Debugger::show_variables(std::string_view part) {
     std::string out;
     const std::string wanted = upper_ascii(part);
-    for (const interp::ControlVariable& variable : execution_->variables()) {
+    for (const macro::ControlVariable& variable : execution_->variables()) {
         if (!upper_ascii(variable.name).starts_with(wanted)) continue;
         out += variable.name + " = " + json_value(variable) + '\n';
     }
@@ -371,12 +371,12 @@ std::string Debugger::stop_json(std::string_view reason) {
         }
         out += '}';
     };
-    object("codes", now.codes, [](const interp::ActiveCode& code) {
+    object("codes", now.codes, [](const macro::ActiveCode& code) {
         return json_string(code.group) + ':' + json_string(code.code);
     });
     object("modal", now.modal,
            [](const ModalEntry& entry) { return json_string(entry.name) + ':' + entry.value; });
-    object("variables", execution_->variables(), [](const interp::ControlVariable& variable) {
+    object("variables", execution_->variables(), [](const macro::ControlVariable& variable) {
         return json_string(variable.name) + ':' + json_value(variable);
     });
     return out + "}\n";

@@ -14,7 +14,7 @@
 
 namespace kadr::driver {
 
-class Debugger final : public interp::LineWatch {
+class Debugger final : public macro::LineWatch {
   public:
     /// Null: a place of the job is none, which is reported. `trace`: where it goes; null: nowhere.
     /// All references outlive the debugger.
@@ -28,7 +28,7 @@ class Debugger final : public interp::LineWatch {
     /// The execution that it looks at; before the first command is pulled.
     void follow(Execution& execution);
 
-    bool comes_to(const interp::WatchedLine& line) override;
+    bool comes_to(const macro::WatchedLine& line) override;
     /// Writes what is left of the trace, and warns of places that the run never came to. `alarm`:
     /// that ended the run; empty: none.
     void finish(const std::string& alarm);
@@ -44,9 +44,9 @@ class Debugger final : public interp::LineWatch {
                             DiagnosticSink& sink);
     TraceState state();
     void end_step();
-    void begin_step(const interp::WatchedLine& line);
+    void begin_step(const macro::WatchedLine& line);
     void find_statement(TraceStep& step) const;
-    Arrival arrival_at(const interp::WatchedLine& line);
+    Arrival arrival_at(const macro::WatchedLine& line);
     FileLine lines_of(const SourceRange& range) const;
     static const Place* find(std::vector<Place>& places, const Arrival& arrival);
     void warn_of(const std::vector<Place>& places);
@@ -69,7 +69,7 @@ class Debugger final : public interp::LineWatch {
     Execution* execution_ = nullptr;
     std::vector<Place> breaks_;
     std::vector<Place> until_;
-    std::vector<interp::VariableChange> changes_;
+    std::vector<macro::VariableChange> changes_;
     std::optional<TraceStep> step_;  // that is executed
     std::uint64_t traced_ = 0;
     std::uint64_t blocks_before_ = 0;

@@ -355,7 +355,7 @@ void Execution::connect(DiagnosticSink& sink) {
     sink_ = std::make_unique<StatementNotes>(*this, sink);
     nc::TextSource& text = generated_ ? static_cast<nc::TextSource&>(*generated_) : *file_;
     held_ = std::make_unique<HeldMessages>(*sink_);
-    interp::ProgramOptions program_options;
+    macro::ProgramOptions program_options;
     program_options.skip_levels = options.skip_levels;
     program_options.passes = options.passes;
     program_options.files = called_.get();
@@ -370,7 +370,7 @@ void Execution::connect(DiagnosticSink& sink) {
         program_options.max_repeated = program_options.max_turns = kNone;
     }
     reader_ =
-        std::make_unique<interp::Program>(*dialect_, text, text_name_, program_options, *held_);
+        std::make_unique<macro::Program>(*dialect_, text, text_name_, program_options, *held_);
     tagged_ = std::make_unique<Tagger>(*reader_, *held_,
                                        generated_ ? &generated_->lines() : nullptr, aside_.look_at);
     // A cycle that a test executes by itself runs with the tool of its caller.

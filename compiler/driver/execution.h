@@ -18,7 +18,7 @@
 #include "driver/program_files.h"
 #include "driver/session.h"
 #include "interp/interpreter.h"
-#include "interp/program.h"
+#include "macro/program.h"
 
 namespace kadr::motion {
 struct PlannerOptions;
@@ -52,13 +52,13 @@ struct Aside {
     std::function<void(std::string_view)> tap;      // gets text that is made, or comes by only once
     bool keeps_calls = false;                       // GeneratedText::calls_behind is asked
     std::function<void(const nc::Block&)> look_at;  // is shown every block that is read
-    interp::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one
+    macro::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one
     /// No line of the control's language is executed before the blocks in front of it: what an
     /// alarm leaves in variables and in printed text came before it.
     bool in_step = false;
-    std::vector<interp::VariableChange>* changes = nullptr;  // gets the variables that are set
-    std::vector<interp::ProbeTouch> touches;                 // where the probe triggers
-    std::vector<interp::InputEvent> input_events;  // values that the machine gives meanwhile
+    std::vector<macro::VariableChange>* changes = nullptr;  // gets the variables that are set
+    std::vector<interp::ProbeTouch> touches;                // where the probe triggers
+    std::vector<macro::InputEvent> input_events;  // values that the machine gives meanwhile
 };
 
 class Execution final : public Stream<path::Command> {
@@ -88,7 +88,7 @@ class Execution final : public Stream<path::Command> {
     /// Makes the text of a Kadr program to its end, whatever has stopped its execution.
     void make_rest();
     /// Who gets the lines that a program of the control prints.
-    void print_to(interp::Printer& printer) { reader_->print_to(printer); }
+    void print_to(macro::Printer& printer) { reader_->print_to(printer); }
 
     bool alarmed() const { return is_late_ || interpreter_->alarmed(); }
     /// Whether the command has computed for longer than it may. Any thread may ask.
@@ -109,10 +109,10 @@ class Execution final : public Stream<path::Command> {
     const interp::Interpreter& interpreter() const { return *interpreter_; }
 
     /// The control's program, of which an onlooker asks what acts.
-    interp::Program& reader() { return *reader_; }
-    const interp::Program& reader() const { return *reader_; }
+    macro::Program& reader() { return *reader_; }
+    const macro::Program& reader() const { return *reader_; }
     /// Variables of the control that the program has set.
-    std::vector<interp::ControlVariable> variables() const { return reader_->variables(); }
+    std::vector<macro::ControlVariable> variables() const { return reader_->variables(); }
 
     const nc::Dialect& dialect() const { return *dialect_; }
     const machine::Machine& machine() const { return *machine_; }
@@ -156,10 +156,10 @@ class Execution final : public Stream<path::Command> {
     std::unique_ptr<GeneratedText> generated_;
     std::unique_ptr<FileText> file_;
     std::unique_ptr<ProgramFolders> called_;  // programs that the text calls
-    std::vector<interp::ProgramInputs> inputs_;
+    std::vector<macro::ProgramInputs> inputs_;
     std::unique_ptr<StatementNotes> sink_;
     std::unique_ptr<HeldMessages> held_;
-    std::unique_ptr<interp::Program> reader_;
+    std::unique_ptr<macro::Program> reader_;
     std::unique_ptr<Stream<nc::Block>> tagged_;
     std::unique_ptr<LibraryCycles> own_cycles_;
     LibraryCycles* cycles_ = nullptr;

@@ -204,7 +204,7 @@ std::string written(const std::string& value) {
 }
 
 /// Each at its line of the file, so that messages show that.
-void add_data(Session& session, std::vector<interp::ProgramInputs>& out) {
+void add_data(Session& session, std::vector<macro::ProgramInputs>& out) {
     std::uint32_t line = 0;  // of the text that is being made; 0: none
     for (const machine::MachineDatum& datum : session.told().data) {
         const Sources& sources = session.sources();
@@ -234,8 +234,8 @@ std::optional<std::string> lines_of_variables(std::string_view text, std::size_t
     return std::move(object).lines();
 }
 
-std::optional<std::vector<interp::ProgramInputs>> machine_inputs(Session& session) {
-    std::vector<interp::ProgramInputs> out;
+std::optional<std::vector<macro::ProgramInputs>> machine_inputs(Session& session) {
+    std::vector<macro::ProgramInputs> out;
     add_data(session, out);
     for (const std::string& file : session.options().variable_files) {
         auto source = session.files().read(file);

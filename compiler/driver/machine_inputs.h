@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "driver/session.h"
-#include "interp/program.h"
 #include "machine/described_machine.h"
+#include "macro/program.h"
 
 namespace kadr::driver {
 
 /// `<data>` of the machine file, then the files of `--variables-in`, then `--set`: what comes later
 /// wins. Nothing: a file cannot be read, which is reported.
-std::optional<std::vector<interp::ProgramInputs>> machine_inputs(Session& session);
+std::optional<std::vector<macro::ProgramInputs>> machine_inputs(Session& session);
 
 /// What the machine's axes are called as an index.
 nc::MachineAxisNames axis_names(const machine::Machine& machine, const machine::MachineTold& told);

@@ -138,12 +138,12 @@ std::optional<OperatorEvent> operator_event(std::string_view text) {
     return event;
 }
 
-std::optional<interp::InputEvent> input_event(std::string_view text) {
+std::optional<macro::InputEvent> input_event(std::string_view text) {
     OperatorEvent when;
     std::string_view left = trimmed(text);
     if (!take_when(left, when) || !take_words(left, "set", "")) return std::nullopt;
     if (left.find('=') == std::string_view::npos) return std::nullopt;
-    interp::InputEvent event;
+    macro::InputEvent event;
     event.text = left;
     event.time = when.time;
     event.line = when.line;

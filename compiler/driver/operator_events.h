@@ -16,7 +16,7 @@
 
 #include "driver/session.h"
 #include "interp/interpreter.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "motion/operator_panel.h"
 
 namespace kadr::driver {
@@ -43,7 +43,7 @@ std::optional<OverrideCourse> override_course(std::string_view text, motion::Ope
 /// What a file of `--events` holds.
 struct RunEvents {
     std::vector<motion::OperatorEvent> panel;
-    std::vector<interp::InputEvent> inputs;
+    std::vector<macro::InputEvent> inputs;
     std::vector<interp::ProbeTouch> touches;
 };
 
@@ -51,7 +51,7 @@ struct RunEvents {
 std::optional<interp::ProbeTouch> probe_touch(std::string_view text);
 
 /// `5s set $A_IN[3]=1`, without the place in its file; nothing: it is none.
-std::optional<interp::InputEvent> input_event(std::string_view text);
+std::optional<macro::InputEvent> input_event(std::string_view text);
 
 /// Reads the file of `--events`. Nothing: reported.
 std::optional<RunEvents> read_events(Session& session, const std::string& file);

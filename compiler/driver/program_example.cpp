@@ -8,7 +8,7 @@
 
 #include "base/numbers.h"
 #include "interp/interpreter.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "nc/tables.h"
 
 namespace kadr::driver {
@@ -39,8 +39,8 @@ std::string program_of(const nc::Dialect& dialect, const std::string& text) {
     return program + '\n';
 }
 
-std::string value_text(const interp::ControlVariable& variable) {
-    using Kind = interp::ControlVariable::Kind;
+std::string value_text(const macro::ControlVariable& variable) {
+    using Kind = macro::ControlVariable::Kind;
     if (variable.kind == Kind::Text) return '"' + variable.text + '"';
     if (variable.kind == Kind::Bool) return variable.number != 0 ? "TRUE" : "FALSE";
     constexpr int kShown = 9;  // decimals; the last bits are no matter of an example
@@ -61,10 +61,10 @@ std::string outcome_of(Session& session, const nc::Dialect& dialect, const std::
     if (machine == nullptr) return "no machine";
     DiagnosticList messages;
     WholeText source(program_of(dialect, text));
-    interp::ProgramOptions options;
+    macro::ProgramOptions options;
     options.max_turns = 10'000;
     options.max_repeated = 10'000;
-    interp::Program program(dialect, source, "example", options, messages);
+    macro::Program program(dialect, source, "example", options, messages);
     interp::Interpreter interpreter(dialect, *machine, program, &program, nullptr, {}, messages);
     program.follow(interpreter);
     std::array<path::Command, 8> batch;
@@ -72,12 +72,12 @@ std::string outcome_of(Session& session, const nc::Dialect& dialect, const std::
     for (const Diagnostic& message : messages.all()) {
         if (message.severity >= Severity::Error) return alarm_text(message);
     }
-    const std::vector<interp::ControlVariable> variables = program.variables();
+    const std::vector<macro::ControlVariable> variables = program.variables();
     std::istringstream items(asked);
     std::string found;
     for (std::string item; items >> item;) {
         const std::string name = item.substr(0, item.find('='));
-        const auto variable = std::ranges::find(variables, name, &interp::ControlVariable::name);
+        const auto variable = std::ranges::find(variables, name, &macro::ControlVariable::name);
         if (!found.empty()) found += ' ';
         found += name + '=' + (variable == variables.end() ? "unset" : value_text(*variable));
     }

@@ -40,9 +40,9 @@ Done ProgramFolders::require_readable(const std::string& file) {
     return kFailed;
 }
 
-std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect& dialect,
-                                                               const std::string& program,
-                                                               const std::string& kind) {
+std::optional<macro::ProgramFiles::File> ProgramFolders::open(const nc::Dialect& dialect,
+                                                              const std::string& program,
+                                                              const std::string& kind) {
     const nc::DialectTables& tables = dialect.tables();
     const bool is_number =
         std::ranges::all_of(program, [](char c) { return c >= '0' && c <= '9'; });

@@ -8,11 +8,11 @@
 
 #include "base/done.h"
 #include "driver/session.h"
-#include "interp/program_files.h"
+#include "macro/program_files.h"
 
 namespace kadr::driver {
 
-class ProgramFolders final : public interp::ProgramFiles {
+class ProgramFolders final : public macro::ProgramFiles {
   public:
     /// folders  in the order in which they are searched
     /// session  says what may be read, and is told what was; null: anything

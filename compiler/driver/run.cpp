@@ -74,7 +74,7 @@ struct Outputs {
 };
 
 /// Keeps what the program prints; without a file it counts the lines.
-class PrintedLines final : public interp::Printer {
+class PrintedLines final : public macro::Printer {
   public:
     explicit PrintedLines(Output* output) : output_(output) {}
     void line(std::string_view text) override {
@@ -184,7 +184,7 @@ class Run {
     std::unique_ptr<CommandList> list_;
     std::vector<motion::OperatorEvent> events_;      // what the operator does
     std::vector<interp::ProbeTouch> touches_;        // … where its probe touches
-    std::vector<interp::InputEvent> input_events_;   // … what the machine tells meanwhile
+    std::vector<macro::InputEvent> input_events_;    // … what the machine tells meanwhile
     std::map<std::uint32_t, std::int32_t> numbers_;  // of the lines of blocks that events name
     PlotScene scene_;
     PlotTools tools_;                            // along the path that is drawn
@@ -293,7 +293,7 @@ void Run::execute() {
             if (limits_) limits_->add(segment);
             if (page_) page_->add(segment);
             // For the setpoints, whose thread must not ask what is being executed.
-            if (!interp::Program::is_in_main_text(segment.line))
+            if (!macro::Program::is_in_main_text(segment.line))
                 segment.line = execution_->place_of(segment.line).line;
         },
         [&] {
@@ -540,7 +540,7 @@ Done Run::open_drives() {
             drive_trace_.add(sample);
             return;
         }
-        if (!interp::Program::is_in_main_text(sample.line))
+        if (!macro::Program::is_in_main_text(sample.line))
             sample.line = execution_->place_of(sample.line).line;
         drive_table_->add(sample);
     };

@@ -77,7 +77,7 @@ void pad(std::string& out, std::size_t begin, std::size_t width) {
     if (used < width) out.append(width - used, ' ');
 }
 
-std::string_view code_of(const std::vector<interp::ActiveCode>& codes, std::string_view group) {
+std::string_view code_of(const std::vector<macro::ActiveCode>& codes, std::string_view group) {
     const auto found = std::find_if(codes.begin(), codes.end(),
                                     [group](const auto& code) { return code.group == group; });
     return found == codes.end() ? std::string_view() : found->code;
@@ -85,14 +85,14 @@ std::string_view code_of(const std::vector<interp::ActiveCode>& codes, std::stri
 
 /// Calls `tell` with group, code before and code after for every group whose code is another one.
 template <typename Tell>
-void each_code_change(const std::vector<interp::ActiveCode>& before,
-                      const std::vector<interp::ActiveCode>& after, Tell tell) {
+void each_code_change(const std::vector<macro::ActiveCode>& before,
+                      const std::vector<macro::ActiveCode>& after, Tell tell) {
     if (before == after) return;
-    for (const interp::ActiveCode& code : after) {
+    for (const macro::ActiveCode& code : after) {
         const std::string_view old = code_of(before, code.group);
         if (old != code.code) tell(code.group, old, code.code);
     }
-    for (const interp::ActiveCode& code : before) {
+    for (const macro::ActiveCode& code : before) {
         if (code_of(after, code.group).empty()) tell(code.group, code.code, std::string_view());
     }
 }
@@ -155,8 +155,8 @@ std::vector<ModalEntry> modal_entries(const interp::Snapshot& now) {
     return out;
 }
 
-std::string json_value(const interp::ControlVariable& variable) {
-    using Kind = interp::ControlVariable::Kind;
+std::string json_value(const macro::ControlVariable& variable) {
+    using Kind = macro::ControlVariable::Kind;
     switch (variable.kind) {
         case Kind::Vacant: return "null";
         case Kind::Text: return json_string(variable.text);
@@ -193,7 +193,7 @@ void Trace::append_json(const TraceStep& step, const TraceState& state, std::str
         out += ",\"src\":" + json_string(session_.source_name(step.statement));
     if (step.has_calls) append_calls(out, step.calls, session_);
     std::string members;
-    for (const interp::VariableChange& change : step.variables) {
+    for (const macro::VariableChange& change : step.variables) {
         append_change(members, change.after.name, json_value(change.before),
                       json_value(change.after));
     }
@@ -245,7 +245,7 @@ std::string Trace::changes(const TraceStep& step, const TraceState& state) const
         out += " → ";
         out += after;
     };
-    for (const interp::VariableChange& change : step.variables) {
+    for (const macro::VariableChange& change : step.variables) {
         add(change.after.name, plain(json_value(change.before)), plain(json_value(change.after)));
     }
     // What the program begins with has come from nowhere.

@@ -8,9 +8,9 @@
 
 #include "driver/session.h"
 #include "expand/expander.h"
-#include "interp/code_list.h"
-#include "interp/program.h"
 #include "interp/snapshot.h"
+#include "macro/code_list.h"
+#include "macro/program.h"
 
 namespace kadr::driver {
 
@@ -27,7 +27,7 @@ std::vector<ModalEntry> modal_entries(const interp::Snapshot& now);
 /// The state of a control between two blocks.
 struct TraceState {
     interp::Snapshot now;
-    std::vector<interp::ActiveCode> codes;
+    std::vector<macro::ActiveCode> codes;
     std::vector<ModalEntry> modal;
 };
 
@@ -43,11 +43,11 @@ struct TraceStep {
     SourceRange statement;   // of the Kadr program; invalid: none
     bool has_calls = false;  // `calls` holds
     expand::Trace calls;
-    std::vector<interp::VariableChange> variables;  // each once, and only if it has changed
+    std::vector<macro::VariableChange> variables;  // each once, and only if it has changed
 };
 
 /// A value of a variable as JSON has it; null for one that is vacant.
-std::string json_value(const interp::ControlVariable& variable);
+std::string json_value(const macro::ControlVariable& variable);
 
 /// `{"X":1.5,"Y":0}` of the axes that the machine has.
 std::string json_axes(AxisMask axes, const AxisValues& values);

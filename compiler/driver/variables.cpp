@@ -5,9 +5,9 @@
 
 namespace kadr::driver {
 
-std::string variables_json(std::span<const interp::ControlVariable> variables) {
+std::string variables_json(std::span<const macro::ControlVariable> variables) {
     std::string out = "{";
-    for (const interp::ControlVariable& variable : variables) {
+    for (const macro::ControlVariable& variable : variables) {
         out += out.size() > 1 ? ",\n " : "\n ";
         out += json_string(variable.name) + ": " + json_value(variable);
     }

@@ -4,11 +4,11 @@
 #include <span>
 #include <string>
 
-#include "interp/program.h"
+#include "macro/program.h"
 
 namespace kadr::driver {
 
 /// One object, a member for each variable that the program has set, by its own name: `"R1": 2.5`.
-std::string variables_json(std::span<const interp::ControlVariable> variables);
+std::string variables_json(std::span<const macro::ControlVariable> variables);
 
 }  // namespace kadr::driver

@@ -30,7 +30,7 @@ WorkPlace WorkPlaces::find(std::uint32_t line, SourceId source) const {
     WorkPlace place;
     place.statement = users_statement(line, source);
     if (place.statement.file.is_valid()) return place;
-    if (interp::Program::is_in_main_text(line)) {
+    if (macro::Program::is_in_main_text(line)) {
         place.line = line;
         return place;
     }

@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "interp/contour_table.h"
 #include "interp/state.h"
+#include "macro/contour_table.h"
 
 namespace kadr::interp {
 
-/// What the control says of a contour that was read: mm, degrees; the units of its modes are those
-/// of the text, and the program's to say.
-using ContourSaid = std::vector<ContourElement>;
+using macro::ContourElement;
+using macro::ContourModes;
+using macro::ContourSaid;
 
 struct ContourRun {
     std::vector<path::Command> commands;  // of the blocks

@@ -12,12 +12,15 @@
 #include "interp/block_words.h"
 #include "interp/cycle_strokes.h"
 #include "interp/executor.h"
-#include "interp/named_shape.h"
 #include "interp/said_words.h"
+#include "macro/named_shape.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
 
+using macro::kPatternParameter;
+using macro::names_contour;
+using macro::names_shape;
 using nc::Block;
 using nc::find_parameter;
 using nc::Function;

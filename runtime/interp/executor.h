@@ -29,6 +29,7 @@
 #include "interp/block_actions.h"
 #include "interp/block_queue.h"
 #include "interp/compensation.h"
+#include "interp/contour_run.h"
 #include "interp/corners.h"
 #include "interp/cycle_run.h"
 #include "interp/dangers.h"

@@ -14,16 +14,19 @@
 #include <vector>
 
 #include "base/stream.h"
-#include "interp/control_access.h"
 #include "interp/snapshot.h"
 #include "machine/machine.h"
 #include "machine/probe.h"
+#include "macro/control_access.h"
 #include "nc/dialect.h"
 #include "nc/reader.h"
 #include "path/command.h"
 #include "path/contour.h"
 
 namespace kadr::interp {
+
+using macro::ContourSaid;
+using macro::ControlAccess;
 
 /// The blocks of a shape that a cycle works along, as geometry of the part.
 struct CycleShape {

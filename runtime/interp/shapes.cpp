@@ -5,7 +5,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
-#include "interp/named_shape.h"
+#include "macro/named_shape.h"
 
 namespace kadr::interp {
 
@@ -28,7 +28,7 @@ bool is_plane(Function function, path::Plane plane) {
 void Executor::begin_shape(const Block& block, const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const auto given = [&](int parameter) { return (call.given >> parameter & 1u) != 0; };
-    const bool is_named = names_shape(info);
+    const bool is_named = macro::names_shape(info);
     if (!is_named && (!given(info.roles.first_block) || !given(info.roles.last_block))) {
         report(diag::ShapeNotNamed, block, Function::Cycle);
         return;

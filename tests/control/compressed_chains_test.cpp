@@ -16,12 +16,14 @@
 #include <gtest/gtest.h>
 
 #include "interp/interpreter.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "motion/pipeline.h"
 #include "path/vec3.h"
 #include "tests/nc/nc_testing.h"
 
 namespace kadr::interp {
+
+using macro::Program;
 namespace {
 
 using path::Vec3;

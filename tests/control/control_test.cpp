@@ -52,8 +52,8 @@
 #include "driver/cycles.h"
 #include "driver/program_files.h"
 #include "driver/session.h"
-#include "interp/line_watch.h"
-#include "interp/program.h"
+#include "macro/line_watch.h"
+#include "macro/program.h"
 #include "nc/dialect_on_machine.h"
 #include "nc/mode_words.h"
 #include "nc/scope_words.h"
@@ -61,6 +61,15 @@
 #include "tests/control/control_machines.h"
 
 namespace kadr::interp {
+
+using macro::ControlVariable;
+using macro::LineWatch;
+using macro::Printer;
+using macro::Program;
+using macro::ProgramFiles;
+using macro::ProgramOptions;
+using macro::VariableChange;
+using macro::WatchedLine;
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,11 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "interp/program.h"
+#include "macro/program.h"
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
+
+using macro::Program;
+using macro::ProgramOptions;
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,12 +12,14 @@
 #include <gtest/gtest.h>
 
 #include "base/text.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "nc/tables.h"
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
+
+using macro::Program;
 namespace {
 
 namespace fs = std::filesystem;

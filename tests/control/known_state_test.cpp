@@ -28,7 +28,7 @@
 #include "expand/expander.h"
 #include "expand/modal.h"
 #include "interp/interpreter.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "tests/control/random_program.h"
 #include "write/modal.h"
 #include "write/writer.h"
@@ -105,7 +105,7 @@ Evaluated evaluated(const sema::Code& code, const nc::Dialect& dialect, Diagnost
 /// for.
 class OneByOne final : public Stream<nc::Block> {
   public:
-    OneByOne(interp::Program& program, std::function<void(std::uint32_t)> behind)
+    OneByOne(macro::Program& program, std::function<void(std::uint32_t)> behind)
         : program_(program), behind_(std::move(behind)) {}
     std::size_t pull(std::span<nc::Block> out) override {
         if (line_ > 0) behind_(line_);
@@ -115,7 +115,7 @@ class OneByOne final : public Stream<nc::Block> {
     }
 
   private:
-    interp::Program& program_;
+    macro::Program& program_;
     std::function<void(std::uint32_t)> behind_;
     std::uint32_t line_ = 0;
 };
@@ -265,9 +265,9 @@ void execute(const Evaluated& evaluated, std::uint16_t skip_levels, driver::Sess
         std::string_view rest;
     } source(evaluated.text);
     driver::LibraryCycles cycles(session, dialect);
-    interp::ProgramOptions reading;
+    macro::ProgramOptions reading;
     reading.skip_levels = skip_levels;
-    interp::Program lines(dialect, source, "known", reading, said);
+    macro::Program lines(dialect, source, "known", reading, said);
     const interp::Interpreter* onlooker = nullptr;
     OneByOne blocks(lines, [&](std::uint32_t line) {
         const auto known = evaluated.known.find(line);

@@ -59,7 +59,7 @@ Done run(const nc::Dialect& dialect, const std::vector<Block>& blocks) {
 Done run(const nc::Dialect& dialect, const std::string& text) {
     DiagnosticList messages;
     nc::testing::OneText source(text);
-    interp::Program program(dialect, source, "test", {}, messages);
+    macro::Program program(dialect, source, "test", {}, messages);
     interp::Interpreter interpreter(dialect, wide_trunnion(), program, &program, nullptr, {},
                                     messages);
     program.follow(interpreter);

@@ -9,11 +9,13 @@
 
 #include "driver/cycles.h"
 #include "driver/session.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
+
+using macro::Program;
 namespace {
 
 /// `x y z` are the axes of the plane and its normal, `i j k` their centre words, `p` the plane.

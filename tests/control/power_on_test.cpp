@@ -11,11 +11,13 @@
 
 #include "interp/interpreter.h"
 #include "interp/listing.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "tests/common/whole_text.h"
 #include "tests/control/control_machines.h"
 
 namespace kadr::interp {
+
+using macro::Program;
 namespace {
 
 /// SINUMERIK with another default of one group; nothing: as it is delivered.

@@ -10,7 +10,7 @@
 #include <rapidcheck.h>
 
 #include "base/numbers.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "tests/interp/bench.h"
 #include "tests/nc/nc_testing.h"
 #include "write/writer.h"
@@ -39,7 +39,7 @@ class Recorder final : public Stream<Block> {
 struct Ran {
     std::vector<Command> commands;
     std::vector<Block> blocks;
-    std::vector<interp::ControlVariable> variables;
+    std::vector<macro::ControlVariable> variables;
 };
 
 /// Wide enough for any program, its zero where the workpiece's is.
@@ -79,7 +79,7 @@ inline Ran run_text(const nc::Dialect& dialect, const std::string& text) {
     RC_LOG() << "---- " << dialect.name() << '\n' << text;
     DiagnosticList messages;
     nc::testing::OneText source(text);
-    interp::Program program(dialect, source, "test", {}, messages);
+    macro::Program program(dialect, source, "test", {}, messages);
     Ran ran;
     Recorder blocks(program, ran.blocks);
     interp::Interpreter interpreter(dialect, wide_mill(), blocks, &program, nullptr, {}, messages);

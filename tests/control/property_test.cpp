@@ -20,7 +20,7 @@
 #include "driver/generated_text.h"
 #include "driver/program.h"
 #include "driver/session.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "nc/tables.h"
 #include "tests/control/property_bench.h"
 #include "tests/control/random_program.h"
@@ -134,9 +134,9 @@ void assert_steps(const std::vector<Step>& meant, const std::vector<Command>& co
     RC_ASSERT(found.size() == meant.size());
 }
 
-void assert_variables(const Outcome& meant, const std::vector<interp::ControlVariable>& found) {
+void assert_variables(const Outcome& meant, const std::vector<macro::ControlVariable>& found) {
     std::size_t seen = 0;
-    for (const interp::ControlVariable& variable : found) {
+    for (const macro::ControlVariable& variable : found) {
         const std::size_t number = std::stoul(variable.name.substr(1));
         RC_ASSERT(number < kVariables);
         ++seen;

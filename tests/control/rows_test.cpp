@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "interp/program.h"
+#include "macro/program.h"
 #include "nc/tables.h"
 #include "tests/interp/bench.h"
 

@@ -10,7 +10,7 @@
 #include "base/diagnostics/driver.h"
 #include "base/render.h"
 #include "interp/interpreter.h"
-#include "interp/program.h"
+#include "macro/program.h"
 #include "motion/pipeline.h"
 
 namespace kadr::fuzz {
@@ -158,10 +158,10 @@ expand::Limits small_limits() {
 void execute(const nc::Dialect& dialect, std::string_view text) {
     DiagnosticList messages;
     Pieces pieces(text);
-    interp::ProgramOptions program_options;
+    macro::ProgramOptions program_options;
     program_options.max_turns = 2000;
     program_options.max_repeated = kExecutedBlocks;
-    interp::Program program(dialect, pieces, "fuzz", program_options, messages);
+    macro::Program program(dialect, pieces, "fuzz", program_options, messages);
     interp::InterpreterOptions options;
     options.max_blocks = kExecutedBlocks;
     const machine::Machine& machine = world().machine_for(dialect);

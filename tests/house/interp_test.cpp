@@ -1,4 +1,5 @@
-// What the interpreter's sources keep to, beyond what the compiler sees.
+// What the sources of the interpreter and of the controls' languages keep to, beyond what the
+// compiler sees.
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -13,7 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kInterp = fs::path(KADR_ROOT) / "runtime/interp";
+const std::vector<fs::path> kRooms = {fs::path(KADR_ROOT) / "runtime/interp",
+                                      fs::path(KADR_ROOT) / "runtime/macro"};
+
+/// The headers of these rooms, or the sources as well.
+std::vector<fs::path> files_of_rooms(bool with_sources) {
+    std::vector<fs::path> files;
+    for (const fs::path& room : kRooms) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(room)) {
+            const std::string extension = entry.path().extension();
+            if (extension == ".h" || (with_sources && extension == ".cpp"))
+                files.push_back(entry.path());
+        }
+    }
+    return files;
+}
 
 /// What has a few meanings is an enum (modes.h), not one function of the whole vocabulary. What
 /// stays is the modal motion: blocks are read, compared and written with it.
@@ -21,11 +36,10 @@ TEST(Interp, NoStateIsAnyFunction) {
     const std::set<std::string> motions = {"state.h: motion", "through_run.h: function"};
     static const std::regex member(R"(\n +(?:nc::)?Function (\w+)(?:\s*=\s*[^;]+|\{[^;]*\})?;)");
     std::set<std::string> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(kInterp)) {
-        if (entry.path().extension() != ".h") continue;
-        const std::string text = kadr::read_file(entry.path()).value_or("");
+    for (const fs::path& file : files_of_rooms(false)) {
+        const std::string text = kadr::read_file(file).value_or("");
         for (std::sregex_iterator at(text.begin(), text.end(), member), end; at != end; ++at)
-            found.insert(entry.path().filename().string() + ": " + (*at)[1].str());
+            found.insert(file.filename().string() + ": " + (*at)[1].str());
     }
     EXPECT_EQ(found, motions);
 }
@@ -42,17 +56,15 @@ std::vector<Definition> definitions_of(const std::string& type) {
     const std::regex head(R"(\n( *)(?:static |inline |constexpr )*)" + type +
                           R"( ((?:\w+::)*\w+)\([^;{}]*\)[^;{}]*\{)");
     std::vector<Definition> found;
-    for (const fs::directory_entry& entry : fs::directory_iterator(kInterp)) {
-        const std::string extension = entry.path().extension();
-        if (extension != ".h" && extension != ".cpp") continue;
-        const std::string text = kadr::read_file(entry.path()).value_or("");
+    for (const fs::path& file : files_of_rooms(true)) {
+        const std::string text = kadr::read_file(file).value_or("");
         for (std::sregex_iterator at(text.begin(), text.end(), head), end; at != end; ++at) {
             const auto begin = static_cast<std::size_t>(at->position() + at->length());
             const std::size_t line = text.find('\n', begin);
             const bool is_one_line = text[line - 1] == '}';
             const std::size_t last =
                 is_one_line ? line : text.find('\n' + (*at)[1].str() + '}', begin);
-            found.push_back({entry.path().filename(), (*at)[2], text.substr(begin, last - begin)});
+            found.push_back({file.filename(), (*at)[2], text.substr(begin, last - begin)});
         }
     }
     return found;

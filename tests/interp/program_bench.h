@@ -1,7 +1,7 @@
 // program_bench.h — programs with variables through the control's own language and the interpreter.
 #pragma once
 
-#include "interp/program.h"
+#include "macro/program.h"
 #include "tests/interp/text_bench.h"
 
 namespace kadr::interp {
@@ -19,7 +19,7 @@ inline Ran run_program(std::string_view dialect_name, std::string text,
         return ran;
     }
     Text source(std::move(text));
-    Program program(*dialect, source, "test", {}, messages);
+    macro::Program program(*dialect, source, "test", {}, messages);
     Interpreter interpreter(*dialect, machine, program, &program, nullptr, {}, messages);
     program.follow(interpreter);
     std::vector<path::Command> batch(7);

@@ -1,0 +1,31 @@
+#include "macro/code_list.h"
+
+namespace kadr::macro {
+
+/// Keeps what the list depends on. True: it is as it was when the list was made.
+bool CodeList::catch_up() {
+    const std::size_t groups = reader_.tables().groups.size();
+    forms_.resize(groups, nc::kNoForm);
+    bool is_same = is_filled_ && modal_ == reader_.modal();
+    for (std::size_t group = 0; group < groups; ++group) {
+        is_same = is_same && forms_[group] == reader_.last_form(group);
+        forms_[group] = reader_.last_form(group);
+    }
+    modal_ = reader_.modal();
+    return is_same;
+}
+
+const std::vector<ActiveCode>& CodeList::now() {
+    if (catch_up()) return codes_;
+    is_filled_ = true;
+    codes_.clear();
+    const auto& groups = reader_.tables().groups;
+    for (std::size_t group = 0; group < groups.size(); ++group) {
+        const nc::Form* form = variables_.active_form(group);
+        if (form == nullptr || form->words.empty()) continue;
+        codes_.push_back({groups[group].name, form->words[0].text});
+    }
+    return codes_;
+}
+
+}  // namespace kadr::macro

@@ -1,0 +1,39 @@
+// code_list.h — the codes of a control that act, one a modal group, for traces.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "macro/control_variables.h"
+
+namespace kadr::macro {
+
+/// The code that acts of a group: `G1` of `motion`. The texts are those of the dialect.
+struct ActiveCode {
+    std::string_view group;
+    std::string_view code;
+    friend bool operator==(const ActiveCode&, const ActiveCode&) = default;
+};
+
+class CodeList {
+  public:
+    /// References outlive the list.
+    CodeList(const ControlVariables& variables, const nc::LineReader& reader)
+        : variables_(variables), reader_(reader) {}
+
+    /// The groups of which a code acts, in the order of the dialect. Looked up anew only if a line
+    /// that was read since has changed something.
+    const std::vector<ActiveCode>& now();
+
+  private:
+    bool catch_up();
+
+    const ControlVariables& variables_;
+    const nc::LineReader& reader_;
+    bool is_filled_ = false;
+    nc::ModalFunctions modal_{};
+    std::vector<nc::FormId> forms_;
+    std::vector<ActiveCode> codes_;
+};
+
+}  // namespace kadr::macro

@@ -1,0 +1,857 @@
+#include "macro/evaluator.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "machine/machine.h"
+
+namespace kadr::macro {
+
+using nc::Instruction;
+using nc::Operation;
+
+namespace {
+
+/// Sine of degrees, exact where the circle crosses its axes.
+double sine(double degrees) {
+    const double turned = std::fmod(degrees, 360.0);
+    if (turned == 0 || std::fabs(turned) == 180) return 0;
+    if (turned == 90 || turned == -270) return 1;
+    if (turned == 270 || turned == -90) return -1;
+    return std::sin(rad_from_deg(turned));
+}
+double cosine(double degrees) { return sine(std::fmod(degrees, 360.0) + 90); }
+
+double rounded_away(double value) { return std::round(value); }
+
+/// The nearest whole number; what is too large for any index stays too large.
+std::int64_t index_of(double value) {
+    return static_cast<std::int64_t>(rounded_away(std::clamp(value, -1e15, 1e15)));
+}
+
+/// Whole but for the last bits: 6101.9999999999991 is 6102.
+double truncated_near(double value) {
+    const double nearest = std::round(value);
+    const double tolerance = 1e-12 * std::max(1.0, std::fabs(value));
+    return std::fabs(value - nearest) <= tolerance ? nearest : std::trunc(value);
+}
+
+/// A whole number of 32 bits; false: it is too large.
+bool whole(double value, std::int32_t& out) {
+    const double rounded = rounded_away(value);
+    // Bit patterns with the first bit set may be written as large numbers.
+    if (!(rounded >= -2147483648.0 && rounded <= 4294967295.0)) return false;
+    out = static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded)));
+    return true;
+}
+
+std::string shown(double value) {
+    std::string out;
+    append_shortest(out, value);
+    return out;
+}
+
+/// `12.5`, `-3`, `1.5EX-3`; the whole text.
+std::optional<double> number_in(std::string_view text) {
+    const Decimal decimal = parse_decimal(text.data(), text.data() + text.size());
+    if (text.empty() || decimal.end == text.data()) return std::nullopt;
+    std::string_view rest = text.substr(static_cast<std::size_t>(decimal.end - text.data()));
+    if (rest.empty()) return decimal.value;
+    if (!upper_ascii(rest).starts_with("EX")) return std::nullopt;
+    rest.remove_prefix(2);
+    if (rest.starts_with('+')) rest.remove_prefix(1);
+    int exponent = 0;
+    const auto result = std::from_chars(rest.data(), rest.data() + rest.size(), exponent);
+    const bool is_whole = result.ec == std::errc() && result.ptr == rest.data() + rest.size();
+    if (!is_whole || std::abs(exponent) > 308) return std::nullopt;
+    return decimal.value * std::pow(10.0, exponent);
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- the run
+
+Evaluator::Outcome Evaluator::run(const nc::ControlLine& line, const nc::Expression& expression,
+                                  Value& out, int decimals) {
+    const Outcome outcome = execute(line, expression, decimals);
+    if (outcome == Outcome::Done) out = stack_[0];
+    return outcome;
+}
+
+Evaluator::Outcome Evaluator::execute(const nc::ControlLine& line, const nc::Expression& expression,
+                                      int decimals) {
+    size_ = 0;
+    is_later_ = false;
+    if (stack_.size() < expression.count + 1) stack_.resize(expression.count + 8);
+    const std::size_t end = expression.first + expression.count;
+    for (std::size_t at = expression.first; at < end; ++at) {
+        const Instruction& instruction = line.code[at];
+        Done is_fine = kDone;
+        if (instruction.kind == Instruction::Kind::Number) {
+            push(Value::of(instruction.number, instruction.type));
+        } else if (instruction.kind == Instruction::Kind::Operate) {
+            const bool is_sign = expression.keeps_vacant && at + 1 == end;
+            if (is_sign && stack_[size_ - 1].is_vacant()) continue;
+            place_ = line.places[at];
+            is_fine = operate(instruction, decimals);
+        } else {
+            place_ = line.places[at];
+            is_fine = load(line, at);
+        }
+        if (!is_fine) return is_later_ ? Outcome::Later : Outcome::Fault;
+    }
+    return Outcome::Done;
+}
+
+Evaluator::Outcome Evaluator::indices(const nc::ControlLine& line, const nc::Reference& reference,
+                                      std::span<std::int64_t> out) {
+    const Outcome outcome = execute(line, reference.indices, -1);
+    if (outcome != Outcome::Done) return outcome;
+    for (std::size_t i = 0; i < size_ && i < out.size(); ++i) {
+        if (!stack_[i].is_number() && stack_[i].kind != Value::Kind::Axis) {
+            note_fault(diag::IndexType, {std::string(kind_name(stack_[i]))});
+            return Outcome::Fault;
+        }
+        out[i] = stack_[i].spindle().value_or(index_of(stack_[i].number));
+    }
+    return Outcome::Done;
+}
+
+void Evaluator::note_fault(const DiagnosticRow& row, std::vector<std::string> arguments) {
+    fault_ = nc::LineFault{&row, place_, std::move(arguments)};
+}
+
+Done Evaluator::fail(const DiagnosticRow& row, std::vector<std::string> arguments) {
+    note_fault(row, std::move(arguments));
+    return kFailed;
+}
+
+// ---------------------------------------------------------------- loads
+
+Done Evaluator::load(const nc::ControlLine& line, std::size_t at) {
+    const Instruction& instruction = line.code[at];
+    const auto from = [&](const Store& store) {
+        Value value = store.values[instruction.index];
+        if (value.is_vacant() && !rules_.has_vacant) value = Value::of(0, instruction.type);
+        push(keep(value, store.content(value)));
+        return kDone;
+    };
+    switch (instruction.kind) {
+        case Instruction::Kind::Global: return from(globals_);
+        case Instruction::Kind::Local: return from(level_->locals);
+        case Instruction::Kind::Text: push(keep_text(line.texts[instruction.index])); return kDone;
+        case Instruction::Kind::Vacant: push({}); return kDone;
+        case Instruction::Kind::Family: return load_family(instruction);
+        case Instruction::Kind::System: return load_system(instruction);
+        case Instruction::Kind::Input: return load_input(instruction);
+        case Instruction::Kind::Element: return load_element(instruction);
+        case Instruction::Kind::SystemPart:
+        case Instruction::Kind::ElementPart: return load_frame_part(instruction);
+        case Instruction::Kind::Number:
+        case Instruction::Kind::Operate: break;
+    }
+    return kFailed;
+}
+
+Done Evaluator::answer(Variables::Answer answer) {
+    switch (answer) {
+        case Variables::Answer::Value: return kDone;
+        case Variables::Answer::Later: is_later_ = true; return kFailed;
+        case Variables::Answer::Missing: return fail(diag::VariableNumber, {"with this index"});
+        case Variables::Answer::NotReadable:
+            return fail(diag::VariableWriteOnly, {"this variable"});
+        case Variables::Answer::Compensated:
+            return fail(diag::IsoNotSupported,
+                        {"the position of the tool under cutter radius compensation"});
+        case Variables::Answer::Unsupported:
+            return fail(diag::IsoNotSupported, {"this system variable"});
+    }
+    return kFailed;
+}
+
+Done Evaluator::load_family(const Instruction& instruction) {
+    const double number = stack_[size_ - 1].number;
+    if (!stack_[size_ - 1].is_number())
+        return fail(diag::TypesDiffer, {"an index", std::string(kind_name(stack_[size_ - 1]))});
+    if (!(std::fabs(number) < 1e9)) return fail(diag::VariableNumber, {shown(number)});
+    Value value;
+    const auto answered = variables_.family(instruction.index,
+                                            static_cast<std::int64_t>(rounded_away(number)), value);
+    const auto named = [&] {
+        return variables_.named(instruction.index, static_cast<std::int64_t>(rounded_away(number)));
+    };
+    if (answered == Variables::Answer::Missing) return fail(diag::VariableNumber, {named()});
+    if (answered == Variables::Answer::Unsupported) return fail(diag::IsoNotSupported, {named()});
+    if (answered == Variables::Answer::NotReadable) return fail(diag::VariableWriteOnly, {named()});
+    stack_[size_ - 1] = value;
+    return answer(answered);
+}
+
+Done Evaluator::load_input(const Instruction& instruction) {
+    size_ -= instruction.count;
+    std::array<std::int64_t, 4> indices{};
+    for (std::size_t i = 0; i < instruction.count; ++i) {
+        const Value& index = stack_[size_ + i];
+        if (!index.is_number() && index.kind != Value::Kind::Axis)
+            return fail(diag::IndexType, {std::string(kind_name(index))});
+        indices[i] = index_of(index.number);
+    }
+    Value value;
+    std::string text;
+    const auto answered = variables_.input(
+        instruction.index, std::span(indices).first(instruction.count), value, text);
+    push(value.is_text() ? keep_text(std::move(text)) : value);
+    return answer(answered);
+}
+
+Done Evaluator::load_system(const Instruction& instruction) {
+    size_ -= instruction.count;
+    const auto index = [&](std::size_t i) {
+        if (i >= instruction.count) return std::int64_t{0};
+        const Value& value = stack_[size_ + i];
+        return value.spindle().value_or(index_of(value.number));
+    };
+    const auto quantity = static_cast<nc::Quantity>(instruction.index);
+    if (instruction.type == nc::ValueType::Frame) {
+        control::ControlFrame frame;
+        const auto answered = variables_.frame(quantity, index(0), frame);
+        push(keep_frame(frame));
+        return answer(answered);
+    }
+    if (instruction.type == nc::ValueType::Text) {
+        std::string text;
+        const auto answered = variables_.text(quantity, index(0), text);
+        push(keep_text(std::move(text)));
+        return answer(answered);
+    }
+    double number = 0;
+    const auto answered = variables_.system(quantity, index(0), index(1), number);
+    push(Value::of(number, instruction.type));
+    return answer(answered);
+}
+
+/// The frame, then its component: the axis is the last index.
+Done Evaluator::load_frame_part(const Instruction& instruction) {
+    const Value axis = stack_[--size_];
+    Instruction whole = instruction;
+    whole.kind = instruction.kind == Instruction::Kind::SystemPart ? Instruction::Kind::System
+                                                                   : Instruction::Kind::Element;
+    whole.type = nc::ValueType::Frame;
+    --whole.count;
+    const Done is_fine =
+        whole.kind == Instruction::Kind::System ? load_system(whole) : load_element(whole);
+    if (!is_fine) return kFailed;
+    const control::ControlFrame& from = *frame(stack_[--size_]);
+    const nc::FramePart part = instruction.part();
+    const auto value = part_of(from, part, *axis.axis());
+    if (!value) return fail(diag::IsoNotSupported, {"a component of a frame that shears"});
+    const bool is_way = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
+    push(Value::real(is_way ? *value / variables_.axis_unit(*axis.axis()) : *value));
+    return kDone;
+}
+
+std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
+                                                std::span<const std::int64_t> indices) {
+    std::uint32_t place = 0;
+    for (std::size_t i = 0; i < symbol.dimensions; ++i) {
+        if (indices[i] < 0 || indices[i] >= symbol.sizes[i]) return std::nullopt;
+        place = place * symbol.sizes[i] + static_cast<std::uint32_t>(indices[i]);
+    }
+    return symbol.slot + place;
+}
+
+std::string Evaluator::wrong_index(const nc::Symbol& symbol,
+                                   std::span<const std::int64_t> indices) {
+    std::size_t place = 0;
+    while (place + 1 < symbol.dimensions && indices[place] >= 0 &&
+           indices[place] < symbol.sizes[place])
+        ++place;
+    const std::string name = '`' + symbol.name + '`';
+    return place == 0 ? name : name + " in place " + std::to_string(place + 1);
+}
+
+Done Evaluator::load_element(const Instruction& instruction) {
+    const nc::Symbol& symbol = level_->symbols.at(instruction.index);
+    std::array<std::int64_t, 4> indices{};
+    size_ -= instruction.count;
+    for (std::size_t i = 0; i < instruction.count; ++i) {
+        if (!stack_[size_ + i].is_number())
+            return fail(diag::IndexType, {std::string(kind_name(stack_[size_ + i]))});
+        indices[i] = index_of(stack_[size_ + i].number);
+    }
+    const auto slot = element(symbol, indices);
+    if (!slot) return fail(diag::IndexWrong, {wrong_index(symbol, indices)});
+    const Store& store = *level_->stores[instruction.index];
+    Value value = store.values[*slot];
+    if (symbol.type == nc::ValueType::Frame) {
+        push(keep_frame(value.is_frame() ? store.frames[value.text] : control::ControlFrame()));
+        return kDone;
+    }
+    if (symbol.type != nc::ValueType::Text) {
+        push(value.is_vacant() ? Value::of(0, symbol.type) : value);
+        return kDone;
+    }
+    const std::string text = value.is_text() ? store.texts[value.text] : std::string();
+    if (instruction.count == symbol.dimensions) {
+        push(keep_text(text));
+        return kDone;
+    }
+    const std::int64_t place = indices[symbol.dimensions];
+    if (place < 0 || place >= symbol.text_size)
+        return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
+    const auto i = static_cast<std::size_t>(place);
+    const std::string_view character = code_points(text, i, 1);
+    const char32_t code = character.empty() ? 0 : first_code_point(character);
+    push(Value::of(code, nc::ValueType::Char));
+    return kDone;
+}
+
+// ---------------------------------------------------------------- operations
+
+Done Evaluator::real(Value& out, double number) {
+    if (!std::isfinite(number)) return fail(diag::NumberTooLarge);
+    out = Value::real(number);
+    return kDone;
+}
+
+Done Evaluator::operate(const Instruction& instruction, int decimals) {
+    const Operation operation = instruction.operation;
+    operation_ = operation;
+    size_ -= instruction.count;
+    Value* const a = &stack_[size_];
+    const Value& b = a[1];
+    Done is_fine = kFailed;
+    switch (operation) {
+        case Operation::Add:
+        case Operation::Subtract:
+        case Operation::Multiply:
+        case Operation::Divide:
+        case Operation::Quotient:
+        case Operation::Remainder:
+        case Operation::RoundedRemainder: is_fine = arithmetic(operation, *a, b); break;
+        case Operation::Equal:
+        case Operation::NotEqual:
+        case Operation::Greater:
+        case Operation::GreaterEqual:
+        case Operation::Less:
+        case Operation::LessEqual: is_fine = compare(operation, *a, b); break;
+        case Operation::BitAnd:
+        case Operation::BitOr:
+        case Operation::BitXor:
+        case Operation::BitNot:
+        case Operation::And:
+        case Operation::Or:
+        case Operation::Xor:
+        case Operation::Not: is_fine = bits(operation, *a, b); break;
+        case Operation::Concatenate:
+        case Operation::ToText:
+        case Operation::TextLength:
+        case Operation::UpperCase:
+        case Operation::LowerCase:
+        case Operation::FindFirst:
+        case Operation::FindLast:
+        case Operation::FindAny:
+        case Operation::FindText:
+        case Operation::PartOfText:
+        case Operation::IsNumber:
+        case Operation::ToNumber: is_fine = text_function(operation, a, instruction.count); break;
+        case Operation::Chain:
+        case Operation::FrameShift:
+        case Operation::FrameFine:
+        case Operation::FrameRotation:
+        case Operation::FrameSolid:
+        case Operation::FrameInPlane:
+        case Operation::FrameScale:
+        case Operation::FrameMirror:
+        case Operation::FrameInverse:
+            is_fine = frame_function(operation, a, instruction.count);
+            break;
+        case Operation::ToAxis:
+        case Operation::AxisOfText:
+        case Operation::TextOfAxis:
+        case Operation::AxisNumber:
+        case Operation::ModuloValue:
+        case Operation::SpindleAxis:
+        case Operation::SpindleNumber:
+        case Operation::IsAxis: is_fine = axis_function(operation, a); break;
+        case Operation::HasName:
+        case Operation::HasProgram:
+        case Operation::VariableType: is_fine = question(operation, a); break;
+        case Operation::FormatText: is_fine = format_text(a, instruction.count); break;
+        case Operation::CircleThrough: is_fine = circle_through(a); break;
+        case Operation::MeasuredFrame: is_fine = measured_frame(a); break;
+        case Operation::CommonPoint: is_fine = common_point(a); break;
+        case Operation::EdgeNumber:
+        case Operation::GiveEdgeNumber:
+        case Operation::ToolOfEdge:
+        case Operation::EdgesUnique:
+            is_fine = edge_question(operation, a, instruction.count);
+            break;
+        default: is_fine = function(operation, a, decimals);
+    }
+    ++size_;
+    return is_fine;
+}
+
+Done Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
+    for (const Value& value : {a, b}) {
+        if (!value.is_number())
+            return fail(diag::TypesDiffer, {"a calculation", std::string(kind_name(value))});
+    }
+    const bool is_whole = a.is_whole() && b.is_whole();
+    double x = a.number;
+    double y = b.number;
+    if (operation == Operation::RoundedRemainder) x = rounded_away(x), y = rounded_away(y);
+    const bool divides = operation >= Operation::Divide && operation <= Operation::RoundedRemainder;
+    if (divides && y == 0) return fail(diag::ZeroDivide);
+    double result = 0;
+    switch (operation) {
+        case Operation::Add: result = x + y; break;
+        case Operation::Subtract: result = x - y; break;
+        case Operation::Multiply: result = x * y; break;
+        case Operation::Divide: return real(a, x / y);
+        case Operation::Quotient: result = truncated_near(x / y); break;
+        default: result = std::fmod(x, y);
+    }
+    if (!is_whole) {
+        const bool is_cut = operation == Operation::Quotient && rules_.has_types;
+        if (is_cut && std::fabs(result) <= 2147483647.0) {
+            a = Value::of(result, nc::ValueType::Int);
+            return kDone;
+        }
+        return real(a, result);
+    }
+    if (std::fabs(result) > 2147483648.0) return fail(diag::NumberTooLarge);
+    a = Value::of(result, nc::ValueType::Int);
+    return kDone;
+}
+
+/// A character beside a text of one character, `TXT[0]=="A"`: that is a constant of its kind.
+/// S 1.4.
+void Evaluator::make_character(Value& value, const Value& other) const {
+    if (!value.is_text() || other.kind != Value::Kind::Char) return;
+    const std::string_view said = text(value);
+    if (count_code_points(said) != 1) return;
+    value = Value::of(static_cast<double>(first_code_point(said)), nc::ValueType::Char);
+}
+
+std::optional<bool> Evaluator::is_same(Value a, const Value& b) {
+    if (!compare(Operation::Equal, a, b)) return std::nullopt;
+    return a.number != 0;
+}
+
+Done Evaluator::compare(Operation operation, Value& a, Value b) {
+    make_character(a, b);
+    make_character(b, a);
+    const bool is_alike = a.is_number() ? b.is_number() : a.kind == b.kind;
+    if (!is_alike || a.is_frame()) {
+        const Value& first = a.is_number() ? b : a;
+        const Value& other = a.is_number() ? a : b;
+        return fail(diag::TypesDiffer, {"a comparison with " + std::string(kind_name(first)),
+                                        std::string(kind_name(other))});
+    }
+    bool is_equal = false;
+    bool is_less = false;
+    if (a.is_text()) {
+        is_equal = text(a) == text(b);
+        is_less = text(a) < text(b);
+    } else {
+        const double scale = std::max(std::fabs(a.number), std::fabs(b.number));
+        is_equal = std::fabs(a.number - b.number) <= rules_.comparison_tolerance * scale;
+        is_less = a.number < b.number && !is_equal;
+    }
+    const bool is_told_apart = a.is_vacant() != b.is_vacant();
+    switch (operation) {
+        case Operation::Equal: a = Value::truth(is_equal && !is_told_apart); break;
+        case Operation::NotEqual: a = Value::truth(!is_equal || is_told_apart); break;
+        case Operation::Greater: a = Value::truth(!is_equal && !is_less); break;
+        case Operation::GreaterEqual: a = Value::truth(!is_less); break;
+        case Operation::Less: a = Value::truth(is_less); break;
+        default: a = Value::truth(is_less || is_equal);
+    }
+    return kDone;
+}
+
+Done Evaluator::bits(Operation operation, Value& a, const Value& b) {
+    const bool is_single = operation == Operation::Not || operation == Operation::BitNot;
+    if (!a.is_number() || (!is_single && !b.is_number())) {
+        return fail(diag::TypesDiffer,
+                    {"a logical operation", std::string(kind_name(a.is_number() ? b : a))});
+    }
+    const bool p = a.number != 0;
+    const bool q = !is_single && b.number != 0;
+    switch (operation) {
+        case Operation::And: a = Value::truth(p && q); return kDone;
+        case Operation::Or: a = Value::truth(p || q); return kDone;
+        case Operation::Xor: a = Value::truth(p != q); return kDone;
+        case Operation::Not: a = Value::truth(!p); return kDone;
+        default: break;
+    }
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    if (!whole(a.number, x) || (!is_single && !whole(b.number, y)))
+        return fail(diag::NumberTooLarge);
+    const std::int32_t result = operation == Operation::BitAnd   ? x & y
+                                : operation == Operation::BitOr  ? x | y
+                                : operation == Operation::BitXor ? x ^ y
+                                                                 : ~x;
+    a = Value::of(result, nc::ValueType::Int);
+    return kDone;
+}
+
+Done Evaluator::function(Operation operation, Value* a, int decimals) {
+    if (!a->is_number())
+        return fail(diag::TypesDiffer, {"a function of numbers", std::string(kind_name(*a))});
+    const double x = a->number;
+    const bool was_whole = a->is_whole();
+    const auto out_of_range = [&] {
+        return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(x)});
+    };
+    const auto whole_result = [&](double number) {
+        if (!rules_.has_types || std::fabs(number) > 2147483647.0) return real(*a, number);
+        *a = Value::of(number, nc::ValueType::Int);
+        return kDone;
+    };
+    switch (operation) {
+        case Operation::Negate:
+            *a = was_whole ? Value::of(-x, nc::ValueType::Int) : Value::real(-x);
+            return kDone;
+        case Operation::Sine: look_for_radians(operation, x); return real(*a, sine(x));
+        case Operation::Cosine: look_for_radians(operation, x); return real(*a, cosine(x));
+        case Operation::Tangent:
+            look_for_radians(operation, x);
+            if (cosine(x) == 0) return out_of_range();
+            return real(*a, sine(x) / cosine(x));
+        case Operation::Arcsine:
+        case Operation::Arccosine:
+        case Operation::Arctangent:
+        case Operation::ArctangentOfTwo: return arc_function(operation, a);
+        case Operation::SquareRoot: return x < 0 ? out_of_range() : real(*a, std::sqrt(x));
+        case Operation::LengthOfTwo: return real(*a, std::hypot(x, a[1].number));
+        case Operation::Square: return real(*a, x * x);
+        case Operation::Absolute:
+            *a =
+                was_whole ? Value::of(std::fabs(x), nc::ValueType::Int) : Value::real(std::fabs(x));
+            return kDone;
+        case Operation::Round: {
+            if (decimals < 0) return whole_result(rounded_away(x));
+            const double power = std::pow(10.0, decimals);
+            return real(*a, std::round(x * power) / power);
+        }
+        case Operation::Truncate: return whole_result(std::trunc(x));
+        case Operation::TruncateNear: return whole_result(truncated_near(x));
+        case Operation::RoundAway: return whole_result(x < 0 ? std::floor(x) : std::ceil(x));
+        case Operation::RoundUp: return whole_result(std::ceil(x));
+        case Operation::Logarithm: return x <= 0 ? out_of_range() : real(*a, std::log(x));
+        case Operation::Exponential: return real(*a, std::exp(x));
+        case Operation::Power: {
+            const double result = std::pow(x, a[1].number);
+            return std::isnan(result) ? out_of_range() : real(*a, result);
+        }
+        case Operation::Minimum:
+            if (a[1].number < x) *a = a[1];
+            return kDone;
+        case Operation::Maximum:
+            if (a[1].number > x) *a = a[1];
+            return kDone;
+        case Operation::Bound:
+            // least, most, value
+            *a = a[2].number < x ? *a : a[2].number > a[1].number ? a[1] : a[2];
+            return kDone;
+        case Operation::FromBcd:
+        case Operation::ToBcd: {
+            if (!(x >= 0 && x <= 99999999.0 * 4096)) return out_of_range();
+            const bool is_to = operation == Operation::ToBcd;
+            const std::uint64_t from = is_to ? 10 : 16;
+            const std::uint64_t to = is_to ? 16 : 10;
+            std::uint64_t result = 0;
+            std::uint64_t place = 1;
+            for (auto rest = static_cast<std::uint64_t>(rounded_away(x)); rest != 0;
+                 rest /= from, place *= to) {
+                if (rest % from > 9) return out_of_range();
+                result += rest % from * place;
+            }
+            return real(*a, static_cast<double>(result));
+        }
+        default: return fail(diag::ExpressionSyntax, {variables_.word_of(operation_)});
+    }
+}
+
+Done Evaluator::arc_function(Operation operation, Value* a) {
+    const double x = a->number;
+    const bool is_outside = operation != Operation::Arctangent &&
+                            operation != Operation::ArctangentOfTwo && std::fabs(x) > 1;
+    if (is_outside) return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(x)});
+    double angle = 0;
+    int range = 0;
+    switch (operation) {
+        case Operation::Arcsine:
+            angle = deg_from_rad(std::asin(x));
+            range = rules_.arcsine_range;
+            break;
+        case Operation::Arccosine: angle = deg_from_rad(std::acos(x)); break;
+        case Operation::Arctangent: angle = deg_from_rad(std::atan(x)); break;
+        default: angle = deg_from_rad(std::atan2(x, a[1].number)); range = rules_.arctangent_range;
+    }
+    if (range == 360 && angle < 0) angle += 360;
+    return real(*a, angle);
+}
+
+// ---------------------------------------------------------------- axes and frames
+
+Done Evaluator::axis_function(Operation operation, Value* a) {
+    switch (operation) {
+        case Operation::ToAxis:
+            return a->axis() ? kDone : fail(diag::AxisExpected, {std::string(kind_name(*a))});
+        case Operation::AxisNumber: {
+            auto axis = a->axis();
+            // Where no value is an axis, its name is a number below 0.
+            if (!axis && a->is_number() && a->number < 0 &&
+                a->number >= -static_cast<double>(kAxes))
+                axis = static_cast<Axis>(std::llround(-a->number) - 1);
+            if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            const auto number = variables_.axis_number(*axis);
+            if (!number)
+                return fail(diag::AxisNameUnknown, {std::string(kAxisNames[index(*axis)])});
+            *a = Value::of(static_cast<double>(*number), nc::ValueType::Int);
+            return kDone;
+        }
+        case Operation::SpindleAxis: {
+            const double number = a->number;
+            if (!a->is_number()) return fail(diag::IndexType, {std::string(kind_name(*a))});
+            const bool is_there = number == std::floor(number) && number >= 0 &&
+                                  number <= machine::kMostSpindles &&
+                                  variables_.has_spindle(static_cast<std::int64_t>(number));
+            if (!is_there) return fail(diag::SpindleMissing, {shown(number)});
+            *a = Value::spindle_of(number == 0 ? 1 : number);
+            return kDone;
+        }
+        case Operation::SpindleNumber:
+            if (a->kind != Value::Kind::Axis)
+                return fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            if (!a->spindle())
+                return fail(diag::SpindleMissing,
+                            {a->axis() ? "of the axis " + std::string(kAxisNames[index(*a->axis())])
+                                       : "of no axis"});
+            *a = Value::of(static_cast<double>(*a->spindle()), nc::ValueType::Int);
+            return kDone;
+        case Operation::ModuloValue: {
+            const auto axis = a->axis();
+            if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            if (!a[1].is_number())
+                return fail(diag::TypesDiffer, {"a calculation", std::string(kind_name(a[1]))});
+            if (!is_rotary(*axis)) return real(*a, a[1].number);
+            constexpr double kTurn = 360;
+            const double rest = std::fmod(a[1].number, kTurn);
+            return real(*a, rest < 0 ? rest + kTurn : rest);
+        }
+        case Operation::TextOfAxis:
+            if (a->spindle()) {
+                *a = keep_text("S" + std::to_string(*a->spindle()));
+                return kDone;
+            }
+            if (!a->axis()) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            *a = keep_text(std::string(kAxisNames[index(*a->axis())]));
+            return kDone;
+        case Operation::AxisOfText: {
+            if (!a->is_text())
+                return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
+            const auto found = std::ranges::find(kAxisNames, upper_ascii(text(*a)));
+            if (found == kAxisNames.end())
+                return fail(diag::AxisNameUnknown, {std::string(text(*a))});
+            *a = Value::of(-1.0 - static_cast<double>(found - kAxisNames.begin()),
+                           nc::ValueType::Axis);
+            return kDone;
+        }
+        default:
+            *a = Value::truth(a->is_number() && a->number >= 1 && a->number <= 3);
+            return kDone;
+    }
+}
+
+/// Axes and their values in turn; lengths in mm.
+Done Evaluator::pairs(Operation operation, const Value* a, int count,
+                      std::vector<control::AxisAndValue>& out) {
+    const bool is_way = operation == Operation::FrameShift || operation == Operation::FrameFine;
+    for (int i = 0; i + 1 < count; i += 2) {
+        const auto axis = a[i].axis();
+        if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(a[i]))});
+        if (!a[i + 1].is_number()) {
+            return fail(diag::TypesDiffer,
+                        {"a component of a frame", std::string(kind_name(a[i + 1]))});
+        }
+        out.push_back({*axis, a[i + 1].number * (is_way ? variables_.axis_unit(*axis) : 1)});
+        if (!is_way && index(*axis) >= 3) {
+            return fail(diag::IsoNotSupported,
+                        {"a rotation or a scale of an axis besides X, Y and Z"});
+        }
+    }
+    return kDone;
+}
+
+Done Evaluator::frame_function(Operation operation, Value* a, int count) {
+    if (operation == Operation::Chain || operation == Operation::FrameInverse) {
+        for (int i = 0; i < count; ++i) {
+            if (!a[i].is_frame())
+                return fail(diag::TypesDiffer, {"a frame", std::string(kind_name(a[i]))});
+        }
+        *a = keep_frame(operation == Operation::Chain ? chain(*frame(a[0]), *frame(a[1]))
+                                                      : inverse(*frame(a[0])));
+        return kDone;
+    }
+    if (operation == Operation::FrameMirror) {
+        AxisMask axes = 0;
+        for (int i = 0; i < count; ++i) {
+            if (!a[i].axis()) return fail(diag::AxisExpected, {std::string(kind_name(a[i]))});
+            axes = static_cast<AxisMask>(axes | bit(*a[i].axis()));
+        }
+        *a = keep_frame(control::mirror_frame(axes));
+        return kDone;
+    }
+    if (operation == Operation::FrameInPlane) return plane_rotation(a);
+    std::vector<control::AxisAndValue> given;
+    if (!pairs(operation, a, count, given)) return kFailed;
+    switch (operation) {
+        case Operation::FrameShift: *a = keep_frame(control::shift_frame(given)); return kDone;
+        case Operation::FrameFine: *a = keep_frame(control::fine_frame(given)); return kDone;
+        case Operation::FrameRotation:
+            *a = keep_frame(control::rotation_frame(given));
+            return kDone;
+        case Operation::FrameSolid:
+            if (given.size() > 2) return fail(diag::SolidAngles, {std::to_string(given.size())});
+            if (given.size() == 2 && given[0].axis == given[1].axis)
+                return fail(diag::SolidAngles, {"of one axis"});
+            *a = keep_frame(control::solid_frame(given));
+            return kDone;
+        default: break;
+    }
+    for (const control::AxisAndValue& one : given)
+        if (one.value == 0) return fail(diag::ScaleInvalid, {"0"});
+    *a = keep_frame(control::scale_frame(given));
+    return kDone;
+}
+
+/// Its first operand is the axis across the plane, or the number of the plane.
+Done Evaluator::plane_rotation(Value* a) {
+    std::optional<Axis> across = a[0].axis();
+    if (!across) {
+        if (!a[0].is_number()) return fail(diag::AxisExpected, {std::string(kind_name(a[0]))});
+        static constexpr std::array kAcross = {Axis::Z, Axis::Y, Axis::X};
+        const double plane = a[0].number;
+        if (plane == 0) {
+            double axis = 0;
+            if (!answer(variables_.system(nc::Quantity::NormalAxis, 0, 0, axis))) return kFailed;
+            across = Value::of(axis, nc::ValueType::Axis).axis();
+        } else if (plane == 1 || plane == 2 || plane == 3) {
+            across = kAcross[static_cast<std::size_t>(plane) - 1];
+        }
+    }
+    if (!across)
+        return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(a[0].number)});
+    if (!a[1].is_number())
+        return fail(diag::TypesDiffer, {"a component of a frame", std::string(kind_name(a[1]))});
+    if (index(*across) >= 3)
+        return fail(diag::IsoNotSupported, {"a rotation or a scale of an axis besides X, Y and Z"});
+    const control::AxisAndValue angle{*across, a[1].number};
+    *a = keep_frame(control::rotation_frame({&angle, 1}));
+    return kDone;
+}
+
+// ---------------------------------------------------------------- texts
+
+/// With 10 decimals at most, and no more of them than the number has digits. S 8.4.
+std::string Evaluator::written(const Value& value) const {
+    if (value.is_text()) return std::string(text(value));
+    if (value.kind == Value::Kind::Char) return value.character();
+    constexpr int kMostDecimals = 10;
+    constexpr int kDigits = std::numeric_limits<double>::digits10;
+    int decimals = 0;
+    if (value.kind == Value::Kind::Real || value.is_vacant()) {
+        const double size = std::clamp(std::fabs(value.number), 1.0, 1e300);
+        decimals = std::clamp(kDigits - 1 - static_cast<int>(std::log10(size)), 0, kMostDecimals);
+    }
+    std::array<char, 400> digits;  // the greatest number has 309 before its point
+    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value.number,
+                                      std::chars_format::fixed, decimals);
+    char* end = result.ptr;
+    if (decimals > 0) {
+        while (end[-1] == '0') --end;
+        if (end[-1] == '.') --end;
+    }
+    std::string out(digits.data(), end);
+    return out == "-0" ? "0" : out;
+}
+
+namespace {
+
+/// Where the first character stands that is one of `signs`.
+std::size_t first_of(std::string_view text, std::string_view signs) {
+    std::size_t first = std::string_view::npos;
+    for (std::size_t i = 0; i < count_code_points(signs); ++i)
+        first = std::min(first, text.find(code_points(signs, i, 1)));
+    return first;
+}
+
+}  // namespace
+
+Done Evaluator::text_function(Operation operation, Value* a, int count) {
+    const bool takes_numbers =
+        operation == Operation::Concatenate || operation == Operation::ToText;
+    if (!(a->is_text() || (takes_numbers && a->is_number())))
+        return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
+    if (count > 1 && !a[1].is_text() && !a[1].is_number())
+        return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(a[1]))});
+    const std::string subject = takes_numbers ? written(*a) : std::string(text(*a));
+    const auto place = [&](std::size_t found) {
+        const bool is_missing = found == std::string::npos;
+        const std::string_view before = std::string_view(subject).substr(0, found);
+        *a = Value::of(is_missing ? -1.0 : static_cast<double>(count_code_points(before)),
+                       nc::ValueType::Int);
+        return kDone;
+    };
+    switch (operation) {
+        case Operation::ToText: *a = keep_text(subject); return kDone;
+        case Operation::Concatenate: {
+            std::string joined = subject + written(a[1]);
+            if (const std::size_t length = count_code_points(joined); length > kLongestText)
+                return fail(diag::JoinedTooLong,
+                            {std::to_string(length), std::to_string(kLongestText)});
+            *a = keep_text(std::move(joined));
+            return kDone;
+        }
+        case Operation::TextLength:
+            *a = Value::of(static_cast<double>(count_code_points(subject)), nc::ValueType::Int);
+            return kDone;
+        case Operation::UpperCase: *a = keep_text(upper_letters(subject)); return kDone;
+        case Operation::LowerCase: *a = keep_text(lower_letters(subject)); return kDone;
+        case Operation::FindFirst: return place(subject.find(code_points(written(a[1]), 0, 1)));
+        case Operation::FindLast: return place(subject.rfind(code_points(written(a[1]), 0, 1)));
+        case Operation::FindAny: return place(first_of(subject, written(a[1])));
+        case Operation::FindText: return place(subject.find(written(a[1])));
+        case Operation::PartOfText: {
+            const double from = a[1].number;
+            const double length = count > 2 ? std::min(a[2].number, 1e6) : 1e6;
+            if (from < 0 || length < 0) return fail(diag::IndexWrong, {"a text"});
+            const auto begin = static_cast<std::size_t>(std::min(from, 1e6));
+            *a = keep_text(
+                std::string(code_points(subject, begin, static_cast<std::size_t>(length))));
+            return kDone;
+        }
+        case Operation::IsNumber: *a = Value::truth(number_in(subject).has_value()); return kDone;
+        default: {
+            const auto number = number_in(subject);
+            if (!number) return fail(diag::NoNumberText, {subject});
+            return real(*a, *number);
+        }
+    }
+}
+
+}  // namespace kadr::macro

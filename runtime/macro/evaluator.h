@@ -1,0 +1,197 @@
+// evaluator.h — expressions of the control's own language → values.
+//
+// Works on the compiled code of a line and changes nothing; what a control would alarm on comes
+// back as a fault. Numbers never touch the heap.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/done.h"
+#include "macro/contour_table.h"
+#include "macro/control_value.h"
+#include "nc/lexer.h"
+
+namespace kadr::macro {
+
+/// What expressions read: variables, and the state of the control.
+class Variables {
+  public:
+    virtual ~Variables() = default;
+    enum class Answer : std::uint8_t {
+        Value,
+        Missing,
+        NotReadable,
+        Unsupported,
+        Compensated,
+        Later
+    };
+    /// A variable of a family by its number.
+    virtual Answer family(std::uint32_t form, std::int64_t number, Value& out) = 0;
+    /// How a program writes such a variable, and what it is: "`#1004` (inputs)".
+    virtual std::string named(std::uint32_t form, std::int64_t number) const = 0;
+    /// A value of the machine: of an open form by the number of its name and its indices. A text
+    /// goes to `text`.
+    virtual Answer input(std::uint32_t form, std::span<const std::int64_t> indices, Value& out,
+                         std::string& text) = 0;
+    /// `Later`: the blocks before have to be executed first.
+    virtual Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                          double& out) = 0;
+    /// Sets a quantity that is a whole number; false: there is no such place.
+    virtual bool set_system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                            double value) = 0;
+    /// The same of a quantity that is a frame.
+    virtual Answer frame(nc::Quantity quantity, std::int64_t index, control::ControlFrame& out) = 0;
+    /// The same of a quantity that is a text.
+    virtual Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) = 0;
+    /// mm, or degrees, that 1 in a word of the axis is.
+    virtual double axis_unit(Axis axis) const = 0;
+    /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
+    virtual std::optional<std::int64_t> axis_number(Axis axis) const = 0;
+    /// Whether a variable has this name, behind which indices may stand.
+    virtual bool has_name(std::string_view name) const = 0;
+    /// What such a variable holds; nothing: there is none.
+    virtual std::optional<nc::ValueType> type_of(std::string_view name) const = 0;
+    /// How the control writes an operation.
+    virtual std::string word_of(nc::Operation operation) const = 0;
+    /// Whether the machine has a spindle with this number; 0 is the master.
+    virtual bool has_spindle(std::int64_t number) const = 0;
+    /// Whether a program has it; texts may be read for that.
+    virtual bool find_program(std::string_view name) = 0;
+    /// Sets one element of a variable that the program has declared; false: its type takes no real.
+    virtual bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) = 0;
+};
+
+class Evaluator {
+  public:
+    static constexpr std::size_t kLongestText = 400;  // that is put together; S 8.4, alarm 14099
+
+    Evaluator(const nc::LanguageRules& rules, const Store& globals, const Level& level,
+              Variables& variables)
+        : rules_(rules), globals_(globals), level_(&level), variables_(variables) {}
+
+    enum class Outcome : std::uint8_t { Done, Fault, Later };
+
+    /// decimals  to which the function round goes; -1: to whole numbers
+    Outcome run(const nc::ControlLine& line, const nc::Expression& expression, Value& out,
+                int decimals = -1);
+    /// Where the latest run has taken radians for degrees, and the word of the function that did.
+    struct Radians {
+        nc::Span place;
+        nc::Operation operation{};
+        double angle = 0;
+    };
+    /// What it has found since it was asked last.
+    std::optional<Radians> take_radians() { return std::exchange(radians_, std::nullopt); }
+    bool has_radians() const { return radians_.has_value(); }
+    /// Why it came to no value.
+    const nc::LineFault& fault() const { return fault_; }
+    /// What is being worked out, or was last.
+    const nc::Span& place() const { return place_; }
+    /// Whether two values are equal, as `==` has it; none: they cannot be compared, `fault` says
+    /// why.
+    std::optional<bool> is_same(Value a, const Value& b);
+    /// A text that a value holds; valid until the next `forget`.
+    std::string_view text(const Value& value) const {
+        return value.is_text() ? std::string_view(texts_[value.text]) : std::string_view();
+    }
+    Value keep_text(std::string text) {
+        texts_.push_back(std::move(text));
+        return {0, static_cast<std::uint32_t>(texts_.size() - 1), Value::Kind::Text};
+    }
+    const control::ControlFrame* frame(const Value& value) const {
+        return value.is_frame() ? &frames_[value.text] : nullptr;
+    }
+    Content content(const Value& value) const { return {text(value), frame(value)}; }
+    Value keep_frame(const control::ControlFrame& frame) {
+        frames_.push_back(frame);
+        return {0, static_cast<std::uint32_t>(frames_.size() - 1), Value::Kind::Frame};
+    }
+    /// A value that stands elsewhere, for what is worked out next.
+    Value keep(const Value& value, const Content& content) {
+        if (value.is_text()) return keep_text(std::string(content.text));
+        return value.is_frame() ? keep_frame(*content.frame) : value;
+    }
+    void forget() {
+        if (!texts_.empty()) texts_.clear();
+        if (!frames_.empty()) frames_.clear();
+    }
+    void enter(const Level& level) { level_ = &level; }
+
+    /// The indices that the code of a reference has put on the stack.
+    Outcome indices(const nc::ControlLine& line, const nc::Reference& reference,
+                    std::span<std::int64_t> out);
+
+    /// As `<<` writes it.
+    std::string written(const Value& value) const;
+    /// The slot of an element of a declared variable; nothing: an index does not fit.
+    static std::optional<std::uint32_t> element(const nc::Symbol& symbol,
+                                                std::span<const std::int64_t> indices);
+    /// Which index does not fit, for a message: "`MAT`", and of a further one "`MAT` in place 2".
+    static std::string wrong_index(const nc::Symbol& symbol, std::span<const std::int64_t> indices);
+    /// A row of a table of contours that the program has.
+    ContourRow contour_row(const nc::Symbol& table, std::int64_t row) const;
+
+  private:
+    Outcome execute(const nc::ControlLine& line, const nc::Expression& expression, int decimals);
+    Done load(const nc::ControlLine& line, std::size_t at);
+    Done load_family(const nc::Instruction& instruction);
+    Done load_system(const nc::Instruction& instruction);
+    Done load_input(const nc::Instruction& instruction);
+    Done load_element(const nc::Instruction& instruction);
+    Done load_frame_part(const nc::Instruction& instruction);
+    Done answer(Variables::Answer answer);
+    Done operate(const nc::Instruction& instruction, int decimals);
+    Done arithmetic(nc::Operation operation, Value& a, const Value& b);
+    void make_character(Value& value, const Value& other) const;
+    Done compare(nc::Operation operation, Value& a, Value b);
+    Done bits(nc::Operation operation, Value& a, const Value& b);
+    Done function(nc::Operation operation, Value* a, int decimals);
+    Done text_function(nc::Operation operation, Value* a, int count);
+    void look_for_radians(nc::Operation operation, double angle);
+    Done arc_function(nc::Operation operation, Value* a);
+    Done axis_function(nc::Operation operation, Value* a);
+    Done plane_rotation(Value* a);
+    Done question(nc::Operation operation, Value* a);
+    Done format_text(Value* a, int count);
+    const nc::Symbol* variable_itself(const Value& place, std::uint32_t least,
+                                      const std::string& what);
+    double element_of(const nc::Symbol& symbol, std::uint32_t element) const;
+    Done set_element(const nc::Symbol& symbol, std::uint32_t element, double value);
+    Done circle_through(Value* a);
+    Done measured_frame(Value* a);
+    Done common_point(Value* a);
+    // Cutting edges by their numbers.
+    Done ask(nc::Quantity quantity, double first, double second, double& out);
+    Done edge_question(nc::Operation operation, Value* a, int count);
+    Done tool_of_edge(Value* a);
+    Done edges_unique(Value* a, int count);
+    Done frame_function(nc::Operation operation, Value* a, int count);
+    Done pairs(nc::Operation operation, const Value* a, int count,
+               std::vector<control::AxisAndValue>& out);
+    void note_fault(const DiagnosticRow& row, std::vector<std::string> arguments);
+    Done fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});
+    Done real(Value& out, double number);
+    void push(const Value& value) { stack_[size_++] = value; }
+
+    const nc::LanguageRules& rules_;
+    const Store& globals_;
+    const Level* level_;
+    Variables& variables_;
+    std::vector<Value> stack_;
+    std::size_t size_ = 0;
+    std::deque<std::string> texts_;  // views of them stay valid
+    std::deque<control::ControlFrame> frames_;
+    nc::LineFault fault_;
+    nc::Span place_;
+    std::optional<Radians> radians_;
+    nc::Operation operation_{};  // that runs, for messages
+    bool is_later_ = false;
+};
+
+}  // namespace kadr::macro

@@ -1,0 +1,15 @@
+// printer.h — where the lines go that a program prints.
+#pragma once
+
+#include <string_view>
+
+namespace kadr::macro {
+
+class Printer {
+  public:
+    virtual ~Printer() = default;
+    /// One whole line, without its end.
+    virtual void line(std::string_view text) = 0;
+};
+
+}  // namespace kadr::macro
