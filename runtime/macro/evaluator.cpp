@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "machine/machine.h"
 
 namespace kadr::macro {
 
@@ -19,6 +16,11 @@ using nc::Instruction;
 using nc::Operation;
 
 namespace {
+
+/// The nearest whole number; what is too large for any index stays too large.
+std::int64_t index_of(double value) {
+    return static_cast<std::int64_t>(std::round(std::clamp(value, -1e15, 1e15)));
+}
 
 /// Sine of degrees, exact where the circle crosses its axes.
 double sine(double degrees) {
@@ -28,14 +30,8 @@ double sine(double degrees) {
     if (turned == 270 || turned == -90) return -1;
     return std::sin(rad_from_deg(turned));
 }
+
 double cosine(double degrees) { return sine(std::fmod(degrees, 360.0) + 90); }
-
-double rounded_away(double value) { return std::round(value); }
-
-/// The nearest whole number; what is too large for any index stays too large.
-std::int64_t index_of(double value) {
-    return static_cast<std::int64_t>(rounded_away(std::clamp(value, -1e15, 1e15)));
-}
 
 /// Whole but for the last bits: 6101.9999999999991 is 6102.
 double truncated_near(double value) {
@@ -46,38 +42,14 @@ double truncated_near(double value) {
 
 /// A whole number of 32 bits; false: it is too large.
 bool whole(double value, std::int32_t& out) {
-    const double rounded = rounded_away(value);
+    const double rounded = std::round(value);
     // Bit patterns with the first bit set may be written as large numbers.
     if (!(rounded >= -2147483648.0 && rounded <= 4294967295.0)) return false;
     out = static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded)));
     return true;
 }
 
-std::string shown(double value) {
-    std::string out;
-    append_shortest(out, value);
-    return out;
-}
-
-/// `12.5`, `-3`, `1.5EX-3`; the whole text.
-std::optional<double> number_in(std::string_view text) {
-    const Decimal decimal = parse_decimal(text.data(), text.data() + text.size());
-    if (text.empty() || decimal.end == text.data()) return std::nullopt;
-    std::string_view rest = text.substr(static_cast<std::size_t>(decimal.end - text.data()));
-    if (rest.empty()) return decimal.value;
-    if (!upper_ascii(rest).starts_with("EX")) return std::nullopt;
-    rest.remove_prefix(2);
-    if (rest.starts_with('+')) rest.remove_prefix(1);
-    int exponent = 0;
-    const auto result = std::from_chars(rest.data(), rest.data() + rest.size(), exponent);
-    const bool is_whole = result.ec == std::errc() && result.ptr == rest.data() + rest.size();
-    if (!is_whole || std::abs(exponent) > 308) return std::nullopt;
-    return decimal.value * std::pow(10.0, exponent);
-}
-
 }  // namespace
-
-// ---------------------------------------------------------------- the run
 
 Evaluator::Outcome Evaluator::run(const nc::ControlLine& line, const nc::Expression& expression,
                                   Value& out, int decimals) {
@@ -134,8 +106,6 @@ Done Evaluator::fail(const DiagnosticRow& row, std::vector<std::string> argument
     return kFailed;
 }
 
-// ---------------------------------------------------------------- loads
-
 Done Evaluator::load(const nc::ControlLine& line, std::size_t at) {
     const Instruction& instruction = line.code[at];
     const auto from = [&](const Store& store) {
@@ -181,12 +151,12 @@ Done Evaluator::load_family(const Instruction& instruction) {
     const double number = stack_[size_ - 1].number;
     if (!stack_[size_ - 1].is_number())
         return fail(diag::TypesDiffer, {"an index", std::string(kind_name(stack_[size_ - 1]))});
-    if (!(std::fabs(number) < 1e9)) return fail(diag::VariableNumber, {shown(number)});
+    if (!(std::fabs(number) < 1e9)) return fail(diag::VariableNumber, {format_shortest(number)});
     Value value;
-    const auto answered = variables_.family(instruction.index,
-                                            static_cast<std::int64_t>(rounded_away(number)), value);
+    const auto answered =
+        variables_.family(instruction.index, static_cast<std::int64_t>(std::round(number)), value);
     const auto named = [&] {
-        return variables_.named(instruction.index, static_cast<std::int64_t>(rounded_away(number)));
+        return variables_.named(instruction.index, static_cast<std::int64_t>(std::round(number)));
     };
     if (answered == Variables::Answer::Missing) return fail(diag::VariableNumber, {named()});
     if (answered == Variables::Answer::Unsupported) return fail(diag::IsoNotSupported, {named()});
@@ -314,8 +284,6 @@ Done Evaluator::load_element(const Instruction& instruction) {
     return kDone;
 }
 
-// ---------------------------------------------------------------- operations
-
 Done Evaluator::real(Value& out, double number) {
     if (!std::isfinite(number)) return fail(diag::NumberTooLarge);
     out = Value::real(number);
@@ -409,7 +377,7 @@ Done Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
     const bool is_whole = a.is_whole() && b.is_whole();
     double x = a.number;
     double y = b.number;
-    if (operation == Operation::RoundedRemainder) x = rounded_away(x), y = rounded_away(y);
+    if (operation == Operation::RoundedRemainder) x = std::round(x), y = std::round(y);
     const bool divides = operation >= Operation::Divide && operation <= Operation::RoundedRemainder;
     if (divides && y == 0) return fail(diag::ZeroDivide);
     double result = 0;
@@ -513,7 +481,7 @@ Done Evaluator::function(Operation operation, Value* a, int decimals) {
     const double x = a->number;
     const bool was_whole = a->is_whole();
     const auto out_of_range = [&] {
-        return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(x)});
+        return fail(diag::ArgumentRange, {variables_.word_of(operation_), format_shortest(x)});
     };
     const auto whole_result = [&](double number) {
         if (!rules_.has_types || std::fabs(number) > 2147483647.0) return real(*a, number);
@@ -542,7 +510,7 @@ Done Evaluator::function(Operation operation, Value* a, int decimals) {
                 was_whole ? Value::of(std::fabs(x), nc::ValueType::Int) : Value::real(std::fabs(x));
             return kDone;
         case Operation::Round: {
-            if (decimals < 0) return whole_result(rounded_away(x));
+            if (decimals < 0) return whole_result(std::round(x));
             const double power = std::pow(10.0, decimals);
             return real(*a, std::round(x * power) / power);
         }
@@ -574,7 +542,7 @@ Done Evaluator::function(Operation operation, Value* a, int decimals) {
             const std::uint64_t to = is_to ? 16 : 10;
             std::uint64_t result = 0;
             std::uint64_t place = 1;
-            for (auto rest = static_cast<std::uint64_t>(rounded_away(x)); rest != 0;
+            for (auto rest = static_cast<std::uint64_t>(std::round(x)); rest != 0;
                  rest /= from, place *= to) {
                 if (rest % from > 9) return out_of_range();
                 result += rest % from * place;
@@ -589,7 +557,8 @@ Done Evaluator::arc_function(Operation operation, Value* a) {
     const double x = a->number;
     const bool is_outside = operation != Operation::Arctangent &&
                             operation != Operation::ArctangentOfTwo && std::fabs(x) > 1;
-    if (is_outside) return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(x)});
+    if (is_outside)
+        return fail(diag::ArgumentRange, {variables_.word_of(operation_), format_shortest(x)});
     double angle = 0;
     int range = 0;
     switch (operation) {
@@ -603,255 +572,6 @@ Done Evaluator::arc_function(Operation operation, Value* a) {
     }
     if (range == 360 && angle < 0) angle += 360;
     return real(*a, angle);
-}
-
-// ---------------------------------------------------------------- axes and frames
-
-Done Evaluator::axis_function(Operation operation, Value* a) {
-    switch (operation) {
-        case Operation::ToAxis:
-            return a->axis() ? kDone : fail(diag::AxisExpected, {std::string(kind_name(*a))});
-        case Operation::AxisNumber: {
-            auto axis = a->axis();
-            // Where no value is an axis, its name is a number below 0.
-            if (!axis && a->is_number() && a->number < 0 &&
-                a->number >= -static_cast<double>(kAxes))
-                axis = static_cast<Axis>(std::llround(-a->number) - 1);
-            if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
-            const auto number = variables_.axis_number(*axis);
-            if (!number)
-                return fail(diag::AxisNameUnknown, {std::string(kAxisNames[index(*axis)])});
-            *a = Value::of(static_cast<double>(*number), nc::ValueType::Int);
-            return kDone;
-        }
-        case Operation::SpindleAxis: {
-            const double number = a->number;
-            if (!a->is_number()) return fail(diag::IndexType, {std::string(kind_name(*a))});
-            const bool is_there = number == std::floor(number) && number >= 0 &&
-                                  number <= machine::kMostSpindles &&
-                                  variables_.has_spindle(static_cast<std::int64_t>(number));
-            if (!is_there) return fail(diag::SpindleMissing, {shown(number)});
-            *a = Value::spindle_of(number == 0 ? 1 : number);
-            return kDone;
-        }
-        case Operation::SpindleNumber:
-            if (a->kind != Value::Kind::Axis)
-                return fail(diag::AxisExpected, {std::string(kind_name(*a))});
-            if (!a->spindle())
-                return fail(diag::SpindleMissing,
-                            {a->axis() ? "of the axis " + std::string(kAxisNames[index(*a->axis())])
-                                       : "of no axis"});
-            *a = Value::of(static_cast<double>(*a->spindle()), nc::ValueType::Int);
-            return kDone;
-        case Operation::ModuloValue: {
-            const auto axis = a->axis();
-            if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
-            if (!a[1].is_number())
-                return fail(diag::TypesDiffer, {"a calculation", std::string(kind_name(a[1]))});
-            if (!is_rotary(*axis)) return real(*a, a[1].number);
-            constexpr double kTurn = 360;
-            const double rest = std::fmod(a[1].number, kTurn);
-            return real(*a, rest < 0 ? rest + kTurn : rest);
-        }
-        case Operation::TextOfAxis:
-            if (a->spindle()) {
-                *a = keep_text("S" + std::to_string(*a->spindle()));
-                return kDone;
-            }
-            if (!a->axis()) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
-            *a = keep_text(std::string(kAxisNames[index(*a->axis())]));
-            return kDone;
-        case Operation::AxisOfText: {
-            if (!a->is_text())
-                return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
-            const auto found = std::ranges::find(kAxisNames, upper_ascii(text(*a)));
-            if (found == kAxisNames.end())
-                return fail(diag::AxisNameUnknown, {std::string(text(*a))});
-            *a = Value::of(-1.0 - static_cast<double>(found - kAxisNames.begin()),
-                           nc::ValueType::Axis);
-            return kDone;
-        }
-        default:
-            *a = Value::truth(a->is_number() && a->number >= 1 && a->number <= 3);
-            return kDone;
-    }
-}
-
-/// Axes and their values in turn; lengths in mm.
-Done Evaluator::pairs(Operation operation, const Value* a, int count,
-                      std::vector<control::AxisAndValue>& out) {
-    const bool is_way = operation == Operation::FrameShift || operation == Operation::FrameFine;
-    for (int i = 0; i + 1 < count; i += 2) {
-        const auto axis = a[i].axis();
-        if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(a[i]))});
-        if (!a[i + 1].is_number()) {
-            return fail(diag::TypesDiffer,
-                        {"a component of a frame", std::string(kind_name(a[i + 1]))});
-        }
-        out.push_back({*axis, a[i + 1].number * (is_way ? variables_.axis_unit(*axis) : 1)});
-        if (!is_way && index(*axis) >= 3) {
-            return fail(diag::IsoNotSupported,
-                        {"a rotation or a scale of an axis besides X, Y and Z"});
-        }
-    }
-    return kDone;
-}
-
-Done Evaluator::frame_function(Operation operation, Value* a, int count) {
-    if (operation == Operation::Chain || operation == Operation::FrameInverse) {
-        for (int i = 0; i < count; ++i) {
-            if (!a[i].is_frame())
-                return fail(diag::TypesDiffer, {"a frame", std::string(kind_name(a[i]))});
-        }
-        *a = keep_frame(operation == Operation::Chain ? chain(*frame(a[0]), *frame(a[1]))
-                                                      : inverse(*frame(a[0])));
-        return kDone;
-    }
-    if (operation == Operation::FrameMirror) {
-        AxisMask axes = 0;
-        for (int i = 0; i < count; ++i) {
-            if (!a[i].axis()) return fail(diag::AxisExpected, {std::string(kind_name(a[i]))});
-            axes = static_cast<AxisMask>(axes | bit(*a[i].axis()));
-        }
-        *a = keep_frame(control::mirror_frame(axes));
-        return kDone;
-    }
-    if (operation == Operation::FrameInPlane) return plane_rotation(a);
-    std::vector<control::AxisAndValue> given;
-    if (!pairs(operation, a, count, given)) return kFailed;
-    switch (operation) {
-        case Operation::FrameShift: *a = keep_frame(control::shift_frame(given)); return kDone;
-        case Operation::FrameFine: *a = keep_frame(control::fine_frame(given)); return kDone;
-        case Operation::FrameRotation:
-            *a = keep_frame(control::rotation_frame(given));
-            return kDone;
-        case Operation::FrameSolid:
-            if (given.size() > 2) return fail(diag::SolidAngles, {std::to_string(given.size())});
-            if (given.size() == 2 && given[0].axis == given[1].axis)
-                return fail(diag::SolidAngles, {"of one axis"});
-            *a = keep_frame(control::solid_frame(given));
-            return kDone;
-        default: break;
-    }
-    for (const control::AxisAndValue& one : given)
-        if (one.value == 0) return fail(diag::ScaleInvalid, {"0"});
-    *a = keep_frame(control::scale_frame(given));
-    return kDone;
-}
-
-/// Its first operand is the axis across the plane, or the number of the plane.
-Done Evaluator::plane_rotation(Value* a) {
-    std::optional<Axis> across = a[0].axis();
-    if (!across) {
-        if (!a[0].is_number()) return fail(diag::AxisExpected, {std::string(kind_name(a[0]))});
-        static constexpr std::array kAcross = {Axis::Z, Axis::Y, Axis::X};
-        const double plane = a[0].number;
-        if (plane == 0) {
-            double axis = 0;
-            if (!answer(variables_.system(nc::Quantity::NormalAxis, 0, 0, axis))) return kFailed;
-            across = Value::of(axis, nc::ValueType::Axis).axis();
-        } else if (plane == 1 || plane == 2 || plane == 3) {
-            across = kAcross[static_cast<std::size_t>(plane) - 1];
-        }
-    }
-    if (!across)
-        return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(a[0].number)});
-    if (!a[1].is_number())
-        return fail(diag::TypesDiffer, {"a component of a frame", std::string(kind_name(a[1]))});
-    if (index(*across) >= 3)
-        return fail(diag::IsoNotSupported, {"a rotation or a scale of an axis besides X, Y and Z"});
-    const control::AxisAndValue angle{*across, a[1].number};
-    *a = keep_frame(control::rotation_frame({&angle, 1}));
-    return kDone;
-}
-
-// ---------------------------------------------------------------- texts
-
-/// With 10 decimals at most, and no more of them than the number has digits. S 8.4.
-std::string Evaluator::written(const Value& value) const {
-    if (value.is_text()) return std::string(text(value));
-    if (value.kind == Value::Kind::Char) return value.character();
-    constexpr int kMostDecimals = 10;
-    constexpr int kDigits = std::numeric_limits<double>::digits10;
-    int decimals = 0;
-    if (value.kind == Value::Kind::Real || value.is_vacant()) {
-        const double size = std::clamp(std::fabs(value.number), 1.0, 1e300);
-        decimals = std::clamp(kDigits - 1 - static_cast<int>(std::log10(size)), 0, kMostDecimals);
-    }
-    std::array<char, 400> digits;  // the greatest number has 309 before its point
-    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value.number,
-                                      std::chars_format::fixed, decimals);
-    char* end = result.ptr;
-    if (decimals > 0) {
-        while (end[-1] == '0') --end;
-        if (end[-1] == '.') --end;
-    }
-    std::string out(digits.data(), end);
-    return out == "-0" ? "0" : out;
-}
-
-namespace {
-
-/// Where the first character stands that is one of `signs`.
-std::size_t first_of(std::string_view text, std::string_view signs) {
-    std::size_t first = std::string_view::npos;
-    for (std::size_t i = 0; i < count_code_points(signs); ++i)
-        first = std::min(first, text.find(code_points(signs, i, 1)));
-    return first;
-}
-
-}  // namespace
-
-Done Evaluator::text_function(Operation operation, Value* a, int count) {
-    const bool takes_numbers =
-        operation == Operation::Concatenate || operation == Operation::ToText;
-    if (!(a->is_text() || (takes_numbers && a->is_number())))
-        return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
-    if (count > 1 && !a[1].is_text() && !a[1].is_number())
-        return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(a[1]))});
-    const std::string subject = takes_numbers ? written(*a) : std::string(text(*a));
-    const auto place = [&](std::size_t found) {
-        const bool is_missing = found == std::string::npos;
-        const std::string_view before = std::string_view(subject).substr(0, found);
-        *a = Value::of(is_missing ? -1.0 : static_cast<double>(count_code_points(before)),
-                       nc::ValueType::Int);
-        return kDone;
-    };
-    switch (operation) {
-        case Operation::ToText: *a = keep_text(subject); return kDone;
-        case Operation::Concatenate: {
-            std::string joined = subject + written(a[1]);
-            if (const std::size_t length = count_code_points(joined); length > kLongestText)
-                return fail(diag::JoinedTooLong,
-                            {std::to_string(length), std::to_string(kLongestText)});
-            *a = keep_text(std::move(joined));
-            return kDone;
-        }
-        case Operation::TextLength:
-            *a = Value::of(static_cast<double>(count_code_points(subject)), nc::ValueType::Int);
-            return kDone;
-        case Operation::UpperCase: *a = keep_text(upper_letters(subject)); return kDone;
-        case Operation::LowerCase: *a = keep_text(lower_letters(subject)); return kDone;
-        case Operation::FindFirst: return place(subject.find(code_points(written(a[1]), 0, 1)));
-        case Operation::FindLast: return place(subject.rfind(code_points(written(a[1]), 0, 1)));
-        case Operation::FindAny: return place(first_of(subject, written(a[1])));
-        case Operation::FindText: return place(subject.find(written(a[1])));
-        case Operation::PartOfText: {
-            const double from = a[1].number;
-            const double length = count > 2 ? std::min(a[2].number, 1e6) : 1e6;
-            if (from < 0 || length < 0) return fail(diag::IndexWrong, {"a text"});
-            const auto begin = static_cast<std::size_t>(std::min(from, 1e6));
-            *a = keep_text(
-                std::string(code_points(subject, begin, static_cast<std::size_t>(length))));
-            return kDone;
-        }
-        case Operation::IsNumber: *a = Value::truth(number_in(subject).has_value()); return kDone;
-        default: {
-            const auto number = number_in(subject);
-            if (!number) return fail(diag::NoNumberText, {subject});
-            return real(*a, *number);
-        }
-    }
 }
 
 }  // namespace kadr::macro

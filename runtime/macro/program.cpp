@@ -8,10 +8,8 @@
 #include "base/diagnostics/danger.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
-#include "macro/named_shape.h"
 #include "macro/program_state.h"
 #include "nc/control_words.h"
-#include "nc/parameters.h"
 
 namespace kadr::macro {
 
@@ -430,51 +428,6 @@ void Program::State::end_after(Block& block) {
 
 bool Program::State::is_left_out(const Block& block) const {
     return block.skip >= 0 && ((1u << block.skip | block.skip_also) & options.skip_levels) != 0;
-}
-
-/// A cycle that works along a shape is followed by the blocks of the shape, wherever they stand;
-/// then the program goes on with the block behind the cycle. Where that is the shape itself, and
-/// the cycle works something out of it, it goes on behind the shape.
-void Program::State::follow_shape(const Block& block, std::string_view text, const Place& place) {
-    if (is_only_checking || has_ended) return;
-    if (block.find(Function::CycleModal) != nullptr && !is_left_out(block))
-        return keep_modal_shape(block, text, place);
-    const nc::Invocation* const call = block.find(Function::Cycle);
-    if (call == nullptr || is_left_out(block)) return;
-    const nc::CycleInfo& cycle = dialect.cycles()[block.cycle];
-    const auto number_of = [&](int parameter) -> std::int64_t {
-        return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
-    };
-    if (names_contour(cycle)) {
-        const std::optional<std::size_t> kind = nc::find_parameter(cycle.parameters, "kind");
-        return keep_contour(block, kind ? number_of(static_cast<int>(*kind)) : -1);
-    }
-    if (names_shape(cycle)) return follow_named_shape(block, text, place);
-    if (!cycle.takes_shape()) return;
-    const std::int64_t first = number_of(cycle.roles.first_block);
-    const std::int64_t last = number_of(cycle.roles.last_block);
-    if (first < 0 || last < 0) return;  // the interpreter says so
-    Place begin;
-    Place end;
-    ProgramMap::Fault fault = map().find({"", first}, Direction::Both, place, begin);
-    std::int64_t missing = first;
-    if (fault == ProgramMap::Fault::None) {
-        end = begin;
-        missing = last;
-        if (last != first) fault = map().find({"", last}, Direction::Forward, begin, end);
-    }
-    if (fault != ProgramMap::Fault::None) {
-        lines.report_event(text,
-                           LineFault{&diag::ShapeBlockMissing, {0, 1}, {std::to_string(missing)}});
-        has_ended = true;
-        return;
-    }
-    const bool is_followed = cycle.parameters.size() == 2;
-    const bool is_next = begin.line.offset >= frame->here.offset &&
-                         map().finds_nothing_between(frame->here, begin.line) && !is_followed;
-    frame->repeats.push_back({begin.line, end.next, is_next ? end.next : frame->here, 1, true});
-    frame->here = begin.line;
-    frame->next_line = nullptr;
 }
 
 /// A line that was executed before, kept compiled; nullptr: it cannot be read again.

@@ -1,0 +1,95 @@
+// active_codes.cpp — the code that acts of each modal group, as variables tell it.
+#include <algorithm>
+
+#include "macro/control_variables.h"
+#include "macro/whole_number.h"
+
+namespace kadr::macro {
+
+const nc::Form* ControlVariables::active_form(std::size_t group) const {
+    const auto acts = [&](const nc::Form& form) {
+        const nc::Group of = info(form.function).group;
+        if (of == nc::Group::Once || form.function == nc::Function::Cycle) return false;
+        nc::Function active = reader_.modal()[static_cast<std::size_t>(of)];
+        if (of == nc::Group::Motion && active == nc::Function::None)
+            active = dialect_.first_motion();
+        return active == form.function;
+    };
+    const auto& defaults = tables_.groups[group].power_on;
+    // A modal cycle is of its own group, or of the one whose default ends cycles.
+    const bool is_of_cycles = std::ranges::find(defaults, nc::Function::CycleOff) != defaults.end();
+    if (reader_.last_cycle() != nc::kNoForm &&
+        reader_.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle) {
+        const nc::Form& cycle = tables_.forms[reader_.last_cycle()];
+        const bool is_here =
+            cycle.group >= 0 ? cycle.group == static_cast<int>(group) : is_of_cycles;
+        if (is_here) return &cycle;
+    }
+    const nc::FormId last = reader_.last_form(group);
+    if (last != nc::kNoForm) {
+        const nc::Form& form = tables_.forms[last];
+        // Functions that act once, as frames do, are a group where one of them is the default.
+        const bool is_kept = info(form.function).group == nc::Group::Once && !defaults.empty() &&
+                             form.function != nc::Function::Cycle;
+        if (form.function == nc::Function::None || is_kept || acts(form)) return &form;
+    }
+    for (const nc::Form& form : tables_.forms) {
+        if (form.group != static_cast<int>(group) || !form.is_read || !acts(form)) continue;
+        const bool is_first_offset =
+            form.function != nc::Function::WorkOffset ||
+            (!form.fixed.empty() && form.fixed[0].second == dialect_.first_work_offset());
+        if (is_first_offset) return &form;
+    }
+    // Nothing of the group was said, and nothing acts by itself: what the file calls its default.
+    for (const nc::Form& form : tables_.forms) {
+        if (form.group != static_cast<int>(group) || !form.is_read) continue;
+        const bool is_offset = form.function == nc::Function::WorkOffset && !form.fixed.empty() &&
+                               form.fixed[0].second == dialect_.first_work_offset();
+        const bool is_default = std::ranges::find(defaults, form.function) != defaults.end();
+        if (is_offset || is_default) return &form;
+    }
+    return nullptr;
+}
+
+std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_place) const {
+    const auto place = std::ranges::find_if(
+        tables_.groups, [&](const auto& group) { return whole_number(group.name) == number; });
+    if (by_place) {
+        const auto list = std::ranges::find_if(
+            language_.code_lists, [&](const auto& of) { return whole_number(of.group) == number; });
+        if (list == language_.code_lists.end()) return std::nullopt;
+        if (list->standard == 0 || place == tables_.groups.end())
+            return static_cast<double>(list->standard);
+        return code_in_list(*list, static_cast<std::size_t>(place - tables_.groups.begin()));
+    }
+    if (place == tables_.groups.end()) return std::nullopt;
+    const auto group = static_cast<std::size_t>(place - tables_.groups.begin());
+    const nc::Form* form = active_form(group);
+    if (form == nullptr) {
+        // Of codes on which nothing depends the first one acts before any was said.
+        const auto first = std::ranges::find_if(tables_.forms, [&](const nc::Form& other) {
+            return other.group == static_cast<int>(group) && other.is_read;
+        });
+        const bool is_passed =
+            first != tables_.forms.end() && first->function == nc::Function::None;
+        if (is_passed) form = &*first;
+    }
+    if (form == nullptr) return std::nullopt;
+    return form->words[0].number;
+}
+
+/// The place of the code that acts; one that is no modal function of the vocabulary acts since it
+/// was said.
+std::optional<double> ControlVariables::code_in_list(const nc::CodeList& list,
+                                                     std::size_t group) const {
+    const nc::FormId last = reader_.last_form(group);
+    const bool is_said =
+        last != nc::kNoForm && info(tables_.forms[last].function).group == nc::Group::Once;
+    const nc::Form* form = is_said ? &tables_.forms[last] : active_form(group);
+    if (form == nullptr) return static_cast<double>(list.standard);
+    const auto found = std::ranges::find(list.codes, form->words[0].text);
+    if (found == list.codes.end()) return static_cast<double>(list.standard);
+    return static_cast<double>(found - list.codes.begin() + 1);
+}
+
+}  // namespace kadr::macro

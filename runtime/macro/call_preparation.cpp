@@ -1,0 +1,267 @@
+// call_preparation.cpp — what a call names and gives: its program, its passes, its
+// arguments, worked out where it stands.
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "macro/program_state.h"
+#include "nc/number_text.h"
+#include "nc/quoted.h"
+
+namespace kadr::macro {
+
+using nc::CallForm;
+using nc::ControlStatement;
+using nc::quoted;
+using nc::Statement;
+
+namespace {
+
+/// 10 to the power of so many digits.
+std::int64_t power_of_ten(int digits) {
+    std::int64_t out = 1;
+    for (int i = 0; i < digits; ++i) out *= 10;
+    return out;
+}
+
+}  // namespace
+
+Program::State::Outcome Program::State::number_of(CompiledLine& line, const nc::CallValue& value,
+                                                  std::optional<double>& out) {
+    out.reset();
+    if (!value.is_given) return Outcome::Nothing;
+    if (value.is_plain) {
+        out = value.decimal.value;
+        return Outcome::Nothing;
+    }
+    Value found;
+    const Outcome done = evaluate(line, value.value, found);
+    if (!goes_on(done)) return done;
+    if (found.is_text()) return fail(line, diag::TypesDiffer, value.span, {"a count", "a text"});
+    if (!found.is_vacant()) out = std::round(found.number);
+    return Outcome::Nothing;
+}
+
+/// The name of the program, and the passes that its number may hold: 30012 is 3 times 12.
+Program::State::Outcome Program::State::program_name(CompiledLine& line,
+                                                     const ControlStatement& statement,
+                                                     const CallForm* form, PreparedCall& out,
+                                                     ProgramName& found) {
+    std::string& name = found.name;
+    if (statement.kind == Statement::CallByText) {
+        Value text;
+        const Outcome done = evaluate(line, statement.second, text);
+        if (!goes_on(done)) return done;
+        if (!text.is_text())
+            return fail(line, diag::TypesDiffer, statement.second.span,
+                        {"the name of a program", "a number"});
+        const std::string_view path = evaluator.text(text);
+        name = nc::program_of_path(language.calls, path, tables.notation.ignores_case);
+        found.kind = nc::kind_of_path(language.calls, path, tables.notation.ignores_case);
+        if (name.empty()) {
+            return fail(line, diag::CallIncomplete, statement.second.span,
+                        {std::string(evaluator.text(text))});
+        }
+        return Outcome::Nothing;
+    }
+    const nc::Call& words = line.line.calls[statement.call];
+    name = form != nullptr && !form->fixed.empty() ? form->fixed : words.name;
+    found.kind = words.kind;
+    if (!name.empty()) return Outcome::Nothing;
+    std::optional<double> number;
+    const Outcome done = number_of(line, words.program, number);
+    if (!goes_on(done)) return done;
+    const auto written = [&](const nc::Span& span) {
+        return std::vector{line.text.substr(span.begin, span.end - span.begin)};
+    };
+    if (!number) {
+        // A number that is missing names the program that runs: a part of it is called.
+        if (words.start.is_given) {
+            name = frame->unit->name;
+            out.unit = frame->unit;
+            return Outcome::Nothing;
+        }
+        return fail(line, diag::CallIncomplete, words.span, written(words.span));
+    }
+    if (*number != std::floor(*number) || !(*number >= 1 && *number < 1e12))
+        return fail(line, diag::CallIncomplete, words.program.span, written(words.program.span));
+    auto whole = static_cast<std::int64_t>(*number);
+    const int digits = form != nullptr ? form->split : 0;
+    if (digits > 0 && !words.repeats.is_given && whole >= power_of_ten(digits)) {
+        out.passes = whole / power_of_ten(digits);
+        whole %= power_of_ten(digits);
+    }
+    name = std::to_string(whole);
+    return Outcome::Nothing;
+}
+
+Program::State::Outcome Program::State::find_program(CompiledLine& line,
+                                                     const ControlStatement& statement,
+                                                     const CallForm* form, PreparedCall& out) {
+    ProgramName wanted;
+    const Outcome done = program_name(line, statement, form, out, wanted);
+    if (!goes_on(done)) return done;
+    if (out.unit == nullptr) out.unit = units.find(wanted.name, text(), wanted.kind);
+    if (out.unit != nullptr) return Outcome::Nothing;
+    return missing_program(line, statement, wanted.name);
+}
+
+/// A word that could be a name of a program, and is none, is an unknown word.
+Program::State::Outcome Program::State::missing_program(CompiledLine& line,
+                                                        const ControlStatement& statement,
+                                                        const std::string& name) {
+    const bool is_by_text = statement.kind == Statement::CallByText;
+    const nc::Call* const words = is_by_text ? nullptr : &line.line.calls[statement.call];
+    const nc::Span span = is_by_text                     ? statement.second.span
+                          : words->program.span.end != 0 ? words->program.span
+                                                         : words->span;
+    const bool is_free_name =
+        words != nullptr && statement.kind == Statement::Call && words->form >= 0 &&
+        language.calls.calls[static_cast<std::size_t>(words->form)].code == "{name}";
+    const std::string known = tables.unsupported_words(name);
+    if (!known.empty()) return fail(line, diag::IsoNotSupported, span, {known});
+    if (is_free_name && !externals.contains(name))
+        return fail(line, diag::IsoUnknownWord, span, {name});
+    return fail(line, diag::ProgramMissing, span,
+                {quoted(nc::shown_program(language.calls, name))});
+}
+
+/// Of lines that are only read: whether there is such a program at all.
+void Program::State::check_call(CompiledLine& line, const ControlStatement& statement) {
+    if (statement.kind != Statement::Call && statement.kind != Statement::CallModal) return;
+    const nc::Call& words = line.line.calls[statement.call];
+    std::string name = words.name;
+    // A number that is computed is not known here.
+    if (name.empty() && words.program.is_plain && !lines.failed()) {
+        PreparedCall ignored;
+        ProgramName wanted;
+        const CallForm* const form =
+            words.form >= 0 ? &language.calls.calls[static_cast<std::size_t>(words.form)] : nullptr;
+        program_name(line, statement, form, ignored, wanted);
+        name = wanted.name;
+    }
+    if (name.empty() || units.find(name, text(), words.kind) != nullptr) return;
+    missing_program(line, statement, name);
+}
+
+Program::State::Outcome Program::State::prepare_passes(CompiledLine& line,
+                                                       const nc::CallValue& passes,
+                                                       PreparedCall& out) {
+    std::optional<double> count;
+    const Outcome done = number_of(line, passes, count);
+    if (!goes_on(done) || !count) return done;
+    if (!(*count >= 1 && *count <= language.rules.most_passes))
+        return fail(line, diag::RepeatCount, passes.span, {evaluator.written(Value::real(*count))});
+    out.passes = static_cast<std::int64_t>(*count);
+    return Outcome::Nothing;
+}
+
+/// Labels between which a program runs.
+Program::State::Outcome Program::State::prepare_section(CompiledLine& line,
+                                                        const ControlStatement& statement,
+                                                        PreparedCall& out) {
+    if (statement.from.kind == nc::JumpTarget::Kind::None) return Outcome::Nothing;
+    const Place head{out.unit->begin, out.unit->begin};
+    Place begin;
+    Place end;
+    const auto find = [&](const nc::JumpTarget& wanted, const Place& from, Place& found) {
+        const auto target = resolve(line, wanted);
+        if (!target) return target.error();
+        const auto fault = out.unit->map.find(*target, Direction::Forward, from, found);
+        return fail(line, fault, diag::JumpTargetMissing, wanted.span, quoted(wanted.label));
+    };
+    Outcome done = find(statement.from, head, begin);
+    if (!goes_on(done)) return done;
+    done = find(statement.to, begin, end);
+    if (!goes_on(done)) return done;
+    out.from = begin;
+    out.to = end.next;
+    return Outcome::Nothing;
+}
+
+/// Everything that a call needs, worked out where it stands.
+Program::State::Outcome Program::State::prepare(CompiledLine& line,
+                                                const ControlStatement& statement,
+                                                PreparedCall& out) {
+    const bool is_by_text = statement.kind == Statement::CallByText;
+    const nc::Call* const words = is_by_text ? nullptr : &line.line.calls[statement.call];
+    if (words != nullptr && words->form >= 0)
+        out.form = &language.calls.calls[static_cast<std::size_t>(words->form)];
+    Outcome done = find_program(line, statement, out.form, out);
+    if (!goes_on(done)) return done;
+    const nc::Span span = is_by_text ? statement.second.span : words->span;
+    out.site = std::make_shared<nc::CallSite>(
+        nc::CallSite{lines.place(line.text, line.place.line.line, span), frame->site});
+    if (is_by_text) return prepare_section(line, statement, out);
+    nc::CallValue passes = words->repeats;
+    if (statement.count.is_given()) {  // `CALL O200 Q2`
+        passes.is_given = true;
+        passes.value = statement.count;
+        passes.span = statement.count.span;
+    }
+    done = prepare_passes(line, passes, out);
+    if (!goes_on(done)) return done;
+    std::optional<double> start;
+    done = number_of(line, words->start, start);
+    if (!goes_on(done)) return done;
+    if (start) out.start = static_cast<std::int64_t>(*start);
+    if (out.is_macro()) return prepare_letters(line, *words, out);
+    done = prepare_list(line, *words, out);
+    if (!goes_on(done) || out.form == nullptr || out.form->value.empty()) return done;
+    std::optional<double> code;
+    done = number_of(line, words->code, code);
+    if (!goes_on(done)) return done;
+    variables.set_global(out.form->value, code.value_or(out.form->number));
+    return done;
+}
+
+/// Arguments by letters set variables of the level that the macro gets.
+Program::State::Outcome Program::State::prepare_letters(CompiledLine& line, const nc::Call& words,
+                                                        PreparedCall& out) {
+    out.level = variables.new_level();
+    for (const nc::CallArgument& argument : words.arguments) {
+        if (argument.is_plain) {
+            double number = argument.decimal.value;
+            if (argument.like != nc::kNoAddress && !argument.decimal.has_point) {
+                const nc::Address& address = tables.addresses[argument.like];
+                number = read_meaning(argument.decimal, address.format, address.dimension,
+                                      lines.units());
+            }
+            variables.set_argument(*out.level, argument.slot, Value::real(number));
+            continue;
+        }
+        Value value;
+        const Outcome done = evaluate(line, argument.value, value);
+        if (!goes_on(done)) return done;
+        variables.set_argument(*out.level, argument.slot, value);
+    }
+    return Outcome::Nothing;
+}
+
+Program::State::Outcome Program::State::prepare_list(CompiledLine& line, const nc::Call& words,
+                                                     PreparedCall& out) {
+    for (const nc::CallArgument& argument : words.arguments) {
+        GivenValue& given_value = out.arguments.emplace_back();
+        given_value.is_given = argument.is_given;
+        given_value.is_array = argument.is_array;
+        given_value.span = argument.span;
+        if (!argument.is_given) continue;
+        if (argument.variable.is_given()) {
+            std::array<std::int64_t, 4> indices{};
+            if (argument.variable.indices.is_given() && !argument.is_array) {
+                const auto outcome = evaluator.indices(line.line, argument.variable, indices);
+                if (outcome == Evaluator::Outcome::Later) return Outcome::Wait;
+                if (outcome == Evaluator::Outcome::Fault) return fail(line, evaluator.fault());
+            }
+            given_value.place = variables.place_of(argument.variable.load, indices);
+        }
+        if (argument.is_array) continue;
+        const Outcome done = evaluate(line, argument.value, given_value.value);
+        if (!goes_on(done)) return done;
+        given_value.text = evaluator.text(given_value.value);
+        if (given_value.value.is_frame()) given_value.frame = *evaluator.frame(given_value.value);
+    }
+    return Outcome::Nothing;
+}
+
+}  // namespace kadr::macro

@@ -1,0 +1,260 @@
+// control_quantities.cpp — variables that show the state of the control, or set it, in the units
+// of the text.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "macro/control_variables.h"
+#include "macro/whole_number.h"
+
+namespace kadr::macro {
+
+using nc::Quantity;
+
+namespace {
+
+/// Whether the last index of the quantity is an axis, so that it is a length or an angle.
+bool is_of_axis(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::EndPosition:
+        case Quantity::WorkPosition:
+        case Quantity::HeadPosition:
+        case Quantity::MachinePosition:
+        case Quantity::ToolLength:
+        case Quantity::BasePosition:
+        case Quantity::BaseZeroPosition:
+        case Quantity::SettablePosition:
+        case Quantity::ProbePosition:
+        case Quantity::ProbePlace:
+        case Quantity::ProbeMachine:
+        case Quantity::ApproachStart:
+        case Quantity::ApproachEnd:
+        case Quantity::WorkOffset: return true;
+        default: return false;
+    }
+}
+
+/// Whether the quantity is a length of a tool.
+bool is_of_tool_data(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::ToolRadius:
+        case Quantity::ToolPart:
+        case Quantity::RadiusAllowance:
+        case Quantity::LengthGeometry:
+        case Quantity::LengthWear:
+        case Quantity::RadiusGeometry:
+        case Quantity::RadiusWear:
+        case Quantity::CrossGeometry:
+        case Quantity::CrossWear:
+        case Quantity::FirstLength:
+        case Quantity::FirstWear:
+        case Quantity::SecondLength:
+        case Quantity::SecondWear:
+        case Quantity::ThirdLength:
+        case Quantity::ThirdWear:
+        case Quantity::FirstBase:
+        case Quantity::SecondBase:
+        case Quantity::ThirdBase:
+        case Quantity::ExtraLength:
+        case Quantity::FirstExtraLength:
+        case Quantity::ExtraAlong:
+        case Quantity::ExtraRadius:
+        case Quantity::ExtraBoth: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
+Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first,
+                                           std::int64_t second, double& out) {
+    if (info(quantity).access == nc::QuantityInfo::Access::Write) return Answer::NotReadable;
+    if (quantity == Quantity::ModalCode || quantity == Quantity::ModalNumber) {
+        const auto code = modal_code(first, quantity == Quantity::ModalNumber);
+        if (!code) return Answer::Missing;
+        out = *code;
+        return Answer::Value;
+    }
+    switch (quantity) {
+        case Quantity::BlockNumber: out = static_cast<double>(block_number_); return Answer::Value;
+        case Quantity::MachineCode: out = reader_.machine_code(); return Answer::Value;
+        case Quantity::ModalCall: out = modal_call_ ? modal_call_() : 0; return Answer::Value;
+        case Quantity::ProgramNumber:
+            out = static_cast<double>(whole_number(reader_.text().program).value_or(0));
+            return Answer::Value;
+        default: break;
+    }
+    if (quantity == Quantity::ProgramLevel) {
+        out = static_cast<double>(program_level_);
+        return Answer::Value;
+    }
+    if (quantity == Quantity::ArgumentGiven) {
+        if (first < 1 || first > static_cast<std::int64_t>(level_->given.size()))
+            return Answer::Missing;
+        out = level_->given[static_cast<std::size_t>(first) - 1] ? 1 : 0;
+        return Answer::Value;
+    }
+    if (state_ == nullptr) return Answer::Unsupported;
+    if (!in_step_) return Answer::Later;
+    const bool is_of_tool =
+        quantity == Quantity::WorkPosition || quantity == Quantity::HeadPosition ||
+        quantity == Quantity::MachinePosition || quantity == Quantity::BasePosition ||
+        quantity == Quantity::BaseZeroPosition || quantity == Quantity::SettablePosition;
+    if (is_of_tool && state_->is_compensated()) return Answer::Compensated;
+    const auto value = state_->quantity(quantity, first, second);
+    if (!value) return Answer::Missing;
+    out = to_text_units(quantity, {first, second}, *value);
+    return Answer::Value;
+}
+
+bool ControlVariables::set_system(Quantity quantity, std::int64_t first, std::int64_t second,
+                                  double value) {
+    if (state_ == nullptr) return false;
+    return state_->set_quantity(quantity, first, second, value, true) == ControlAccess::Write::Done;
+}
+
+Variables::Answer ControlVariables::frame(Quantity quantity, std::int64_t index,
+                                          control::ControlFrame& out) {
+    if (state_ == nullptr) return Answer::Unsupported;
+    if (!in_step_) return Answer::Later;
+    const auto frame = state_->frame(quantity, index);
+    if (!frame) return Answer::Missing;
+    out = *frame;
+    return Answer::Value;
+}
+
+Variables::Answer ControlVariables::text(Quantity quantity, std::int64_t index, std::string& out) {
+    if (quantity == Quantity::ProgramName) {
+        const auto name = name_at_ ? name_at_(index) : std::nullopt;
+        if (!name) return Answer::Missing;
+        out = *name;
+        return Answer::Value;
+    }
+    if (state_ == nullptr) return Answer::Unsupported;
+    if (!in_step_) return Answer::Later;
+    const auto text = state_->text(quantity, index);
+    if (!text) return Answer::Missing;
+    out = *text;
+    return Answer::Value;
+}
+
+std::optional<std::int64_t> ControlVariables::axis_number(Axis axis) const {
+    return state_ == nullptr ? std::nullopt : state_->axis_number(axis);
+}
+
+bool ControlVariables::has_spindle(std::int64_t number) const {
+    return state_ == nullptr ? number <= 1 : state_->has_spindle(number);
+}
+
+void ControlVariables::say_units(ContourSaid& contour) const {
+    const double unit = axis_unit(Axis::X);
+    const double feed = text_scale(nc::Dimension::Feed, reader_.units(), true);
+    const nc::Function function = reader_.units().inch ? nc::Function::Inch : nc::Function::Metric;
+    // The code that acts by its place in the list of its group.
+    int place = reader_.units().inch ? 0 : 1;
+    for (const nc::Form& form : tables_.forms) {
+        if (form.function != function || form.group < 0) continue;
+        const auto group = static_cast<std::size_t>(form.group);
+        const auto list = std::ranges::find(language_.code_lists, tables_.groups[group].name,
+                                            &nc::CodeList::group);
+        if (list == language_.code_lists.end()) break;
+        place = static_cast<int>(code_in_list(*list, group).value_or(place + 1)) - 1;
+        break;
+    }
+    for (ContourElement& element : contour) {
+        element.shape.from /= unit;
+        element.shape.to /= unit;
+        element.shape.center /= unit;
+        element.feed *= feed;
+        element.modes.is_metric = !reader_.units().inch;
+        element.modes.units = place;
+    }
+}
+
+double ControlVariables::axis_unit(Axis axis) const {
+    return reader_.units().inch && !is_rotary(axis) ? kMmPerInch : 1;
+}
+
+/// How many units of the text 1 mm, or 1 degree, of the axis is.
+double ControlVariables::text_factor(const Indices& indices, std::int64_t axis) const {
+    static_cast<void>(indices);
+    const bool is_inch = reader_.units().inch && state_->is_length(axis);
+    return state_->word_factor(axis) / (is_inch ? kMmPerInch : 1);
+}
+
+double ControlVariables::to_text_units(Quantity quantity, const Indices& indices,
+                                       double value) const {
+    if (is_of_axis(quantity)) {
+        const std::int64_t axis = quantity == Quantity::WorkOffset ? indices.second : indices.first;
+        return on_increment(value * text_factor(indices, axis), state_->is_length(axis));
+    }
+    if (quantity == Quantity::Feed)
+        return value * text_scale(nc::Dimension::Feed, reader_.units(), true);
+    if (is_of_tool_data(quantity))
+        return on_increment(value * text_scale(nc::Dimension::Length, reader_.units(), true), true);
+    return value;
+}
+
+/// Where words are rounded to the increment, the control keeps positions and offsets in increments.
+double ControlVariables::on_increment(double value, bool is_length) const {
+    if (!language_.rules.rounds_values) return value;
+    const nc::Dimension dimension = is_length ? nc::Dimension::Length : nc::Dimension::Angle;
+    const double power = std::round(1 / increment_size(tables_, dimension, reader_.units()));
+    return std::round(value * power) / power + 0.0;
+}
+
+ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const Indices& indices,
+                                                       const Value& value) {
+    if (info(quantity).access == nc::QuantityInfo::Access::Read)
+        return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
+    const std::string name(info(quantity).name);
+    if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
+    const bool is_axis = quantity == Quantity::CarrierAxis && value.kind == Value::Kind::Axis;
+    if (!value.is_number() && !is_axis)
+        return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
+    if (quantity == Quantity::CarrierAxis && !is_axis && value.number != 0)
+        return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
+    double number = value.number;
+    if (quantity == Quantity::WorkOffset) {
+        number = on_increment(number, state_->is_length(indices.second)) /
+                 text_factor(indices, indices.second);
+    }
+    if (is_of_tool_data(quantity)) {
+        number =
+            on_increment(number, true) / text_scale(nc::Dimension::Length, reader_.units(), true);
+    }
+    switch (state_->set_quantity(quantity, indices.first, indices.second, number,
+                                 language_.rules.offsets_act_at_once)) {
+        case ControlAccess::Write::Done: return {};
+        case ControlAccess::Write::NoPlace:
+            if (quantity == Quantity::EdgeSpeed) return {&diag::ToothFeedNoTool, {}};
+            return {&diag::VariableNumber, {"of this offset"}};
+        case ControlAccess::Write::TooLarge: {
+            std::string shown;
+            append_shortest(shown, value.number);
+            return {&diag::OffsetDataValue, {shown}};
+        }
+        case ControlAccess::Write::Refused: break;
+    }
+    return {&diag::IsoNotSupported, {name}};
+}
+
+ControlVariables::Fault ControlVariables::store_frame(Quantity quantity, std::int64_t number,
+                                                      const control::ControlFrame& frame) {
+    const std::string name(info(quantity).name);
+    if (info(quantity).access == nc::QuantityInfo::Access::Read)
+        return {&diag::VariableReadOnly, {name}};
+    if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
+    switch (state_->set_frame(quantity, number, frame, language_.rules.offsets_act_at_once)) {
+        case ControlAccess::Write::Done: return {};
+        case ControlAccess::Write::NoPlace: return {&diag::VariableNumber, {"of this offset"}};
+        case ControlAccess::Write::TooLarge:
+        case ControlAccess::Write::Refused: break;
+    }
+    return {&diag::IsoNotSupported, {name}};
+}
+
+}  // namespace kadr::macro
