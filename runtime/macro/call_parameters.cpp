@@ -1,12 +1,14 @@
 // call_parameters.cpp — parameters of a program that is called: copies, and variables of the
 // caller.
+#include "macro/call_parameters.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/control_memory.h"
 #include "macro/declared_size.h"
-#include "macro/program_state.h"
+#include "macro/program_base.h"
 #include "nc/quoted.h"
 
 namespace kadr::macro {
@@ -27,8 +29,7 @@ nc::Symbol symbol_of(const nc::ProcedureParameter& parameter) {
 
 }  // namespace
 
-Program::State::Outcome Program::State::bind_parameters(CompiledLine& line,
-                                                        const PreparedCall& call, Frame& callee) {
+Outcome CallParameters::bind(CompiledLine& line, const PreparedCall& call, Frame& callee) {
     const ControlStatement* const head = call.unit->procedure();
     const std::size_t count = head == nullptr ? 0 : head->parameters.size();
     // The main program of a text without a head has the name of its file.
@@ -37,40 +38,47 @@ Program::State::Outcome Program::State::bind_parameters(CompiledLine& line,
     if (call.unit->has_wrong_head) return Outcome::Nothing;
     if (call.arguments.size() > count) {
         if (head == nullptr) {
-            return fail(line, diag::ProcedureMissing, call.arguments[0].span, {name});
+            return run_.fail(line, diag::ProcedureMissing, call.arguments[0].span, {name});
         }
-        return fail(line, diag::CallArguments, call.arguments[count].span,
-                    {name, std::to_string(count), std::to_string(call.arguments.size())});
+        return run_.fail(line, diag::CallArguments, call.arguments[count].span,
+                         {name, std::to_string(count), std::to_string(call.arguments.size())});
     }
     if (count == 0) return Outcome::Nothing;
-    variables.enter(*callee.level);
-    evaluator.enter(*callee.level);
+    run_.variables.enter(*callee.level);
+    run_.evaluator.enter(*callee.level);
     Outcome done = Outcome::Nothing;
     for (std::size_t i = 0; i < count; ++i) {
         done = bind_parameter(line, call, i);
         if (!goes_on(done)) break;
     }
-    variables.enter(*frame->level);
-    evaluator.enter(*frame->level);
+    run_.variables.enter(*run_.frame->level);
+    run_.evaluator.enter(*run_.frame->level);
     return done;
 }
 
-Program::State::Outcome Program::State::bind_parameter(CompiledLine& line, const PreparedCall& call,
-                                                       std::size_t index) {
+Outcome CallParameters::bind_noted(CompiledLine& line, const PreparedCall& call, Frame& callee) {
+    references_.clear();
+    const Outcome done = bind(line, call, callee);
+    callee.references = std::move(references_);
+    return done;
+}
+
+Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& call,
+                                       std::size_t index) {
     static const GivenValue kNothing;
     const nc::ControlLine& head = *call.unit->head;
     const nc::ProcedureParameter& parameter = head.statements[0].parameters[index];
     const GivenValue& given_value =
         index < call.arguments.size() ? call.arguments[index] : kNothing;
-    variables.level().given[index] = given_value.is_given;
+    run_.variables.level().given[index] = given_value.is_given;
     nc::Symbol symbol = symbol_of(parameter);
     const auto work_out = [&](const nc::Expression& expression, Value& out) {
-        return evaluator.run(head, expression, out) == Evaluator::Outcome::Done;
+        return run_.evaluator.run(head, expression, out) == Evaluator::Outcome::Done;
     };
     Value size;
     if (parameter.type_size.is_given() && work_out(parameter.type_size, size)) {
         symbol.text_size = static_cast<std::uint32_t>(
-            std::clamp<double>(size.number, 1, language.rules.most_text));
+            std::clamp<double>(size.number, 1, run_.language.rules.most_text));
     }
     for (std::size_t i = 0; i < symbol.dimensions; ++i) {
         const nc::Expression& length = parameter.declaration.sizes[i];
@@ -84,29 +92,30 @@ Program::State::Outcome Program::State::bind_parameter(CompiledLine& line, const
     const std::size_t dimensions =
         given_value.is_array ? given_value.place.symbol->dimensions : std::size_t{0};
     if (given_value.is_given && dimensions != symbol.dimensions) {
-        return fail(line, diag::ArgumentDiffers, given_value.span,
-                    {quoted(symbol.name), symbol.dimensions > 0 ? "an array" : "one value"});
+        return run_.fail(line, diag::ArgumentDiffers, given_value.span,
+                         {quoted(symbol.name), symbol.dimensions > 0 ? "an array" : "one value"});
     }
-    if (!has_room_for(variables.level(), symbol)) {
+    if (!has_room_for(run_.variables.level(), symbol)) {
         const std::string name = symbol.name;
         symbol.sizes.fill(1);  // the lines behind speak of it all the same
-        variables.declare(std::move(symbol));
-        return fail(line, diag::VariablesTooMany,
-                    given_value.is_given ? given_value.span : nc::Span{0, 1},
-                    {name, std::to_string(kMostElements)});
+        run_.variables.declare(std::move(symbol));
+        return run_.fail(line, diag::VariablesTooMany,
+                         given_value.is_given ? given_value.span : nc::Span{0, 1},
+                         {name, std::to_string(kMostElements)});
     }
-    const nc::Symbol& added = variables.declare(std::move(symbol));
+    const nc::Symbol& added = run_.variables.declare(std::move(symbol));
     const nc::Span span = given_value.is_given ? given_value.span : nc::Span{0, 1};
     const auto set = [&](std::uint32_t place, const Value& value, const Content& content) {
-        const auto fault = variables.store_element(added, added.slot + place, value, content);
+        const auto fault = run_.variables.store_element(added, added.slot + place, value, content);
         if (fault.row == nullptr) return Outcome::Nothing;
         if (given_value.is_given && fault.row == &diag::TypesDiffer) {
-            const auto type = std::ranges::find(language.types, added.type, &nc::TypeName::type);
+            const auto type =
+                std::ranges::find(run_.language.types, added.type, &nc::TypeName::type);
             const std::string wanted =
-                type == language.types.end() ? "one of its type" : std::string(type->name);
-            return fail(line, diag::ArgumentDiffers, span, {quoted(added.name), wanted});
+                type == run_.language.types.end() ? "one of its type" : std::string(type->name);
+            return run_.fail(line, diag::ArgumentDiffers, span, {quoted(added.name), wanted});
         }
-        return fail(line, *fault.row, span, fault.arguments);
+        return run_.fail(line, *fault.row, span, fault.arguments);
     };
     if (given_value.is_array) {
         const Store& from = *given_value.place.store;
@@ -120,36 +129,35 @@ Program::State::Outcome Program::State::bind_parameter(CompiledLine& line, const
     }
     if (given_value.is_given) {
         const Content content{given_value.text, &given_value.frame};
-        return set(0, evaluator.keep(given_value.value, content), content);
+        return set(0, run_.evaluator.keep(given_value.value, content), content);
     }
     const std::vector<nc::Expression>& defaults = parameter.declaration.values;
     Outcome done = Outcome::Nothing;
     for (std::size_t i = 0; i < defaults.size() && i < added.count(); ++i) {
         Value value;
         if (!defaults[i].is_given() || !work_out(defaults[i], value)) continue;
-        if (!goes_on(set(static_cast<std::uint32_t>(i), value, evaluator.content(value))))
+        if (!goes_on(set(static_cast<std::uint32_t>(i), value, run_.evaluator.content(value))))
             done = Outcome::Failed;
     }
     return done;
 }
 
 /// The parameter is the caller's variable: of the same type, an array of the same dimensions.
-Program::State::Outcome Program::State::bind_reference(CompiledLine& line,
-                                                       const nc::ProcedureParameter& parameter,
-                                                       const GivenValue& given_value,
-                                                       nc::Symbol symbol) {
+Outcome CallParameters::bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
+                                       const GivenValue& given_value, nc::Symbol symbol) {
     const ControlVariables::VariablePlace& place = given_value.place;
     const nc::Span span = given_value.is_given      ? given_value.span
                           : line.line.calls.empty() ? nc::Span{0, 1}
                                                     : line.line.calls[0].span;
     if (place.store == nullptr)
-        return fail(line, diag::ArgumentNoVariable, span, {quoted(symbol.name)});
+        return run_.fail(line, diag::ArgumentNoVariable, span, {quoted(symbol.name)});
     const std::size_t dimensions = given_value.is_array ? place.symbol->dimensions : std::size_t{0};
     if (place.type != parameter.type || dimensions != symbol.dimensions) {
-        const auto type = std::ranges::find(language.types, parameter.type, &nc::TypeName::type);
+        const auto type =
+            std::ranges::find(run_.language.types, parameter.type, &nc::TypeName::type);
         std::string wanted = symbol.dimensions > 0 ? "an array of " : "a variable of ";
-        wanted += type == language.types.end() ? "its type" : type->name;
-        return fail(line, diag::ArgumentDiffers, span, {quoted(symbol.name), wanted});
+        wanted += type == run_.language.types.end() ? "its type" : type->name;
+        return run_.fail(line, diag::ArgumentDiffers, span, {quoted(symbol.name), wanted});
     }
     symbol.slot = place.slot;
     if (place.symbol != nullptr) {
@@ -157,33 +165,33 @@ Program::State::Outcome Program::State::bind_reference(CompiledLine& line,
         if (given_value.is_array) symbol.sizes = place.symbol->sizes;
     }
     note_reference(symbol, place);
-    ControlVariables::bind(variables.level(), std::move(symbol), *place.store);
+    ControlVariables::bind(run_.variables.level(), std::move(symbol), *place.store);
     return Outcome::Nothing;
 }
 
 /// For who looks on: the parameter has the value of the caller's variable, and what the variable
 /// was before the call is told when it returns.
-void Program::State::note_reference(const nc::Symbol& symbol,
+void CallParameters::note_reference(const nc::Symbol& symbol,
                                     const ControlVariables::VariablePlace& place) {
-    if (!variables.notes_changes() || symbol.dimensions > 0) return;
+    if (!run_.variables.notes_changes() || symbol.dimensions > 0) return;
     ControlVariables::VariablePlace named = place;
-    if (place.symbol == nullptr && place.store == &frame->level->locals)
-        named.symbol = declared_at(*frame->level, place.slot);
-    ControlVariable before = variables.shown_at(named);
+    if (place.symbol == nullptr && place.store == &run_.frame->level->locals)
+        named.symbol = declared_at(*run_.frame->level, place.slot);
+    ControlVariable before = run_.variables.shown_at(named);
     ControlVariable parameter = before;
     parameter.name = symbol.name;
-    variables.note_change({}, std::move(parameter));
-    references.push_back({named, std::move(before)});
+    run_.variables.note_change({}, std::move(parameter));
+    references_.push_back({named, std::move(before)});
 }
 
 /// What a program that was left has written into variables of its caller.
-void Program::State::note_returned(const Frame& left) {
+void CallParameters::note_returned(const Frame& left) {
     for (const ReturnedVariable& reference : left.references) {
-        ControlVariable now = variables.shown_at(reference.place);
+        ControlVariable now = run_.variables.shown_at(reference.place);
         const ControlVariable& before = reference.before;
         const bool is_same =
             now.kind == before.kind && now.number == before.number && now.text == before.text;
-        if (!is_same) variables.note_change(before, std::move(now));
+        if (!is_same) run_.variables.note_change(before, std::move(now));
     }
 }
 

@@ -1,4 +1,6 @@
 // Statements that read a contour into a table of the program, and move along a row of one.
+#include "macro/contour_statements.h"
+
 #include <algorithm>
 #include <array>
 
@@ -6,7 +8,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "macro/contour_table.h"
-#include "macro/program_state.h"
+#include "macro/program_base.h"
 
 namespace kadr::macro {
 
@@ -41,101 +43,102 @@ std::string table_with(std::size_t columns) {
 
 }  // namespace
 
-Program::State::Outcome Program::State::contour(CompiledLine& line,
-                                                const ControlStatement& statement, Block& out) {
+Outcome ContourStatements::execute(CompiledLine& line, const ControlStatement& statement,
+                                   Block& out) {
     switch (statement.kind) {
         case Statement::ContourBegin:
-        case Statement::ContourCode: return begin_contour(line, statement);
-        case Statement::ContourEnd: return end_contour(line, statement);
-        default: return run_contour_row(line, statement, out);
+        case Statement::ContourCode: return begin(line, statement);
+        case Statement::ContourEnd: return end(line, statement);
+        default: return run_row(line, statement, out);
     }
 }
 
-Program::State::Outcome Program::State::begin_contour(CompiledLine& line,
-                                                      const ControlStatement& statement) {
-    if (given > 0) return Outcome::Wait;
-    if (open_contour) return fail(line, diag::ContourTwice, statement.span);
+Outcome ContourStatements::begin(CompiledLine& line, const ControlStatement& statement) {
+    if (run_.counts.given > 0) return Outcome::Wait;
+    if (open_) return run_.fail(line, diag::ContourTwice, statement.span);
     OpenContour open;
     open.is_coded = statement.kind == Statement::ContourCode;
-    open.depth = frames.size();
+    open.depth = run_.frames.size();
     const std::size_t columns = open.is_coded ? kCodedColumns : kContourColumns;
-    open.table = variables.place_of(statement.table.load, {});
+    open.table = run_.variables.place_of(statement.table.load, {});
     if (open.table.symbol == nullptr || !is_table(*open.table.symbol, columns)) {
-        return fail(line, diag::ArgumentDiffers, statement.table.span,
-                    {"the table", table_with(columns)});
+        return run_.fail(line, diag::ArgumentDiffers, statement.table.span,
+                         {"the table", table_with(columns)});
     }
     if (!open.is_coded) {
         Value kind;
-        Outcome done = evaluate(line, statement.value, kind);
+        Outcome done = run_.evaluate(line, statement.value, kind);
         if (!goes_on(done)) return done;
-        const std::string letter = kind.is_text() ? std::string(evaluator.text(kind))
+        const std::string letter = kind.is_text() ? std::string(run_.evaluator.text(kind))
                                    : kind.kind == Value::Kind::Char ? kind.character()
                                                                     : std::string();
         const auto cut = cut_of(letter);
         if (!cut)
-            return fail(line, diag::ContourKind, statement.value.span, {evaluator.written(kind)});
+            return run_.fail(line, diag::ContourKind, statement.value.span,
+                             {run_.evaluator.written(kind)});
         open.cut = *cut;
         std::array<std::int64_t, 4> indices{};
         if (statement.variable.indices.is_given() &&
-            evaluator.indices(line.line, statement.variable, indices) != Evaluator::Outcome::Done)
-            return fail(line, evaluator.fault());
-        open.undercuts = variables.place_of(statement.variable.load, indices);
+            run_.evaluator.indices(line.line, statement.variable, indices) !=
+                Evaluator::Outcome::Done)
+            return run_.fail(line, run_.evaluator.fault());
+        open.undercuts = run_.variables.place_of(statement.variable.load, indices);
         const bool takes_number =
             open.undercuts.store != nullptr && (open.undercuts.type == nc::ValueType::Int ||
                                                 open.undercuts.type == nc::ValueType::Real);
         if (!takes_number) {
-            return fail(line, diag::ArgumentDiffers, statement.variable.span,
-                        {"the number of undercuts", "a variable for a whole number"});
+            return run_.fail(line, diag::ArgumentDiffers, statement.variable.span,
+                             {"the number of undercuts", "a variable for a whole number"});
         }
     }
     if (statement.count.is_given()) {
         Value ways;
-        const Outcome done = evaluate(line, statement.count, ways);
+        const Outcome done = run_.evaluate(line, statement.count, ways);
         if (!goes_on(done)) return done;
         const bool is_fine =
             ways.is_number() && (ways.number == 0 || (ways.number == 1 && !open.is_coded));
         if (!is_fine)
-            return fail(line, diag::ContourKind, statement.count.span, {evaluator.written(ways)});
+            return run_.fail(line, diag::ContourKind, statement.count.span,
+                             {run_.evaluator.written(ways)});
         open.cut.both_ways = ways.number != 0;
     }
-    if (interpreter == nullptr)
-        return fail(line, diag::IsoNotSupported, statement.span, {"a contour as a table"});
-    if (const std::string_view reason = interpreter->begin_contour(); !reason.empty())
-        return fail(line, diag::ContourSurroundings, statement.span, {std::string(reason)});
-    open_contour = std::move(open);
+    if (run_.interpreter == nullptr)
+        return run_.fail(line, diag::IsoNotSupported, statement.span, {"a contour as a table"});
+    if (const std::string_view reason = run_.interpreter->begin_contour(); !reason.empty())
+        return run_.fail(line, diag::ContourSurroundings, statement.span, {std::string(reason)});
+    open_ = std::move(open);
     return Outcome::Nothing;
 }
 
-Program::State::Outcome Program::State::end_contour(CompiledLine& line,
-                                                    const ControlStatement& statement) {
-    if (!open_contour) return fail(line, diag::ContourMissing, statement.span);
-    if (given > 0) return Outcome::Wait;
-    auto said = interpreter->end_contour();
-    const OpenContour open = std::move(*open_contour);
-    open_contour.reset();
+Outcome ContourStatements::end(CompiledLine& line, const ControlStatement& statement) {
+    if (!open_) return run_.fail(line, diag::ContourMissing, statement.span);
+    if (run_.counts.given > 0) return Outcome::Wait;
+    auto said = run_.interpreter->end_contour();
+    const OpenContour open = std::move(*open_);
+    open_.reset();
     if (!said) {  // reported
-        has_ended = true;
+        run_.end();
         return Outcome::Nothing;
     }
-    variables.say_units(*said);
+    run_.variables.say_units(*said);
     const std::size_t rows = open.table.symbol->sizes[0];
     const auto fail_for = [&](ContourFault fault) {
         switch (fault) {
             case ContourFault::TooFew:
-                return fail(line, diag::ContourTooShort, statement.span,
-                            {std::to_string(said->size()), open.is_coded ? "1" : "3"});
+                return run_.fail(line, diag::ContourTooShort, statement.span,
+                                 {std::to_string(said->size()), open.is_coded ? "1" : "3"});
             case ContourFault::FullCircle:
-                return fail(line, diag::ContourFullCircle, statement.span);
+                return run_.fail(line, diag::ContourFullCircle, statement.span);
             case ContourFault::TableTooSmall: break;
         }
-        return fail(line, diag::ContourTableSmall, statement.span,
-                    {open.table.symbol->name, std::to_string(rows)});
+        return run_.fail(line, diag::ContourTableSmall, statement.span,
+                         {open.table.symbol->name, std::to_string(rows)});
     };
     const auto fill = [&](const auto& filled) {
         for (const auto& row : filled) {
             for (std::size_t i = 0; i < row.cells.size(); ++i) {
                 const auto element = static_cast<std::uint32_t>(row.place * row.cells.size() + i);
-                variables.set_number(open.table, element, row.cells[i]);
+                run_.variables.set_number(open.table, element, row.cells[i]);
             }
         }
     };
@@ -147,37 +150,38 @@ Program::State::Outcome Program::State::end_contour(CompiledLine& line,
         const auto prepared = prepared_contour(*said, open.cut, rows);
         if (!prepared) return fail_for(prepared.error());
         fill(prepared->rows);
-        variables.set_number(open.undercuts, 0, prepared->undercuts);
+        run_.variables.set_number(open.undercuts, 0, prepared->undercuts);
     }
     // What is wrong with a contour is an alarm here, so that this never says an error (unsure).
-    return store(line, statement.variable, Value::of(0, nc::ValueType::Int));
+    return run_.store(line, statement.variable, Value::of(0, nc::ValueType::Int));
 }
 
-Program::State::Outcome Program::State::run_contour_row(CompiledLine& line,
-                                                        const ControlStatement& statement,
-                                                        Block& out) {
-    if (interpreter == nullptr)
-        return fail(line, diag::IsoNotSupported, statement.span, {"a contour as a table"});
-    if (given > 0) return Outcome::Wait;
+Outcome ContourStatements::run_row(CompiledLine& line, const ControlStatement& statement,
+                                   Block& out) {
+    if (run_.interpreter == nullptr)
+        return run_.fail(line, diag::IsoNotSupported, statement.span, {"a contour as a table"});
+    if (run_.counts.given > 0) return Outcome::Wait;
     const nc::Reference& row = statement.table;
     std::array<std::int64_t, 4> indices{};
-    switch (evaluator.indices(line.line, row, indices)) {
+    switch (run_.evaluator.indices(line.line, row, indices)) {
         case Evaluator::Outcome::Done: break;
         case Evaluator::Outcome::Later: return Outcome::Wait;
-        case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
+        case Evaluator::Outcome::Fault: return run_.fail(line, run_.evaluator.fault());
     }
-    const nc::Symbol& table = variables.level().symbols.at(row.load.index);
+    const nc::Symbol& table = run_.variables.level().symbols.at(row.load.index);
     if (!is_table(table, kContourColumns))
-        return fail(line, diag::ArgumentDiffers, row.span,
-                    {"the table", table_with(kContourColumns)});
+        return run_.fail(line, diag::ArgumentDiffers, row.span,
+                         {"the table", table_with(kContourColumns)});
     if (indices[0] < 0 || indices[0] >= table.sizes[0])
-        return fail(line, diag::IndexWrong, row.span, {Evaluator::wrong_index(table, indices)});
-    const auto element = element_of(evaluator.contour_row(table, indices[0]));
-    if (!element) return fail(line, diag::ContourRowWrong, row.span, {std::to_string(indices[0])});
+        return run_.fail(line, diag::IndexWrong, row.span,
+                         {Evaluator::wrong_index(table, indices)});
+    const auto element = element_of(run_.evaluator.contour_row(table, indices[0]));
+    if (!element)
+        return run_.fail(line, diag::ContourRowWrong, row.span, {std::to_string(indices[0])});
     // In the plane that acts, by coordinates and radii, whatever the program's words are now.
     const double unit = element->modes.is_metric ? 1 : kMmPerInch;
     const auto axis = [&](nc::Quantity quantity) {
-        const double name = interpreter->quantity(quantity, 0, 0).value_or(-1);
+        const double name = run_.interpreter->quantity(quantity, 0, 0).value_or(-1);
         return static_cast<std::size_t>(-name) - 1;
     };
     const std::array<std::size_t, 2> axes{axis(nc::Quantity::FirstPlaneAxis),
@@ -196,7 +200,8 @@ Program::State::Outcome Program::State::run_contour_row(CompiledLine& line,
         out.absolute |= bit(to);
         if (!is_arc) continue;
         // A place of a centre is a diameter where words of the axis are.
-        const double factor = interpreter->word_factor(-static_cast<std::int64_t>(axes[i]) - 1);
+        const double factor =
+            run_.interpreter->word_factor(-static_cast<std::int64_t>(axes[i]) - 1);
         out.set(center, element->shape.center[k] * unit * factor);
         out.absolute |= bit(center);
     }

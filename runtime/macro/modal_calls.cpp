@@ -1,10 +1,12 @@
 // modal_calls.cpp — calls that are made behind the blocks that come.
+#include "macro/modal_calls.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "base/diagnostics/control.h"
 #include "macro/named_shape.h"
-#include "macro/program_state.h"
+#include "macro/program_run.h"
 
 namespace kadr::macro {
 
@@ -29,99 +31,99 @@ bool moves(const Block& block) {
 
 }  // namespace
 
-Program::State::Outcome Program::State::call_modal(CompiledLine& line,
-                                                   const ControlStatement& statement, Block& out) {
+Outcome ModalCalls::begin(CompiledLine& line, const ControlStatement& statement, Block& out) {
     auto prepared = std::make_shared<PreparedCall>();
-    const Outcome done = prepare(line, statement, *prepared);
+    const Outcome done = run_.call_preparation.prepare(line, statement, *prepared);
     if (!goes_on(done)) return done;
     prepared->is_modal = true;
-    const int most = language.rules.most_modal_calls;
-    if (most == 1) modal_calls.clear();
-    if (static_cast<int>(modal_calls.size()) >= most)
-        return fail(line, diag::ModalCallsTooDeep, statement.span, {std::to_string(most)});
-    modal_calls.push_back(std::move(prepared));
+    const int most = run_.language.rules.most_modal_calls;
+    if (most == 1) calls_.clear();
+    if (static_cast<int>(calls_.size()) >= most)
+        return run_.fail(line, diag::ModalCallsTooDeep, statement.span, {std::to_string(most)});
+    calls_.push_back(std::move(prepared));
     // Where a cycle can be called so as well, this call takes its place.
     if (most != 1 || !out.add(Function::CycleModal)) return Outcome::Nothing;
-    keeps_modal_calls = true;
+    keeps_calls_ = true;
     return Outcome::Block;
 }
 
-Program::State::Outcome Program::State::end_modal(CompiledLine& line,
-                                                  const ControlStatement& statement) {
-    if (modal_calls.empty() && !language.rules.end_modal_alone)
-        return fail(line, diag::ModalCallMissing, statement.span);
-    if (!modal_calls.empty()) modal_calls.pop_back();
+Outcome ModalCalls::end(CompiledLine& line, const ControlStatement& statement) {
+    if (calls_.empty() && !run_.language.rules.end_modal_alone)
+        return run_.fail(line, diag::ModalCallMissing, statement.span);
+    if (!calls_.empty()) calls_.pop_back();
     return Outcome::Nothing;
 }
 
 /// The modal call that a block of the program which runs makes; null: none.
-const PreparedCall* Program::State::active_modal_call() const {
-    const std::size_t count = std::min(frame->modal_limit, modal_calls.size());
-    return count == 0 ? nullptr : modal_calls[count - 1].get();
+const PreparedCall* ModalCalls::acting() const {
+    const std::size_t count = std::min(run_.frame->modal_limit, calls_.size());
+    return count == 0 ? nullptr : calls_[count - 1].get();
 }
 
 /// The code of the modal call that acts; without one that which ends it.
-double Program::State::modal_call_code() const {
-    const PreparedCall* const active = active_modal_call();
+double ModalCalls::code() const {
+    const PreparedCall* const active = acting();
     if (active != nullptr && active->form != nullptr) return active->form->number;
     const auto end =
-        std::ranges::find(language.calls.calls, CallForm::Kind::EndModal, &CallForm::kind);
-    return end == language.calls.calls.end() ? 0 : end->number;
+        std::ranges::find(run_.language.calls.calls, CallForm::Kind::EndModal, &CallForm::kind);
+    return end == run_.language.calls.calls.end() ? 0 : end->number;
 }
 
-bool Program::State::takes_blocks() const {
-    const PreparedCall* const active = active_modal_call();
+bool ModalCalls::takes_blocks() const {
+    const PreparedCall* const active = acting();
     return active != nullptr && active->form != nullptr &&
            active->form->modal == CallForm::Modal::Block;
 }
 
 /// Behind a block that moves an axis the modal call is made.
-void Program::State::call_behind(const Block& block, std::string_view text_of_line,
-                                 std::uint64_t number) {
-    const bool is_path = !std::exchange(moves_alone, false);
-    if (is_only_checking) return;
+void ModalCalls::call_behind(const Block& block, std::string_view text_of_line,
+                             std::uint64_t number) {
+    const bool is_path = !std::exchange(moves_alone_, false);
+    if (run_.phase.is_only_checking) return;
     if (block.find(Function::CycleModal) != nullptr) {
-        if (!keeps_modal_calls) modal_calls.clear();
-        keeps_modal_calls = false;
+        if (!keeps_calls_) calls_.clear();
+        keeps_calls_ = false;
         return;
     }
-    const PreparedCall* const active = active_modal_call();
-    if (active == nullptr || is_left_out(block)) return;
-    const bool is_pattern = interpreter != nullptr && block.find(Function::Cycle) != nullptr &&
-                            goes_to_places(dialect.cycles()[block.cycle]);
+    const PreparedCall* const active = acting();
+    if (active == nullptr || run_.is_left_out(block)) return;
+    const bool is_pattern = run_.interpreter != nullptr && block.find(Function::Cycle) != nullptr &&
+                            goes_to_places(run_.dialect.cycles()[block.cycle]);
     if (is_pattern) return call_at_places(block, *active, text_of_line, number);
     if (!moves(block) || !is_path) return;
-    due = *active;
-    due->site = std::make_shared<nc::CallSite>(
-        nc::CallSite{lines.place(text_of_line, number, {0, 1}), frame->site});
+    due_ = *active;
+    due_->site = std::make_shared<nc::CallSite>(
+        nc::CallSite{run_.lines.place(text_of_line, number, {0, 1}), run_.frame->site});
 }
 
 /// The modal call that the block before has made.
-Program::State::Outcome Program::State::begin_due() {
+Outcome ModalCalls::begin_due() {
     CompiledLine here;
-    here.text = due->site->place.text;
-    const Outcome done = begin(here, *due);
+    here.text = due_->site->place.text;
+    const Outcome done = run_.calls.begin(here, *due_);
     if (done == Outcome::Wait) return done;
-    due.reset();
-    if (!begins) return done;
-    begins->modal_limit =
-        begins->call.is_shape ? 0 : std::min(frame->modal_limit, modal_calls.size()) - 1;
-    perform_call();
+    due_.reset();
+    Frame* const next = run_.calls.begun();
+    if (next == nullptr) return done;
+    next->modal_limit =
+        next->call.is_shape ? 0 : std::min(run_.frame->modal_limit, calls_.size()) - 1;
+    run_.calls.perform();
     return done;
 }
 
 /// The words of the block are the arguments of the modal call.
-Program::State::Outcome Program::State::call_with_block(CompiledLine& line) {
-    const PreparedCall* const active = active_modal_call();
+Outcome ModalCalls::call_with_block(CompiledLine& line) {
+    const PreparedCall* const active = acting();
     if (active == nullptr) return Outcome::Nothing;
     PreparedCall call = *active;
     const nc::Call& words = line.line.calls[0];
-    Outcome done = prepare_letters(line, words, call);
+    Outcome done = run_.call_preparation.prepare_letters(line, words, call);
     if (!goes_on(done)) return done;
-    call.site = std::make_shared<nc::CallSite>(
-        nc::CallSite{lines.place(line.text, line.place.line.line, words.span), frame->site});
-    done = begin(line, call);
-    if (begins) begins->modal_limit = std::min(frame->modal_limit, modal_calls.size()) - 1;
+    call.site = std::make_shared<nc::CallSite>(nc::CallSite{
+        run_.lines.place(line.text, line.place.line.line, words.span), run_.frame->site});
+    done = run_.calls.begin(line, call);
+    if (Frame* const next = run_.calls.begun())
+        next->modal_limit = std::min(run_.frame->modal_limit, calls_.size()) - 1;
     return done;
 }
 

@@ -1,10 +1,10 @@
 // noted_writes.cpp — what the program writes into the control, for who looks on: tool data,
 // offsets, frames, timers, before and behind the write.
+#include "macro/noted_writes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "macro/program_state.h"
 
 namespace kadr::macro {
 
@@ -150,7 +150,7 @@ bool ControlVariables::is_state(const Instruction& target,
 
 /// Data that a block writes (G10) are shown by the variables that have them; `step` notes what
 /// became of them when the block is executed.
-void Program::State::note_data(const nc::Block& block) {
+void NotedWrites::note_data(const nc::Block& block) {
     using nc::Function;
     struct Data {
         Function function;
@@ -162,42 +162,40 @@ void Program::State::note_data(const nc::Block& block) {
         Data{Function::ToolOffsetData, nc::parameter_of<Function::ToolOffsetData>("number"), true},
         Data{Function::LatheOffsetData, nc::parameter_of<Function::LatheOffsetData>("number"),
              true}};
-    written_data.clear();
+    data_.clear();
     for (const Data& data : kData) {
         const nc::Invocation* const call = block.find(data.function);
         if (call == nullptr) continue;
         const std::int64_t number = std::llround(block.argument(*call, data.number));
-        written_data = variables.shown_data(data.is_of_tool, number);
-        data_written = {data.is_of_tool, number};
+        data_ = variables_.shown_data(data.is_of_tool, number);
+        owner_ = {data.is_of_tool, number};
     }
 }
 
-void Program::State::tell_data() {
-    const std::vector<ControlVariable> before = std::move(written_data);
-    written_data.clear();
-    std::vector<ControlVariable> now =
-        variables.shown_data(data_written.is_of_tool, data_written.number);
+void NotedWrites::tell_data() {
+    const std::vector<ControlVariable> before = std::move(data_);
+    data_.clear();
+    std::vector<ControlVariable> now = variables_.shown_data(owner_.is_of_tool, owner_.number);
     for (std::size_t i = 0; i < now.size() && i < before.size(); ++i) {
-        if (now[i].number != before[i].number) variables.note_change(before[i], std::move(now[i]));
+        if (now[i].number != before[i].number) variables_.note_change(before[i], std::move(now[i]));
     }
 }
 
 /// Writes a variable; what it is of the control's own state is noted if somebody looks on.
-ControlVariables::Fault Program::State::store_noted(const CompiledLine& line,
-                                                    const nc::Reference& reference,
-                                                    std::span<const std::int64_t> indices,
-                                                    const Value& value) {
-    const Content content = evaluator.content(value);
-    if (!variables.notes_changes() || !variables.is_state(reference.load, indices))
-        return variables.store(reference.load, indices, value, content);
+ControlVariables::Fault NotedWrites::store(const CompiledLine& line, const nc::Reference& reference,
+                                           std::span<const std::int64_t> indices,
+                                           const Value& value) {
+    const Content content = evaluator_.content(value);
+    if (!variables_.notes_changes() || !variables_.is_state(reference.load, indices))
+        return variables_.store(reference.load, indices, value, content);
     const std::string_view written = std::string_view(line.text).substr(
         reference.span.begin, reference.span.end - reference.span.begin);
-    std::string name = with_indices(written, indices, language.index_open, language.index_close);
-    ControlVariable before = variables.shown_state(reference.load, indices, name);
-    ControlVariables::Fault fault = variables.store(reference.load, indices, value, content);
+    std::string name = with_indices(written, indices, language_.index_open, language_.index_close);
+    ControlVariable before = variables_.shown_state(reference.load, indices, name);
+    ControlVariables::Fault fault = variables_.store(reference.load, indices, value, content);
     if (fault.row == nullptr) {
-        variables.note_change(std::move(before),
-                              variables.shown_state(reference.load, indices, std::move(name)));
+        variables_.note_change(std::move(before),
+                               variables_.shown_state(reference.load, indices, std::move(name)));
     }
     return fault;
 }

@@ -1,10 +1,12 @@
 // What a program prints: text and values with a fixed number of digits.
+#include "macro/printing.h"
+
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "base/diagnostics/control.h"
-#include "macro/program_state.h"
+#include "macro/program_base.h"
 
 namespace kadr::macro {
 
@@ -48,15 +50,14 @@ std::optional<std::string> bytes_of(double value, int decimals) {
 }  // namespace
 
 /// Printing waits for the blocks before it: what stands behind an alarm is never printed.
-Program::State::Outcome Program::State::print(CompiledLine& line,
-                                              const nc::ControlStatement& statement) {
-    if (given > 0) return Outcome::Wait;
+Outcome Printing::execute(CompiledLine& line, const nc::ControlStatement& statement) {
+    if (run_.counts.given > 0) return Outcome::Wait;
     const bool is_bytes = statement.kind == nc::Statement::PrintBytes;
     if (statement.kind != nc::Statement::Print && !is_bytes) {
-        is_printer_open = statement.kind == nc::Statement::PrintOpen;
+        is_open_ = statement.kind == nc::Statement::PrintOpen;
         return Outcome::Nothing;
     }
-    if (!is_printer_open) return fail(line, diag::PrinterClosed, statement.span);
+    if (!is_open_) return run_.fail(line, diag::PrinterClosed, statement.span);
     std::string text;
     for (const nc::PrintPiece& piece : statement.print) {
         if (!piece.value.is_given()) {
@@ -64,17 +65,17 @@ Program::State::Outcome Program::State::print(CompiledLine& line,
             continue;
         }
         Value value;
-        const Outcome done = evaluate(line, piece.value, value);
+        const Outcome done = run_.evaluate(line, piece.value, value);
         if (!goes_on(done)) return done;
         if (is_bytes) {
             const auto bytes = bytes_of(value.number, piece.decimals);
-            if (!bytes) return fail(line, diag::NumberTooLarge, piece.value.span);
+            if (!bytes) return run_.fail(line, diag::NumberTooLarge, piece.value.span);
             text += *bytes;
         } else if (!value.is_vacant()) {
-            append_printed(text, value.number, piece, language.rules.print_pads);
+            append_printed(text, value.number, piece, run_.language.rules.print_pads);
         }
     }
-    if (options.printer != nullptr) options.printer->line(text);
+    if (run_.options.printer != nullptr) run_.options.printer->line(text);
     return Outcome::Nothing;
 }
 

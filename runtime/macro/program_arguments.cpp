@@ -4,7 +4,7 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/driver.h"
-#include "macro/program_state.h"
+#include "macro/program_run.h"
 #include "nc/control_words.h"
 
 namespace kadr::macro {
@@ -45,63 +45,65 @@ std::string_view called_name(std::string_view arguments) {
     return name.substr(0, name.find_last_not_of(" \t") + 1);
 }
 
-}  // namespace
-
-Program::State::Outcome Program::State::begin_with_arguments() {
-    CompiledLine line;
-    line.text = call_line(language.calls, *options.call);
-    line.place = {frame->here, frame->here};
-    nc::TextState apart;
-    apart.name = "--call";
-    lines.enter(apart);
-    lines.begin(1);
-    DiagnosticList heard;
-    ear.listen(&heard);
-    const Outcome done = prepare_arguments(line);
-    ear.listen(nullptr);
-    if (lines.failed() || line.text.empty()) {
-        lines.forget_fault();
-        const auto place = lines.place(line.text.empty() ? *options.call : line.text, 1, {0, 1});
-        const bool is_told = !heard.all().empty();
-        sink.report(diag::CallWrong, is_told ? heard.all()[0].line.value_or(place) : place)
-            .arg(is_told ? heard.all()[0].message()
-                         : std::string("`" + *options.call + "` is no list of arguments here"));
-        lines.note_fault();
-        has_ended = true;
-    }
-    lines.enter(frame->text);
-    if (done != Outcome::Wait) frames[0]->is_called = true;
-    return done;
-}
-
-Program::State::Outcome Program::State::prepare_arguments(CompiledLine& line) {
+Outcome prepare_arguments(ProgramRun& run, CompiledLine& line) {
     if (line.text.empty()) return Outcome::Nothing;
-    line.context = context();
-    compile_language(line);
-    if (lines.failed()) return Outcome::Failed;
+    line.context = run.context();
+    run.line_compiler.compile_language(line);
+    if (run.lines.failed()) return Outcome::Failed;
     if (line.line.calls.size() != 1)
-        return fail(line, diag::CallIncomplete, {0, 1}, {*options.call});
+        return run.fail(line, diag::CallIncomplete, {0, 1}, {*run.options.call});
     const nc::Call& words = line.line.calls[0];
     PreparedCall call;
-    call.unit = &units.main();
-    if (words.form >= 0) call.form = &language.calls.calls[static_cast<std::size_t>(words.form)];
+    call.unit = &run.units.main();
+    if (words.form >= 0)
+        call.form = &run.language.calls.calls[static_cast<std::size_t>(words.form)];
     if (call.is_macro()) {
-        const Outcome done = prepare_letters(line, words, call);
+        const Outcome done = run.call_preparation.prepare_letters(line, words, call);
         if (!goes_on(done)) return done;
-        frame->own_level = call.level;
-        frame->level = call.level.get();
-        resume_frame(*frame);
+        run.frame->own_level = call.level;
+        run.frame->level = call.level.get();
+        run.resume_frame(*run.frame);
         return Outcome::Nothing;
     }
-    units.look_for_main_head();
-    const nc::ControlStatement* const head = units.main().procedure();
-    const std::string name(called_name(*options.call));
-    const bool is_same =
-        name.empty() || head == nullptr || nc::ControlWords(tables, name).is_same(name, head->name);
-    if (!is_same) return fail(line, diag::ProgramMissing, {0, 1}, {'`' + name + '`'});
-    const Outcome done = prepare_list(line, words, call);
+    run.units.look_for_main_head();
+    const nc::ControlStatement* const head = run.units.main().procedure();
+    const std::string name(called_name(*run.options.call));
+    const bool is_same = name.empty() || head == nullptr ||
+                         nc::ControlWords(run.tables, name).is_same(name, head->name);
+    if (!is_same) return run.fail(line, diag::ProgramMissing, {0, 1}, {'`' + name + '`'});
+    const Outcome done = run.call_preparation.prepare_list(line, words, call);
     if (!goes_on(done)) return done;
-    return bind_parameters(line, call, *frame);
+    return run.call_parameters.bind(line, call, *run.frame);
+}
+
+}  // namespace
+
+Outcome begin_with_arguments(ProgramRun& run) {
+    CompiledLine line;
+    line.text = call_line(run.language.calls, *run.options.call);
+    line.place = {run.frame->here, run.frame->here};
+    nc::TextState apart;
+    apart.name = "--call";
+    run.lines.enter(apart);
+    run.lines.begin(1);
+    DiagnosticList heard;
+    run.ear.listen(&heard);
+    const Outcome done = prepare_arguments(run, line);
+    run.ear.listen(nullptr);
+    if (run.lines.failed() || line.text.empty()) {
+        run.lines.forget_fault();
+        const auto place =
+            run.lines.place(line.text.empty() ? *run.options.call : line.text, 1, {0, 1});
+        const bool is_told = !heard.all().empty();
+        run.sink.report(diag::CallWrong, is_told ? heard.all()[0].line.value_or(place) : place)
+            .arg(is_told ? heard.all()[0].message()
+                         : std::string("`" + *run.options.call + "` is no list of arguments here"));
+        run.lines.note_fault();
+        run.end();
+    }
+    run.lines.enter(run.frame->text);
+    if (done != Outcome::Wait) run.frames[0]->is_called = true;
+    return done;
 }
 
 }  // namespace kadr::macro

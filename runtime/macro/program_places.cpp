@@ -4,8 +4,7 @@
 // The interpreter goes from place to place, the program knows what is called there: the block of
 // the pattern ends its batch, the interpreter stands at the first place, the call begins as behind
 // a motion, and when it has returned the interpreter goes on to the next place.
-#include "macro/named_shape.h"
-#include "macro/program_state.h"
+#include "macro/program_run.h"
 
 namespace kadr::macro {
 
@@ -27,51 +26,52 @@ nc::ModalFunctions modal_between_places(const CallsAtPlaces& calls) {
 }  // namespace
 
 /// The modal call is made at the places of this block's pattern.
-void Program::State::call_at_places(const Block& block, const PreparedCall& active,
-                                    std::string_view text_of_line, std::uint64_t number) {
-    CallsAtPlaces& calls = frame->at_places.emplace();
+void ModalCalls::call_at_places(const Block& block, const PreparedCall& active,
+                                std::string_view text_of_line, std::uint64_t number) {
+    CallsAtPlaces& calls = run_.frame->at_places.emplace();
     calls.call = active;
     calls.call.site = std::make_shared<nc::CallSite>(
-        nc::CallSite{lines.place(text_of_line, number, {0, 1}), frame->site});
+        nc::CallSite{run_.lines.place(text_of_line, number, {0, 1}), run_.frame->site});
     calls.line = block.line;
     calls.number = number;
-    calls.modal_before = lines.modal();
+    calls.modal_before = run_.lines.modal();
     Block ignored{};
-    lines.restore(modal_between_places(calls), ignored);
+    run_.lines.restore(modal_between_places(calls), ignored);
 }
 
 /// The tool stands at a place: the call; behind it on to the next one, which the interpreter does
 /// behind a block that takes back the codes of the program that was called. Behind the last place
 /// those act again that acted before the pattern.
-Program::State::Outcome Program::State::go_on_at_places(Block& out) {
-    if (given > 0) return Outcome::Wait;
-    CallsAtPlaces& calls = *frame->at_places;
-    const bool is_at_place = interpreter->is_at_place();
+Outcome ModalCalls::go_on_at_places(Block& out) {
+    if (run_.counts.given > 0) return Outcome::Wait;
+    CallsAtPlaces& calls = *run_.frame->at_places;
+    const bool is_at_place = run_.interpreter->is_at_place();
     if (is_at_place && !calls.has_called) {
         calls.has_called = true;
-        due = calls.call;
+        due_ = calls.call;
         return begin_due();
     }
-    lines.restore(is_at_place ? modal_between_places(calls) : calls.modal_before, out);
+    run_.lines.restore(is_at_place ? modal_between_places(calls) : calls.modal_before, out);
     const bool says_something = out.function_count > 0 || out.motion != Function::None;
     out.line = calls.line;
-    kept.add(out.line, calls.number, calls.call.site->place.text, &text().name, frame->site);
-    if (frame->site) name_call(out);
+    run_.kept.add(out.line, calls.number, calls.call.site->place.text, &run_.text().name,
+                  run_.frame->site);
+    if (run_.frame->site) run_.name_call(out);
     if (is_at_place) {
         calls.has_called = false;
-        interpreter->leave_place();
+        run_.interpreter->leave_place();
         if (!says_something) out.kind = Block::Kind::Comment;
         return Outcome::Block;
     }
-    frame->at_places.reset();
+    run_.frame->at_places.reset();
     return says_something ? Outcome::Block : Outcome::Nothing;
 }
 
 /// A return that goes elsewhere leaves the places that are left.
-void Program::State::leave_places(Frame& of) {
+void ModalCalls::leave_places(Frame& of) {
     if (!of.at_places) return;
     of.at_places.reset();
-    interpreter->leave_pattern();
+    run_.interpreter->leave_pattern();
 }
 
 }  // namespace kadr::macro

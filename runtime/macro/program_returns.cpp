@@ -1,12 +1,14 @@
 // program_returns.cpp — returns: to the caller, to the next pass, to the main program's
 // head.
+#include "macro/program_returns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/doubtful.h"
-#include "macro/program_state.h"
+#include "macro/program_run.h"
 #include "nc/quoted.h"
 
 namespace kadr::macro {
@@ -16,56 +18,55 @@ using nc::ControlStatement;
 using nc::Function;
 using nc::quoted;
 
-Program::State::Outcome Program::State::leave_program(CompiledLine& line,
-                                                      const ControlStatement& statement,
-                                                      Block& out) {
+Outcome Returns::leave(CompiledLine& line, const ControlStatement& statement, Block& out) {
     const nc::Call* const words =
         line.line.calls.empty() ? nullptr : &line.line.calls[statement.call];
     std::optional<LineTarget> target;
     if (statement.target.kind != nc::JumpTarget::Kind::None) {
-        const auto wanted = resolve(line, statement.target);
+        const auto wanted = run_.jumps.resolve(line, statement.target);
         if (!wanted) return wanted.error();
         if (!wanted->label.empty() || wanted->number >= 0) target = *wanted;
     }
     std::optional<double> number;
     Outcome done = Outcome::Nothing;
-    if (words != nullptr) done = number_of(line, words->target, number);
+    if (words != nullptr) done = run_.call_preparation.number_of(line, words->target, number);
     if (!goes_on(done)) return done;
     if (number) target = LineTarget{{}, static_cast<std::int64_t>(*number)};
     if (!target && cancel_repeat()) return Outcome::Nothing;
-    if (frames.size() == 1) return return_in_main(line, statement, target, out);
-    if (frame->call.is_modal && !line.line.words.words.empty()) {
-        return fail(
+    if (run_.frames.size() == 1) return return_in_main(line, statement, target, out);
+    if (run_.frame->call.is_modal && !line.line.words.words.empty()) {
+        return run_.fail(
             line, diag::ReturnWithWords, statement.span,
             {line.text.substr(statement.span.begin, statement.span.end - statement.span.begin)});
     }
     // How many levels, and which block of the program that goes on.
     Value behind;
     Value levels = Value::real(1);
-    if (statement.value.is_given()) done = evaluate(line, statement.value, behind);
+    if (statement.value.is_given()) done = run_.evaluate(line, statement.value, behind);
     if (!goes_on(done)) return done;
-    if (statement.count.is_given()) done = evaluate(line, statement.count, levels);
+    if (statement.count.is_given()) done = run_.evaluate(line, statement.count, levels);
     if (!goes_on(done)) return done;
-    const auto most = static_cast<double>(frames.size() - 1);
-    frame->levels = static_cast<int>(std::clamp(std::round(levels.number), 1.0, most));
+    const auto most = static_cast<double>(run_.frames.size() - 1);
+    run_.frame->levels = static_cast<int>(std::clamp(std::round(levels.number), 1.0, most));
     if (target) {
-        Frame& next = *frames[frames.size() - 1 - static_cast<std::size_t>(frame->levels)];
+        Frame& next =
+            *run_.frames[run_.frames.size() - 1 - static_cast<std::size_t>(run_.frame->levels)];
         Place found;
         const auto fault = next.unit->map.find(*target, Direction::Forward,
                                                {next.unit->begin, next.unit->begin}, found);
         const std::string what =
             target->label.empty() ? "N" + std::to_string(target->number) : target->label;
         if (fault != ProgramMap::Fault::None)
-            return fail(line, fault, diag::JumpTargetMissing, statement.span, quoted(what));
+            return run_.fail(line, fault, diag::JumpTargetMissing, statement.span, quoted(what));
         if (behind.number > 0) found.line = found.next;
-        frame->returns_to = found;
+        run_.frame->returns_to = found;
     }
     std::optional<double> left;
-    if (words != nullptr) done = number_of(line, words->repeats, left);
+    if (words != nullptr) done = run_.call_preparation.number_of(line, words->repeats, left);
     if (!goes_on(done)) return done;
     // The pass that ends is counted off.
-    if (left) frame->left = static_cast<std::int64_t>(std::clamp(*left, 0.0, 1e9)) + 1;
-    frame->is_returning = true;
+    if (left) run_.frame->left = static_cast<std::int64_t>(std::clamp(*left, 0.0, 1e9)) + 1;
+    run_.frame->is_returning = true;
     return Outcome::Nothing;
 }
 
@@ -109,39 +110,38 @@ bool has_exit_behind(const nc::Dialect& dialect, nc::LineSource& source, const L
 /// itself, so it is executed as often as was asked for, which is once.
 ///
 /// source  F 6.8
-Program::State::Outcome Program::State::return_in_main(CompiledLine& line,
-                                                       const ControlStatement& statement,
-                                                       const std::optional<LineTarget>& target,
-                                                       Block& out) {
-    if (!language.rules.return_restarts_main || frame->is_called) {
+Outcome Returns::return_in_main(CompiledLine& line, const ControlStatement& statement,
+                                const std::optional<LineTarget>& target, Block& out) {
+    if (!run_.language.rules.return_restarts_main || run_.frame->is_called) {
         out.add(Function::End);
         return Outcome::Block;
     }
-    Place found{frame->unit->begin, frame->unit->begin};
+    Place found{run_.frame->unit->begin, run_.frame->unit->begin};
     if (target) {
-        const auto fault = map().find(*target, Direction::Forward, found, found);
+        const auto fault = run_.map().find(*target, Direction::Forward, found, found);
         if (fault != ProgramMap::Fault::None) {
-            return fail(line, fault, diag::JumpTargetMissing, statement.span,
-                        quoted("N" + std::to_string(target->number)));
+            return run_.fail(line, fault, diag::JumpTargetMissing, statement.span,
+                             quoted("N" + std::to_string(target->number)));
         }
     }
     // A return to a block in front begins it again, too; one to a block behind is a jump. Where
     // a block with a number and the end stand behind, a jump may lead there and end the loop: it is
     // one of the program's.
-    const bool is_jump = target && found.line.offset > frame->here.offset;
+    const bool is_jump = target && found.line.offset > run_.frame->here.offset;
     const bool is_skipped_at_will = line.line.words.skip >= 0;
     const auto is_own_loop = [&] {
-        return !options.passes && !is_skipped_at_will &&
-               has_exit_behind(dialect, source(), line.place.next);
+        return !run_.options.passes && !is_skipped_at_will &&
+               has_exit_behind(run_.dialect, run_.source(), line.place.next);
     };
-    const std::uint64_t passes = options.passes.value_or(1);
-    if (is_jump || is_own_loop() || ++passes_done < passes) {
-        if (!target) frame->text.has_content = false;
-        return go(line, found, statement.span);
+    const std::uint64_t passes = run_.options.passes.value_or(1);
+    if (is_jump || is_own_loop() || ++passes_done_ < passes) {
+        if (!target) run_.frame->text.has_content = false;
+        return run_.jumps.go(line, found, statement.span);
     }
-    if (!options.passes) {
+    if (!run_.options.passes) {
         const nc::Span& span = statement.span;
-        sink.report(diag::MainBeginsAgain, lines.place(line.text, frame->here.line, span))
+        run_.sink
+            .report(diag::MainBeginsAgain, run_.lines.place(line.text, run_.frame->here.line, span))
             .arg(line.text.substr(span.begin, span.end - span.begin));
     }
     out.add(Function::End);
@@ -149,67 +149,69 @@ Program::State::Outcome Program::State::return_in_main(CompiledLine& line,
 }
 
 /// A return inside of a section that is repeated ends only that: on behind the repetition.
-bool Program::State::cancel_repeat() {
-    if (frame->repeats.empty()) return false;
-    frame->here = frame->goes_on = frame->repeats.back().behind;
-    frame->next_line = nullptr;
-    frame->repeats.pop_back();
-    leave_open(frame->here);
+bool Returns::cancel_repeat() {
+    if (run_.frame->repeats.empty()) return false;
+    run_.frame->here = run_.frame->goes_on = run_.frame->repeats.back().behind;
+    run_.frame->next_line = nullptr;
+    run_.frame->repeats.pop_back();
+    run_.jumps.leave_open(run_.frame->here);
     return true;
 }
 
 /// The program that runs is through: once more, or back to where it was called.
-Program::State::Outcome Program::State::finish_return(Block& out) {
-    if (frame->saves && given > 0) return Outcome::Wait;
-    const bool is_jump = frame->returns_to.has_value() || frame->levels > 1;
-    if (!is_jump && --frame->left > 0) {
-        if (++turns > options.max_turns) {
-            has_ended = true;
+Outcome Returns::finish(Block& out) {
+    if (run_.frame->saves && run_.counts.given > 0) return Outcome::Wait;
+    const bool is_jump = run_.frame->returns_to.has_value() || run_.frame->levels > 1;
+    if (!is_jump && --run_.frame->left > 0) {
+        if (!run_.count_turn()) {
+            run_.end();
             CompiledLine nowhere;
-            return fail(nowhere, diag::EndlessLoop, {}, {std::to_string(options.max_turns)});
+            return run_.fail(nowhere, diag::EndlessLoop, {},
+                             {std::to_string(run_.options.max_turns)});
         }
-        restart(*frame);
+        restart(*run_.frame);
         return Outcome::Nothing;
     }
-    const std::optional<Place> target = frame->returns_to;
-    const LinePosition from = frame->here;
-    ProgramText& left_text = text();
+    const std::optional<Place> target = run_.frame->returns_to;
+    const LinePosition from = run_.frame->here;
+    ProgramText& left_text = run_.text();
     Outcome done = Outcome::Nothing;
-    for (int levels = frame->levels; levels > 0 && frames.size() > 1; --levels) {
-        const std::unique_ptr<Frame> left = std::move(frames.back());
-        frames.pop_back();
-        resume_frame(*frames.back());
+    for (int levels = run_.frame->levels; levels > 0 && run_.frames.size() > 1; --levels) {
+        const std::unique_ptr<Frame> left = run_.take_frame();
+        run_.resume_frame(*run_.frames.back());
         // The variables that take the contour are gone.
-        if (open_contour && frames.size() < open_contour->depth) {
+        if (run_.contours.is_left_open(run_.frames.size())) {
             CompiledLine nowhere;
-            has_ended = true;
-            return fail(nowhere, diag::ContourUnfinished, {});
+            run_.end();
+            return run_.fail(nowhere, diag::ContourUnfinished, {});
         }
-        leave_places(*left);
-        note_returned(*left);
-        if (left->is_definition) leave_definition(*left);
-        if (left->inputs != nullptr && frames.back()->inputs == nullptr) leave_inputs();
-        if (left->saves) interpreter->restore_frames(true);
+        run_.modal_calls.leave_places(*left);
+        run_.call_parameters.note_returned(*left);
+        if (left->is_definition) run_.definitions.leave(*left);
+        if (left->inputs != nullptr && run_.frames.back()->inputs == nullptr)
+            run_.machine_inputs.leave();
+        if (left->saves) run_.interpreter->restore_frames(true);
         if (left->call.is_shape) out.add(Function::CycleCall);
-        if (left->saves || left->call.is_shape) lines.restore(left->modal_before, out);
+        if (left->saves || left->call.is_shape) run_.lines.restore(left->modal_before, out);
     }
     if (out.function_count > 0 || out.motion != Function::None) {
-        out.line = units.line_id(left_text, std::max<std::uint64_t>(from.line, 2) - 1);
-        kept.add(out.line, std::max<std::uint64_t>(from.line, 2) - 1, "", &left_text.name, nullptr);
+        out.line = run_.units.line_id(left_text, std::max<std::uint64_t>(from.line, 2) - 1);
+        run_.kept.add(out.line, std::max<std::uint64_t>(from.line, 2) - 1, "", &left_text.name,
+                      nullptr);
         done = Outcome::Block;
     }
     if (target) {
-        ++turns;
-        leave_places(*frame);
-        leave_open(target->line);
-        frame->here = target->line;
-        frame->next_line = nullptr;
+        run_.note_turn();
+        run_.modal_calls.leave_places(*run_.frame);
+        run_.jumps.leave_open(target->line);
+        run_.frame->here = target->line;
+        run_.frame->next_line = nullptr;
     }
     return done;
 }
 
 /// One more pass of the program that runs.
-void Program::State::restart(Frame& again) {
+void Returns::restart(Frame& again) {
     again.is_returning = false;
     again.text.has_content = again.text.has_ended = false;
     again.structures.clear();
@@ -225,11 +227,11 @@ void Program::State::restart(Frame& again) {
         if (fault == ProgramMap::Fault::None) again.here = found.line;
     }
     if (!again.own_level || again.call.is_macro()) return;
-    again.own_level = variables.new_level();
+    again.own_level = run_.variables.new_level();
     again.level = again.own_level.get();
-    resume_frame(again);
+    run_.resume_frame(again);
     CompiledLine nowhere;
-    bind_parameters(nowhere, again.call, again);
+    run_.call_parameters.bind(nowhere, again.call, again);
 }
 
 }  // namespace kadr::macro

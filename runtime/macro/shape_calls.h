@@ -1,0 +1,46 @@
+// shape_calls.h — cycles that work along a shape: its blocks come next, wherever they
+// stand in the program or in another one.
+#pragma once
+
+#include "macro/outcome.h"
+#include "macro/program_frame.h"
+
+namespace kadr::macro {
+
+class ProgramRun;
+
+class ShapeCalls {
+  public:
+    /// run  outlives it
+    explicit ShapeCalls(ProgramRun& run) : run_(run) {}
+
+    /// A cycle that is called behind motions and names the program of its shape.
+    bool has_modal() const { return modal_.has_value(); }
+    /// The shape of the cycle that the block calls comes next.
+    void follow(const nc::Block& block, std::string_view text, const Place& place);
+    /// … of the modal one, if the block moves an axis.
+    void follow_modal(const nc::Block& block);
+
+  private:
+    /// A cycle that is called behind motions and names the program of its shape.
+    struct ModalShape {
+        nc::Block block;
+        std::string text;
+        Place place;
+    };
+    /// Of the cycles that name none: parts of a text, and which they are.
+    struct NamedContour {
+        std::vector<std::string> parts;
+        std::int64_t kind = 0;
+    };
+    void keep_modal_shape(const nc::Block& block, std::string_view text, const Place& place);
+    void keep_contour(const nc::Block& block, std::int64_t kind);
+    NamedContour contour_of(const nc::Block& block) const;
+    void follow_named_shape(const nc::Block& block, std::string_view text, const Place& place);
+
+    ProgramRun& run_;
+    std::optional<ModalShape> modal_;
+    std::optional<NamedContour> named_;
+};
+
+}  // namespace kadr::macro
