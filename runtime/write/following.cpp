@@ -179,8 +179,8 @@ void TextState::forget_words(const Block& block, const Effect& effect) {
     // In machine coordinates one axis moves: along a turned system several coordinates change.
     constexpr SlotMask kLinear = bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z);
     const bool is_tilted = modal_.frame.tilted != Activity::No && (block.given & kLinear) != 0;
-    const bool is_turned =
-        modal_.frame.rotation != Activity::No && (block.given & modal_.frame.turned & kTargetSlots) != 0;
+    const bool is_turned = modal_.frame.rotation != Activity::No &&
+                           (block.given & modal_.frame.turned & kTargetSlots) != 0;
     if (is_turned) modal_.position.known &= ~modal_.frame.turned;
     if (is_tilted) modal_.position.known &= ~kLinear;
 }
