@@ -398,6 +398,19 @@ void BlockWriter::write_lead(const Form& form, const Block& block, const Invocat
     note_line(form.lead);
 }
 
+/// What a line of the control's own language needs stands before it: it is a line letter by letter.
+void BlockWriter::write_needs(const Form& form, const Block& block, std::string& out) {
+    Items items;
+    for (const Function needed : form.needs) {
+        if (!chooser_.is_suppressed(needed)) add_code(block, needed, items);
+    }
+    if (items.count == 0) return;
+    Block alone;
+    alone.source = block.source;
+    alone.skip = block.skip;
+    write_items(alone, items, {}, out);
+}
+
 /// Functions that cannot share a line with others, and what has to be written before them.
 void BlockWriter::write_functions_alone(const Block& block, Choice& choice, std::string& out) {
     const bool is_only =
@@ -413,10 +426,13 @@ void BlockWriter::write_functions_alone(const Block& block, Choice& choice, std:
         }
         if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
         if (!form.lead.empty()) write_lead(form, block, invocation, out);
+        if (form.is_verbatim) write_needs(form, block, out);
         const bool is_alone = form.owns_block || form.owns_line;
         if (is_only || !(is_alone || shares_address(form, block))) continue;
         Items items;
-        for (const Function needed : form.needs) add_code(block, needed, items);
+        if (!form.is_verbatim) {
+            for (const Function needed : form.needs) add_code(block, needed, items);
+        }
         items.add(Item::of_form(form.order, choice.forms[i], &invocation));
         Block alone;
         alone.skip = block.skip;
@@ -498,7 +514,8 @@ void BlockWriter::collect_functions(const Block& block, const Choice& choice, It
         if (!choice.is_open(i)) continue;
         const Form& form = tables_.forms[choice.forms[i]];
         for (const Function needed : form.needs) {
-            if (!chooser_.is_suppressed(needed)) add_code(block, needed, items);
+            if (!form.is_verbatim && !chooser_.is_suppressed(needed))
+                add_code(block, needed, items);
         }
         items.add(Item::of_form(form.order, choice.forms[i], &block.functions[i]));
     }

@@ -57,6 +57,7 @@ class BlockWriter {
     void check_knot(const Block& block, Function motion);
 
     // Functions
+    void write_needs(const nc::Form& form, const Block& block, std::string& out);
     void write_functions_alone(const Block& block, Choice& choice, std::string& out);
     void collect_functions(const Block& block, const Choice& choice, Items& items);
     void add_code(const Block& block, Function function, Items& items);
