@@ -325,11 +325,15 @@ void Executor::fill_in(Command& command, const Block& block) {
 
 Block Executor::block_at(SourceId source, std::uint32_t line) const {
     Block at{};
+    move_to(at, source, line);
+    return at;
+}
+
+void Executor::move_to(Block& at, SourceId source, std::uint32_t line) const {
     at.source = source;
     at.line = line;
     const bool is_call = cycle_.blocks && cycle_.caller.line == line;
-    if (is_call) at.context = &cycle_.context;
-    return at;
+    at.context = is_call ? &cycle_.context : nullptr;
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block) {
