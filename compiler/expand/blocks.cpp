@@ -92,6 +92,8 @@ Done Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
         if (!require_room(at)) return kFailed;
         return keep_plan(plan, instruction, registers, at);
     }
+    if (plan.planes != nc::kAllPlanes && !require_plane_of_source(plan, at)) [[unlikely]]
+        return kFailed;
     if (is_between_places() && !require_between_places(plan, instruction, at)) [[unlikely]]
         return kFailed;
     if (!plan.functions.empty() || modal.tcp != ModalState::Tcp::Off) {

@@ -1,6 +1,7 @@
 // input.cpp — blocks written the way of another control: the target shall do what that control
 // would have done with them, or the program ends with a message.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -248,6 +249,26 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
         if (is_cycle_word(function) && is_spent) erase(block, i);
     }
     return kDone;
+}
+
+/// The first one of them, as a program says it.
+static std::string_view word_of_plane(nc::PlaneMask planes) {
+    if ((planes & nc::bit_of_plane(Function::PlaneXy)) != 0) return "G17";
+    return (planes & nc::bit_of_plane(Function::PlaneZx)) != 0 ? "G18" : "G19";
+}
+
+/// The words of a source mean this block in some planes only: one of them acts.
+Done Expander::State::require_plane_of_source(const sema::Plan& plan, std::uint32_t at) {
+    if ((modal.lost & sema::group_bit(Group::Plane)) != 0)
+        return refuse_lost_state("the plane", "say `G17`, `G18` or `G19`", at);
+    const Function active = modal[Group::Plane];
+    if ((plan.planes & nc::bit_of_plane(active)) != 0) return kDone;
+    const std::string other(word_of_plane(plan.planes));
+    fault(diag::SourceOtherPlane, at)
+        .arg(other)
+        .arg(word_of_plane(nc::bit_of_plane(active)))
+        .fix("say `" + other + "` before it, or turn in the plane that is active");
+    return kFailed;
 }
 
 /// The function may change while the present frame acts: the control takes mirror, scale

@@ -233,6 +233,7 @@ struct Expander::State {
     Done adapt(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     void adapt_shift(nc::Block& block, nc::Invocation& shift);
     Done adapt_machine(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    Done require_plane_of_source(const sema::Plan& plan, std::uint32_t at);
     Done require_free_frame(nc::Function function, std::uint32_t at);
     void say_offset(const sema::Plan& plan, const Instruction& instruction, std::uint32_t at);
     /// The block may move, with the tool length and the feed that act.

@@ -584,7 +584,8 @@ std::string key_of(const Plan& plan) {
     for (const std::int64_t part :
          {std::int64_t(plan.motion), std::int64_t(plan.given), std::int64_t(plan.incremental),
           std::int64_t(plan.absolute), std::int64_t(plan.argument_count), std::int64_t(plan.skip),
-          std::int64_t(plan.cycle), std::int64_t(plan.number), std::int64_t(plan.customs)}) {
+          std::int64_t(plan.cycle), std::int64_t(plan.number), std::int64_t(plan.customs),
+          std::int64_t(plan.planes)}) {
         append_key(key, part);
     }
     for (const nc::Invocation& invocation : plan.functions) {
@@ -625,6 +626,7 @@ Plan compact(const nc::BlockPlan& source) {
     plan.skip = block.skip;
     plan.cycle = block.cycle;
     plan.number = block.number;
+    plan.planes = source.planes;
     plan.functions.assign(block.functions.begin(), block.functions.begin() + block.function_count);
     nc::SlotMask holes = 0;
     for (const nc::Hole& hole : source.holes) {

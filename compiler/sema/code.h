@@ -19,6 +19,7 @@
 
 #include "base/source.h"
 #include "nc/block.h"
+#include "nc/dialect.h"
 #include "nc/rules.h"
 #include "sema/quantity.h"
 
@@ -261,7 +262,8 @@ struct Plan {
                             // target's own default
     nc::CycleId cycle = 0;
     std::int32_t number = -1;
-    std::uint32_t customs = 0;  // bits of `custom`
+    std::uint32_t customs = 0;              // bits of `custom`
+    nc::PlaneMask planes = nc::kAllPlanes;  // in which the words of the source mean this
     std::vector<nc::Invocation> functions;
     std::vector<std::pair<std::uint8_t, double>> arguments;  // fixed by the dialect's words
     std::vector<std::pair<std::uint8_t, double>> values;     // likewise

@@ -213,11 +213,22 @@ struct Hole {
     bool adds = false;  // it is added to what another argument says of the same parameter
 };
 
+/// The working planes as a set: bit 0 X-Y, 1 Z-X, 2 Y-Z.
+using PlaneMask = std::uint8_t;
+constexpr PlaneMask kAllPlanes = 7;
+/// plane  one of the functions of Group::Plane
+constexpr PlaneMask bit_of_plane(Function plane) {
+    return static_cast<PlaneMask>(
+        1u << (static_cast<unsigned>(plane) - static_cast<unsigned>(Function::PlaneXy)));
+}
+static_assert((bit_of_plane(Function::PlaneZx) | bit_of_plane(Function::PlaneYz)) == 6);
+
 /// A block with everything that is known before the program runs; values of the words named by
 /// `holes` are to be filled in (also those of literals: units are the language's matter).
 struct BlockPlan {
     Block block;
     std::vector<Hole> holes;
+    PlaneMask planes = kAllPlanes;   // in which its words mean this; in the others something else
     bool feed_stays_metric = false;  // it says inches, but F stays in mm (`G70` of some controls)
 };
 

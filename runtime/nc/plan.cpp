@@ -99,6 +99,7 @@ class Planner {
         for (std::size_t i = 0; i < words_.size(); ++i) failed |= !take(i);
         if (failed) return std::nullopt;
         const ModalFunctions unknown{};
+        const Block before_match = plan_.block;  // its number and its level of `/`
         const auto fault = match_words(tables_, std::span(given_.data(), count_), {}, unknown,
                                        plan_.block, match_, WordsOf::Source);
         if (fault) {
@@ -106,6 +107,7 @@ class Planner {
             return std::nullopt;
         }
         if (!require_writable(match_)) return std::nullopt;
+        plan_.planes = planes_of_meaning(before_match);
         for (std::size_t i = 0; i < match_.claim_count; ++i) add_hole(match_.claims[i]);
         if (!check_arc_words(std::span(match_.claims).first(match_.claim_count)))
             return std::nullopt;
@@ -197,6 +199,42 @@ class Planner {
 
     void report_read_only(const SourceWord& word) {
         sink_.report(diag::SourceReadOnly, word.range).arg(text_of(word));
+    }
+
+    /// In which planes the words mean what they were taken for: `ROT X30` turns the plane Y-Z, and
+    /// is a rotation in space in the others.
+    PlaneMask planes_of_meaning(const Block& before_match) const {
+        const bool depends = std::ranges::any_of(
+            std::span(match_.forms).first(match_.form_count), [&](const FormId id) {
+                return std::ranges::any_of(tables_.forms[id].during, [](Function needed) {
+                    return info(needed).group == Group::Plane;
+                });
+            });
+        if (!depends) return kAllPlanes;
+        PlaneMask planes = 0;
+        for (std::size_t i = 0; i < kFunctions; ++i) {
+            const auto plane = static_cast<Function>(i);
+            if (info(plane).group != Group::Plane) continue;
+            ModalFunctions modal{};
+            modal[static_cast<std::size_t>(Group::Plane)] = plane;
+            Block block = before_match;
+            Match match;
+            const auto fault = match_words(tables_, std::span(given_.data(), count_), {}, modal,
+                                           block, match, WordsOf::Source);
+            if (!fault && block == plan_.block && has_same_claims(match))
+                planes |= bit_of_plane(plane);
+        }
+        return planes;
+    }
+
+    bool has_same_claims(const Match& other) const {
+        const auto claims = [](const Match& match) {
+            return std::span(match.claims).first(match.claim_count);
+        };
+        return std::ranges::equal(
+            claims(other), claims(match_), [](const Claim& a, const Claim& b) {
+                return a.word == b.word && a.is_parameter == b.is_parameter && a.place == b.place;
+            });
     }
 
     /// The word that a form begins with.
