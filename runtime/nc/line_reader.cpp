@@ -465,7 +465,8 @@ Done LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
     if (!check_code_points(line)) return kFailed;
     if (const auto fault =
             match_words(tables_, lexed_->words, lexed_->arguments, modal_, block, match_)) {
-        if (pass_beside(*fault, line)) {
+        if (const PassedWord* passed = passed_beside(*fault)) {
+            pass(*fault, *passed, line);
             block.reset();
             return fill(line, block, known, compiled);
         }
@@ -487,15 +488,15 @@ void LineReader::say_passed(const LexedLine& words, std::string_view line) {
     }
 }
 
-/// Passes over a word that no form takes because it belongs to another one of the block, as P does
-/// to the function of the machine in `M59 P10`; false: it belongs to none.
-bool LineReader::pass_beside(const MatchFault& fault, std::string_view line) {
+/// What a word that no form takes is to another one of the block, as P to the function of the
+/// machine in `M59 P10`; null: it belongs to none.
+const PassedWord* LineReader::passed_beside(const MatchFault& fault) const {
     if (fault.kind != MatchFault::Kind::Unused && fault.kind != MatchFault::Kind::Value)
-        return false;
-    GivenWord& word = lexed_->words[fault.word];
+        return nullptr;
+    const GivenWord& word = lexed_->words[fault.word];
     const std::string front = tables_.addresses[word.address].name + '@';
     const auto first = tables_.passed.lower_bound(front);
-    if (first == tables_.passed.end() || !first->first.starts_with(front)) return false;
+    if (first == tables_.passed.end() || !first->first.starts_with(front)) return nullptr;
     const PassedWord* found = nullptr;
     for (const GivenWord& other : lexed_->words) {
         const Address& address = tables_.addresses[other.address];
@@ -517,13 +518,16 @@ bool LineReader::pass_beside(const MatchFault& fault, std::string_view line) {
         found = &same->second;
         break;
     }
-    if (found == nullptr) return false;
-    word.is_left_out = true;
-    const auto is_known = [found](const LexedLine::Passed& passed) { return passed.word == found; };
+    return found;
+}
+
+/// The block is read without the word.
+void LineReader::pass(const MatchFault& fault, const PassedWord& found, std::string_view line) {
+    lexed_->words[fault.word].is_left_out = true;
+    const auto is_known = [&](const LexedLine::Passed& passed) { return passed.word == &found; };
     if (std::ranges::none_of(lexed_->passed, is_known))
-        lexed_->passed.push_back({lexed_->spans[fault.word], found});
+        lexed_->passed.push_back({lexed_->spans[fault.word], &found});
     say_passed(*lexed_, line);
-    return true;
 }
 
 /// Puts the numbers where they belong. The block's own changes of units act in it already.

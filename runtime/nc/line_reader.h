@@ -167,7 +167,8 @@ class LineReader {
     const DialectTables& tables() const { return tables_; }
 
   private:
-    bool pass_beside(const MatchFault& fault, std::string_view line);
+    const PassedWord* passed_beside(const MatchFault& fault) const;
+    void pass(const MatchFault& fault, const PassedWord& found, std::string_view line);
     void watch_point(const Claim& claim, std::string_view line);
     bool is_place(const Claim& claim) const;
     /// Whether a number without a point is a thousandth of what it looks like.

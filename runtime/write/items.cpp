@@ -13,52 +13,51 @@ struct LineRoom {
     std::uint64_t groups = 0;
 };
 
-/// Whose line it is, and who hears of what does not go together.
-struct Line {
-    const DialectTables& tables;
-    Messages& messages;
-    const Block& block;
+/// Whether a line takes an item beside those that it has.
+enum class Fit : std::uint8_t {
+    Fits,
+    Waits,    // a control that takes one M a block gets the others in lines of their own
+    Refused,  // in one line the control would raise an alarm or drop the first, and a line further
+              // on it would act behind the motion
 };
 
-/// Counts the item's words. False: the line does not take it beside those that it has. A control
-/// that takes one M a block gets the others in lines of their own. What else does not go together
-/// is an error: in one line the control would raise an alarm or drop the first, and a line further
-/// on it would act behind the motion.
-bool take_room(const Line& line, const Item& item, LineRoom& room) {
-    const DialectTables& tables = line.tables;
-    if (words_of(tables, item) == nullptr) return true;
-    const Form* form = item.form == kNoForm ? nullptr : &tables.forms[item.form];
-    if (form != nullptr && form->is_comment) return true;
-    const std::vector<FormWord>& words = *words_of(tables, item);
-    const std::uint64_t groups = form != nullptr ? form->excludes : 0;
+/// The form's words that a line has to have room for; null: it takes any number of such items.
+const std::vector<FormWord>* counted_words(const DialectTables& tables, const Item& item) {
+    const bool is_comment = item.form != kNoForm && tables.forms[item.form].is_comment;
+    return is_comment ? nullptr : words_of(tables, item);
+}
+
+bool is_written(const Item& item, const FormWord& word) {
+    return word.address != kNoAddress &&
+           (word.parameter < 0 || word.has_default || item.invocation == nullptr ||
+            (item.invocation->given >> word.parameter & 1u) != 0);
+}
+
+Fit fit_of(const DialectTables& tables, const Item& item, const LineRoom& room) {
+    const std::vector<FormWord>* const words = counted_words(tables, item);
+    if (words == nullptr) return Fit::Fits;
+    const std::uint64_t groups = item.form != kNoForm ? tables.forms[item.form].excludes : 0;
     bool is_taken = (room.groups & groups) != 0;
     bool may_wait = !is_taken;
-    const auto count_of = [&](const FormWord& word) -> std::uint8_t& {
-        return room.words[word.address % room.words.size()];
-    };
-    const auto is_written = [&](const FormWord& word) {
-        return word.address != kNoAddress &&
-               (word.parameter < 0 || word.has_default || item.invocation == nullptr ||
-                (item.invocation->given >> word.parameter & 1u) != 0);
-    };
-    for (const FormWord& word : words) {
-        const Address* address = is_written(word) ? &tables.addresses[word.address] : nullptr;
-        if (address == nullptr || count_of(word) < std::max<int>(address->write_max, 1)) continue;
+    for (const FormWord& word : *words) {
+        if (!is_written(item, word)) continue;
+        const Address& address = tables.addresses[word.address];
+        if (room.words[word.address % room.words.size()] < std::max<int>(address.write_max, 1))
+            continue;
         is_taken = true;
-        may_wait &= address->kind == Address::Kind::Code;
+        may_wait &= address.kind == Address::Kind::Code;
     }
-    if (is_taken && may_wait) return false;
-    if (is_taken) {
-        const std::string what =
-            form != nullptr ? std::string(info(form->function).name) : "H or D";
-        line.messages.cannot_express(line.block,
-                                     '`' + what + "` and the rest of the block in one line");
+    if (!is_taken) return Fit::Fits;
+    return may_wait ? Fit::Waits : Fit::Refused;
+}
+
+void count_words(const DialectTables& tables, const Item& item, LineRoom& room) {
+    const std::vector<FormWord>* const words = counted_words(tables, item);
+    if (words == nullptr) return;
+    if (item.form != kNoForm) room.groups |= tables.forms[item.form].excludes;
+    for (const FormWord& word : *words) {
+        if (is_written(item, word)) ++room.words[word.address % room.words.size()];
     }
-    room.groups |= groups;
-    for (const FormWord& word : words) {
-        if (is_written(word)) ++count_of(word);
-    }
-    return true;
 }
 
 /// Whether the code that the piece begins with would take the word of the other form, with its own
@@ -127,8 +126,20 @@ Places places_of(const DialectTables& tables, Messages& messages, const Block& b
         for (std::size_t i = 0; i < items.count; ++i) {
             const Item& item = items.list[i];
             if (stops(item) != is_stop) continue;
-            const bool has_place = take_room({tables, messages, block}, item, room);
-            places[i] = has_place ? Place::Here : moves && !is_stop ? Place::Before : Place::Behind;
+            const Fit fit = fit_of(tables, item, room);
+            if (fit == Fit::Waits) {
+                places[i] = moves && !is_stop ? Place::Before : Place::Behind;
+                continue;
+            }
+            if (fit == Fit::Refused) {
+                const std::string what =
+                    item.form != kNoForm ? std::string(info(tables.forms[item.form].function).name)
+                                         : "H or D";
+                messages.cannot_express(block,
+                                        '`' + what + "` and the rest of the block in one line");
+            }
+            count_words(tables, item, room);
+            places[i] = Place::Here;
         }
     }
     return places;

@@ -25,6 +25,8 @@ struct Room {
 
 const std::vector<Room> kRooms = {
     {"runtime/base", ""},
+    {"runtime/macro", ""},
+    {"runtime/interp", ""},
     {"compiler/sema", R"(\+\+sink_\.errors)"},
     {"compiler/syntax", ""},
     {"runtime/motion", R"(\bfail_\w+\()"},
@@ -66,7 +68,9 @@ std::vector<std::string> questions_of(const std::string& text) {
 }
 
 std::vector<std::string> reporting_questions(const std::string& text, const Room& room) {
-    std::string words = R"(\breport(?:_\w+)?\(|\bwarn_of\w*\()";
+    std::string words =
+        R"(\breport(?:_\w+)?\(|\bwarn_of\w*\(|\bcannot_express\(|\bsay_passed\()"
+        R"(|\b(?:number|math)_fault\(|\b(?:position|center)_unknown\(|\bnot_given\()";
     if (!room.more.empty()) words += '|' + room.more;
     const std::regex pattern(words);
     std::vector<std::string> found;
