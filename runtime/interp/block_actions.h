@@ -28,6 +28,7 @@ struct Actions {
     bool flood = false;
     bool mist = false;
     bool coolant_off = false;
+    bool stops_behind = false;  // spindle and coolant: where the motion of the block has ended
     double thread_start_deg = 0;
     std::optional<path::SpindleMode> spindle;
     enum class Stop : std::uint8_t { None, Always, Optional };  // of the program

@@ -177,11 +177,13 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
             break;
         case Group::Spindle:
             if (member == Function::SpindleOrient) break;
+            actions.stops_behind |= effect.when == nc::When::Behind;
             actions.spindle = member == Function::SpindleCw    ? SpindleMode::Cw
                               : member == Function::SpindleCcw ? SpindleMode::Ccw
                                                                : SpindleMode::Stop;
             break;
         case Group::Coolant:
+            actions.stops_behind |= effect.when == nc::When::Behind;
             actions.flood |= member == Function::CoolantFlood;
             actions.mist |= member == Function::CoolantMist;
             actions.coolant_off |= member == Function::CoolantOff;
@@ -483,6 +485,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
                 spindle_.number) {
                 actions.spindle = sense_by_code(
                     count_of(block, invocation, parameter_of<Function::SpindleTurn>("sense")));
+                actions.stops_behind |= nc::time_of_stop(rules_) == nc::When::Behind;
                 break;
             }
             [[fallthrough]];
@@ -680,7 +683,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     }
     if (actions.spindle) told_.renew_spindle();
     if (actions.spindle && is_running(*actions.spindle)) spindle_.mode = *actions.spindle;
-    if (!rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
+    if (!actions.stops_behind) stop_spindle_and_coolant(block, actions);
     update_spindle(block);
     if (actions.orient != nullptr) orient_spindle(block, *actions.orient);
     if (!other_spindles_.empty() || block.find(Function::SpindleStand) != nullptr)
@@ -701,7 +704,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
 }
 
 void Executor::act_after_motion(const Block& block, const Actions& actions) {
-    if (rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
+    if (actions.stops_behind) stop_spindle_and_coolant(block, actions);
     issue_functions(block, actions, Side::Behind);
     if (actions.stop == Actions::Stop::Always) put(Op::Stop, block);
     if (actions.stop == Actions::Stop::Optional && options_.optional_stop) {

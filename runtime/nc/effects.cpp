@@ -38,8 +38,7 @@ class OfFunction {
 When time_of_group(const Rules& rules, Function function) {
     const Group group = group_of(function);
     if (group != Group::Spindle && group != Group::Coolant) return When::AtOnce;
-    const bool stops = has_fact(function, Fact::StopsMachine);
-    return stops && rules.stops_after_motion ? When::Behind : When::BeforeMotion;
+    return has_fact(function, Fact::StopsMachine) ? time_of_stop(rules) : When::BeforeMotion;
 }
 
 /// All but that on its group.
@@ -351,6 +350,10 @@ constexpr std::array kNames = {
 bool selects_at_once(const Rules& rules, Changer changer) {
     return rules.tool_select_changes == ToolSelectChanges::Yes ||
            (rules.tool_select_changes == ToolSelectChanges::Lathe && changer == Changer::Turret);
+}
+
+When time_of_stop(const Rules& rules) {
+    return rules.stops_after_motion ? When::Behind : When::BeforeMotion;
 }
 
 bool stops_at_tool_change(const Rules& rules, Changer changer) {

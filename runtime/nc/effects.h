@@ -89,6 +89,8 @@ Effects effects_of(const Rules& rules, const Block& block, Changer changer);
 
 /// Whether a tool that is selected is in the spindle at once.
 bool selects_at_once(const Rules& rules, Changer changer);
+/// When a stop of the spindle or of the coolant comes true in a block that moves as well.
+When time_of_stop(const Rules& rules);
 /// Whether the spindle stands behind a change of tool.
 bool stops_at_tool_change(const Rules& rules, Changer changer);
 
