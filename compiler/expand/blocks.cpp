@@ -155,6 +155,14 @@ Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     return kDone;
 }
 
+/// A control may have a frame that the language has not: its own words are its own matter.
+static bool is_frame_of_language(const sema::Plan& plan) {
+    return (plan.customs & sema::custom::kFrameOfSource) == 0 &&
+           std::ranges::any_of(plan.functions, [](const nc::Invocation& invocation) {
+               return nc::has_fact(invocation.function, nc::Fact::AddsToFrame);
+           });
+}
+
 Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& instruction,
                                  const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
@@ -194,6 +202,8 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         if (options.warns_of_cuts) warn_of_plane(block, at);
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         owes_behind = modal.take_functions(block, target.rules());
+        if (modal.frame_fault != control::FrameFault::None && is_frame_of_language(plan))
+            return refuse_frame(modal.frame_fault, at);
         const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
         if (target.rules().machine_coordinates_rapid && !says_rapid && motion != Function::Rapid &&
             block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {

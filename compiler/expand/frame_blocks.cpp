@@ -50,13 +50,14 @@ Done Expander::State::check_factor(double factor, std::uint32_t at) {
     return kFailed;
 }
 
-/// The values of frames that a block says itself: factors that are some, and an angle of less than
-/// a turn, which is all that controls take (F 3.7 G68: ±360).
+/// The values of frames that a block says itself: mirrors that all end, factors that are some, and
+/// an angle of less than a turn, which is all that controls take (F 3.7 G68: ±360).
 Done Expander::State::settle_frame(Block& block, std::uint32_t at) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         nc::Invocation& frame = block.functions[i];
         if (frame.function == Function::Rotate && frame.has(kAngle))
             block.set_argument(frame, kAngle, std::fmod(block.argument(frame, kAngle), kTurnDeg));
+        if (frame.function == Function::MirrorOff) frame.given = 0;  // none stays
         if (frame.function != Function::Scale) continue;
         for (const std::size_t k : {kOfAll, kOfX, kOfY, kOfZ})
             if (frame.has(k) && !check_factor(block.argument(frame, k), at)) return kFailed;
@@ -111,13 +112,16 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
         case sema::FrameChange::Mirror: steps.mirror(given); break;
     }
     const auto [next, why] = steps.frame();
-    if (why != control::FrameFault::None) {
-        fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
-        return kFailed;
-    }
+    if (why != control::FrameFault::None) return refuse_frame(why, at);
     write_frame(next, source, at, instruction.c);
     modal.steps = steps;
     return Done(!has_failed);
+}
+
+/// No frame of the language is what the steps make.
+Done Expander::State::refuse_frame(control::FrameFault why, std::uint32_t at) {
+    fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+    return kFailed;
 }
 
 /// The writer needs to know where the tool is in the new frame: for arcs, for F of helices, and
@@ -156,7 +160,9 @@ void Expander::State::scale_frame_x(Block& block, double factor) const {
 void Expander::State::write_frame(const control::ProgramFrame& next, SourceId source,
                                   std::uint32_t at, unsigned depth) {
     const control::ProgramFrame from = modal.frame;
-    const bool is_lost = (modal.lost & sema::kFrameBit) != 0;  // whatever acts is deleted
+    // Whatever acts is deleted.
+    const bool is_lost =
+        (modal.lost & sema::kFrameBit) != 0 || modal.frame_fault != control::FrameFault::None;
     if (from == next && !is_lost) return;
     const auto add = [&](Function function, std::span<const double> values,
                          std::span<const bool> given) {

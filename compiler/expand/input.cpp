@@ -63,35 +63,58 @@ bool is_cycle_word(Function function) {
            nc::has_fact(function, nc::Fact::CycleWord);
 }
 
-/// The frame behind a deletion.
-control::FrameSteps::Made frame_behind(control::FrameSteps steps, const Invocation& invocation) {
-    if (invocation.function == Function::RotateOff) steps.rotate_off();
-    if (invocation.function == Function::ScaleOff) steps.scale_off();
-    if (invocation.function == Function::MirrorOff) steps.mirror_off(invocation.given);
-    return steps.frame();
+/// Which of its parameters the function gets: from the words of the source, or from registers.
+std::uint32_t given_to(const sema::Plan& plan, std::size_t invocation) {
+    std::uint32_t given = plan.functions[invocation].given;
+    for (const sema::Filling& filling : plan.fillings) {
+        if (filling.is_argument && filling.invocation == invocation)
+            given |= 1u << filling.parameter;
+    }
+    return given;
+}
+
+/// Takes out of the steps what the function deletes.
+void delete_steps(control::FrameSteps& steps, const sema::Plan& plan, std::size_t invocation) {
+    const Function function = plan.functions[invocation].function;
+    if (function == Function::RotateOff) steps.rotate_off();
+    if (function == Function::ScaleOff) steps.scale_off();
+    if (function == Function::MirrorOff) steps.mirror_off(given_to(plan, invocation));
+}
+
+control::ProgramFrame frame_behind(control::FrameSteps steps, const sema::Plan& plan,
+                                   std::size_t invocation) {
+    delete_steps(steps, plan, invocation);
+    return steps.frame().frame;
 }
 
 }  // namespace
 
 bool Expander::State::needs_frame(const sema::Plan& plan) const {
-    return std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
-        switch (invocation.function) {
-            case Function::ShiftAdd: return !target.can_write(invocation.function);
-            // Some of several mirrors: the others are said anew.
-            case Function::MirrorOff:
-                if (frame_behind(modal.steps, invocation).frame.has_mirror()) return true;
-                [[fallthrough]];
-            // What is left of the text's own steps may be another frame.
-            case Function::RotateOff:
-            case Function::ScaleOff:
-                return !target.can_write(invocation.function) ||
-                       !control::is_same(frame_behind(modal.steps, invocation).frame,
-                                         frame_behind(modal.said_steps, invocation).frame);
-            case Function::Rotate:
-                return (plan.customs & custom::kRotateReplaces) != 0 && modal.frame.angle_deg != 0;
-            default: return false;
-        }
-    });
+    for (std::size_t i = 0; i < plan.functions.size(); ++i) {
+        if (needs_frame(plan, i)) return true;
+    }
+    return false;
+}
+
+/// Whether one of its functions is said as the whole frame that it leaves.
+bool Expander::State::needs_frame(const sema::Plan& plan, std::size_t invocation) const {
+    const Function function = plan.functions[invocation].function;
+    switch (function) {
+        case Function::ShiftAdd: return !target.can_write(function);
+        // Of some axes: the others' mirrors are said anew.
+        case Function::MirrorOff:
+            if (frame_behind(modal.steps, plan, invocation).has_mirror()) return true;
+            [[fallthrough]];
+        // What is left of the text's own steps may be another frame.
+        case Function::RotateOff:
+        case Function::ScaleOff:
+            return !target.can_write(function) || modal.frame_fault != control::FrameFault::None ||
+                   !control::is_same(frame_behind(modal.steps, plan, invocation),
+                                     frame_behind(modal.said_steps, plan, invocation));
+        case Function::Rotate:
+            return (plan.customs & custom::kRotateReplaces) != 0 && modal.frame.angle_deg != 0;
+        default: return false;
+    }
 }
 
 /// The first four arguments of a function, mm or degrees.
@@ -127,15 +150,10 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
                                  const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     if (modal.lost != 0 && !require_frame(false, at)) return kFailed;
-    sema::Plan rest = plan;
     control::FrameSteps steps = modal.steps;
     const auto say = [&] {
         const auto [next, why] = steps.frame();
-        if (why != control::FrameFault::None) {
-            fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched,
-                  at);
-            return kFailed;
-        }
+        if (why != control::FrameFault::None) return refuse_frame(why, at);
         write_frame(next, source, at, instruction.c);
         modal.steps = steps;
         return Done(!has_failed);
@@ -144,9 +162,7 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         const Function function = plan.functions[i].function;
         if ((plan.customs & custom::kFrameOrder) != 0 && !require_free_frame(function, at))
             return kFailed;
-        if (function == Function::RotateOff) steps.rotate_off();
-        if (function == Function::MirrorOff) steps.mirror_off(plan.functions[i].given);
-        if (function == Function::ScaleOff) steps.scale_off();
+        delete_steps(steps, plan, i);
         if (function != Function::ShiftAdd && function != Function::Rotate) continue;
         // These stand in blocks of their own: nothing is left to say.
         std::array<double, 4> values{};
@@ -172,19 +188,42 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         return say();
     }
     if (!say()) return kFailed;
+    return emit_rest(plan, instruction, registers, at);
+}
+
+/// What a block says besides the functions whose frame has been said.
+Done Expander::State::emit_rest(const sema::Plan& plan, const Instruction& instruction,
+                                const sema::Slot* registers, std::uint32_t at) {
+    sema::Plan rest = plan;
+    std::vector<sema::Slot> values(registers + instruction.a,
+                                   registers + instruction.a + plan.fillings.size());
     for (std::size_t i = rest.functions.size(); i-- > 0;) {
         const Function function = rest.functions[i].function;
         const bool is_said = nc::has_fact(function, nc::Fact::ChangesFrame) &&
                              !nc::has_fact(function, nc::Fact::SetsFrame);
         if (!is_said) continue;
         rest.functions.erase(rest.functions.begin() + static_cast<std::ptrdiff_t>(i));
-        for (sema::Filling& filling : rest.fillings) {
-            if (filling.is_argument && filling.invocation > i) --filling.invocation;
+        for (std::size_t f = rest.fillings.size(); f-- > 0;) {
+            sema::Filling& filling = rest.fillings[f];
+            if (!filling.is_argument || filling.invocation < i) continue;
+            if (filling.invocation > i) {
+                --filling.invocation;
+                continue;
+            }
+            rest.fillings.erase(rest.fillings.begin() + static_cast<std::ptrdiff_t>(f));
+            values.erase(values.begin() + static_cast<std::ptrdiff_t>(f));
         }
     }
     const bool is_empty = rest.functions.empty() && rest.fillings.empty() && rest.given == 0 &&
                           rest.motion == Function::None && instruction.b == 0;
-    return is_empty ? kDone : emit_block(rest, instruction, registers, at);
+    if (is_empty) return kDone;
+    Instruction of_rest = instruction;
+    of_rest.a = 0;
+    if (instruction.b != 0) {  // the target's three numbers
+        of_rest.b = static_cast<decltype(of_rest.b)>(values.size() + 1);
+        values.insert(values.end(), registers + instruction.b - 1, registers + instruction.b + 2);
+    }
+    return emit_block(rest, of_rest, values.data(), at);
 }
 
 Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t at) {
@@ -206,7 +245,6 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
             case Function::Shift:
                 if (adapted && (customs & custom::kShiftKeeps) != 0) adapt_shift(block, invocation);
                 break;
-            case Function::MirrorOff: invocation.given = 0; break;  // none stays
             case Function::CycleReturnInitial:
             case Function::CycleReturnRetract:
                 said_cycle.returns_low = invocation.function == Function::CycleReturnRetract;

@@ -128,6 +128,7 @@ void ModalState::say_frame(const control::ProgramFrame& next, SourceId source) {
     const AxisMask before = known;
     steps.say(next);
     said_steps = steps;
+    frame_fault = control::FrameFault::None;
     set_frame(next, source);
     note_lost_positions(before, source, Loss::Control);
 }
@@ -142,6 +143,7 @@ void ModalState::change_steps(SourceId source, Change change) {
 
 void ModalState::frame_from_steps(SourceId source) {
     const auto [next, fault] = steps.frame();
+    frame_fault = fault;
     if (fault != control::FrameFault::None) known &= static_cast<AxisMask>(~kLinearXYZ);
     set_frame(next, source);
 }

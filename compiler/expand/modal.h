@@ -58,6 +58,7 @@ struct ModalState {
     bool is_stretched = false;       // the frame makes ellipses of the circles of some plane
     control::FrameSteps steps;       // of the program, that make the frame …
     control::FrameSteps said_steps;  // … and of its text
+    control::FrameFault frame_fault = control::FrameFault::None;  // no frame is what they make
     /// A tilted plane that acts: of the control, which has frames in it (Own) or none (Closed), or
     /// a frame that stands for it.
     enum class Tilt : std::uint8_t { None, Own, Closed, Resolved };

@@ -75,13 +75,15 @@ Vec3 written(const Vec3& said, int digits) {
 }  // namespace
 
 /// A block of nothing but one function; what is NaN is not given.
-void Expander::State::say_function(Function function, std::span<const double> arguments,
+void Expander::State::say_function(Function function, std::span<const Argument> arguments,
                                    SourceId source, std::uint32_t at, unsigned depth) {
     if (has_failed || !require_room(at)) return;
     Block& block = next_block(source);
-    nc::Invocation* invocation = block.add(function, arguments.size());
-    for (std::size_t i = 0; i < arguments.size(); ++i)
-        if (arguments[i] == arguments[i]) block.set_argument(*invocation, i, arguments[i]);
+    std::size_t count = 0;
+    for (const Argument& argument : arguments) count = std::max(count, argument.parameter + 1);
+    nc::Invocation* invocation = block.add(function, count);
+    for (const auto& [parameter, value] : arguments)
+        if (value == value) block.set_argument(*invocation, parameter, value);
     modal.take_block(block, target.rules());
     if (options.trace) keep_trace(at, depth, source);
 }
@@ -203,7 +205,8 @@ void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsign
     take_offset_of_head(modal);
     if (modal[Group::WorkOffsets] == Function::None && modal.due_offset == 0) return;
     const double offset = modal.due_offset != 0 ? modal.due_offset : modal.work_offset;
-    say_function(Function::WorkOffset, std::array{offset}, source, at, depth);
+    constexpr std::size_t kNumber = nc::parameter_of<Function::WorkOffset>("number");
+    say_function(Function::WorkOffset, {{kNumber, offset}}, source, at, depth);
 }
 
 /// Great circles or the rotary axes in proportion, on a control that says so with the length.
@@ -212,7 +215,10 @@ Done Expander::State::choose_turning(Function turning, SourceId source, std::uin
     modal.active[static_cast<std::size_t>(Group::Turning)] = turning;
     if (modal.tcp != Tcp::Length) return kDone;
     const double plane = turning == Function::TurnAxes ? 0 : 1;
-    say_function(Function::TcpVector, std::array{modal.tcp_offset, plane}, source, at, depth);
+    constexpr std::size_t kOffset = nc::parameter_of<Function::TcpVector>("offset");
+    constexpr std::size_t kPlane = nc::parameter_of<Function::TcpVector>("plane");
+    say_function(Function::TcpVector, {{kOffset, modal.tcp_offset}, {kPlane, plane}}, source, at,
+                 depth);
     return Done(!has_failed);
 }
 
@@ -231,7 +237,8 @@ Done Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth)
             .fix("let it stand along Z before: `orient(k: 1)`");
         return kFailed;
     }
-    say_function(Function::LengthCompOn, std::array{modal.tcp_offset}, source, at, depth);
+    constexpr std::size_t kOffset = nc::parameter_of<Function::LengthCompOn>("offset");
+    say_function(Function::LengthCompOn, {{kOffset, modal.tcp_offset}}, source, at, depth);
     modal.tcp = Tcp::Off;
     modal.active[static_cast<std::size_t>(Group::LengthComp)] = modal.before_tcp;
     modal.active[static_cast<std::size_t>(Group::Transformation)] = Function::TcpOff;

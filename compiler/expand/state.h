@@ -199,8 +199,16 @@ struct Expander::State {
                     std::uint32_t at, unsigned depth);
 
     // ---- orienting.cpp
-    void say_function(nc::Function function, std::span<const double> arguments, SourceId source,
+    struct Argument {
+        std::size_t parameter;  // of the function, as parameter_of<> counts
+        double value;
+    };
+    void say_function(nc::Function function, std::span<const Argument> arguments, SourceId source,
                       std::uint32_t at, unsigned depth);
+    void say_function(nc::Function function, std::initializer_list<Argument> arguments,
+                      SourceId source, std::uint32_t at, unsigned depth) {
+        say_function(function, std::span(arguments.begin(), arguments.size()), source, at, depth);
+    }
     enum class ToolTaken : std::uint8_t {
         Failed,
         Done,
@@ -224,9 +232,12 @@ struct Expander::State {
     // ---- input.cpp: what the control of the input dialect would have done
     /// Whether a function of the plan has no word in the target, but a frame says the same.
     bool needs_frame(const sema::Plan& plan) const;
+    bool needs_frame(const sema::Plan& plan, std::size_t invocation) const;
     Done read_arguments(const sema::Plan& plan, std::size_t invocation,
                         const Instruction& instruction, const Slot* registers, std::uint32_t at,
                         std::array<double, 4>& values, std::array<bool, 4>& given);
+    Done emit_rest(const sema::Plan& plan, const sema::Instruction& instruction,
+                   const sema::Slot* registers, std::uint32_t at);
     Done emit_frame(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                     std::uint32_t at);
     /// Arguments are in the block; the modal state is that before it.
@@ -340,6 +351,7 @@ struct Expander::State {
     Done change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void say_place(const sema::Plan& plan, const sema::Instruction& instruction, std::uint32_t at);
     void scale_frame_x(nc::Block& block, double factor) const;
+    Done refuse_frame(control::FrameFault why, std::uint32_t at);
     void write_frame(const control::ProgramFrame& next, SourceId source, std::uint32_t at,
                      unsigned depth);
     void say_frame_again(SourceId source, std::uint32_t at, unsigned depth);

@@ -133,17 +133,18 @@ Done Expander::State::read_plane(const sema::Plan& plan, const Instruction& inst
 /// By Euler angles, and the rotary axes in a block of its own.
 Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId source,
                                 std::uint32_t at, unsigned depth) {
-    const auto add = [&](Function function, std::span<const double> arguments) {
+    const auto add = [&](Function function, std::span<const Argument> arguments) {
         say_function(function, arguments, source, at, depth);
     };
     const Vec3 turns = three(values, kAngles) * rad_from_deg(1);
     const Vec3 euler = machine::euler_zxz_of(machine::rpy_xyz(turns))[0];
-    std::array<double, 6> said = values;
+    std::array<Argument, 6> said{};
+    for (std::size_t i = 0; i < said.size(); ++i) said[i] = {i, values[i]};
     for (std::size_t i = 0; i < 3; ++i)
-        said[kAngles + i] = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
+        said[kAngles + i].value = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
     if (modal.tilt != ModalState::Tilt::None) add(Function::TiltOff, {});
     add(Function::TiltEuler, said);
-    add(Function::TiltAlign, std::array{0.0});
+    add(Function::TiltAlign, std::array{Argument{nc::parameter_of<Function::TiltAlign>("way"), 0}});
     modal.tilt = ModalState::Tilt::Closed;
     return Done(!has_failed);
 }

@@ -7,6 +7,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "base/numbers.h"
+#include "nc/effects.h"
 #include "nc/frame_words.h"
 #include "nc/lost_words.h"
 #include "nc/tables.h"
@@ -283,6 +284,7 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
     for (const nc::Invocation& invocation : plan.functions) {
         using nc::Function;
         add(differs(&Rules::rotation_is_innermost), custom::kFrameOrder);
+        add(nc::has_fact(invocation.function, nc::Fact::AddsToFrame), custom::kFrameOfSource);
         add(differs(&Rules::shift_in_diameter) && nc::frame_x(invocation.function).has_value(),
             custom::kFrameDiameter);
         const bool by_tool = dialect.counts_offsets_by_tool();
@@ -788,7 +790,8 @@ void Checker::emit_words(std::span<const Word> words, const Behind& behind,
     }
     // … unless the source is written for a control on which they act before.
     const nc::Dialect& dialect = *modules_[module_].dialect;
-    const bool is_before = !dialect.is_core() && !dialect.rules().stops_after_motion;
+    const bool is_before =
+        !dialect.is_core() && nc::time_of_stop(dialect.rules()) == nc::When::BeforeMotion;
     const bool has_stops = !stops.functions.empty();
     if (has_stops && !is_before) {
         // Behind what the program stops or ends with nothing acts: it comes last.

@@ -249,6 +249,7 @@ inline constexpr std::uint32_t kFeedOfArc = 524288;    // F of a helix is meant 
 inline constexpr std::uint32_t kStation = 1048576;     // `T0102` says an offset as well
 inline constexpr std::uint32_t kDirection = 2097152;   // the direction of the tool is said
 inline constexpr std::uint32_t kFeedOfAxes = 4194304;  // F is meant over rotary axes, too
+inline constexpr std::uint32_t kFrameOfSource = 8388608;  // a frame in the words of its control
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.
