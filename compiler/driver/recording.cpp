@@ -142,7 +142,7 @@ void Recording::finish() {
         }
         const bool is_rapid = segment.kind == motion::SegmentKind::Rapid;
         (is_rapid ? rapid_time_ : cutting_time_) += segment.duration;
-        if (segment.turns_only) continue;
+        if (segment.is_rotary_only) continue;
         (is_rapid ? rapid_length_ : cutting_length_) += path::arc_length(segment.curve);
         const Knowledge known = knowledge_at(segment.line);
         moves_.push_back({segment.curve, is_rapid, known.before, known.after, segment.source});

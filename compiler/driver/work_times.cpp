@@ -26,7 +26,7 @@ void WorkTimes::add(const motion::Segment& segment) {
     // A module beside the axes does not know of tools.
     if (!motion::is_external(segment.kind)) take_tool(segment.tool_number);
     const bool moves = motion::is_motion(segment.kind) || motion::is_external(segment.kind);
-    const bool has_way = moves && !segment.turns_only;
+    const bool has_way = moves && !segment.is_rotary_only;
     const double length = has_way ? path::arc_length(segment.curve) : 0;
     // What tools have adds up to what the axes do: marks of a module have figures of their own.
     if (motion::is_external(segment.kind)) {

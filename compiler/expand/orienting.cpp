@@ -99,8 +99,8 @@ Expander::State::ToolTaken Expander::State::take_tool(const sema::Plan& plan,
             case Function::TcpOn:
                 return tool_taken(begin_tcp(plan.functions, source, at, instruction.c));
             case Function::TcpOff: return tool_taken(end_tcp(source, at, instruction.c));
-            case Function::TurnPlane:
-            case Function::TurnAxes:
+            case Function::OrientGreatCircle:
+            case Function::OrientAxes:
                 if (target.can_write(function) || !target.can_write(Function::TcpVector)) break;
                 return tool_taken(choose_turning(function, source, at, instruction.c));
             case Function::ToolVector:
@@ -214,7 +214,7 @@ Done Expander::State::choose_turning(Function turning, SourceId source, std::uin
                                      unsigned depth) {
     modal.active[static_cast<std::size_t>(Group::Turning)] = turning;
     if (modal.tcp != Tcp::Length) return kDone;
-    const double plane = turning == Function::TurnAxes ? 0 : 1;
+    const double plane = turning == Function::OrientAxes ? 0 : 1;
     constexpr std::size_t kOffset = nc::parameter_of<Function::TcpVector>("offset");
     constexpr std::size_t kPlane = nc::parameter_of<Function::TcpVector>("plane");
     say_function(Function::TcpVector, {{kOffset, modal.tcp_offset}, {kPlane, plane}}, source, at,

@@ -234,7 +234,7 @@ Value Checker::tcp_call(const Expr& expr) {
     } else {
         add(Function::TcpOn);
         add(Function::OrientInWork);
-        add(Function::TurnPlane);
+        add(Function::OrientGreatCircle);
     }
     const Reg mark = emit_.mark();
     const Reg first = emit_.take(1);

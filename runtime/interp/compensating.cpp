@@ -210,13 +210,14 @@ path::Vec3 Executor::tool_direction() const {
 
 SpaceCompSettings Executor::space_comp_settings() const {
     SpaceCompSettings settings;
-    if (orienting_.is_on) settings.turner = {&machine_.kinematics->chain, joint_limits()};
+    if (orienting_.is_on)
+        settings.orientation_limits = {&machine_.kinematics->chain, joint_limits()};
     settings.direction = tool_direction();
     settings.cutter.contact.kind = path::ContactKind::Side;
     settings.cutter.contact.depth = comp_.depth;
     settings.extends_lines = comp_settings().corners.outside == path::OutsideCorner::Intersection;
     settings.limit = rad_from_deg(rules_.comp_corner_limit);
-    settings.turns_on_arc = comp_.turns_on_arc;
+    settings.orients_on_arc = comp_.orients_on_arc;
     settings.takes_inverse_time = rules_.comp_takes_inverse_time;
     settings.empty_blocks = rules_.comp_empty_blocks;
     return settings;
@@ -307,7 +308,8 @@ CompSettings Executor::comp_settings() const {
     settings.takes_inverse_time = rules_.comp_takes_inverse_time;
     settings.empty_blocks = rules_.comp_empty_blocks;
     settings.more_empty_is_fault = rules_.comp_more_empty_is_alarm;
-    if (orienting_.is_on) settings.turner = {&machine_.kinematics->chain, joint_limits()};
+    if (orienting_.is_on)
+        settings.orientation_limits = {&machine_.kinematics->chain, joint_limits()};
     settings.lie = comp_lie();
     return settings;
 }

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
-#include "interp/turned_command.h"
+#include "interp/rotated_command.h"
 #include "machine/kinematics.h"
 
 namespace kadr::interp {
@@ -159,7 +159,7 @@ std::optional<CompAlarm> Compensation::round_corner(const Command& motion,
 std::optional<CompAlarm> Compensation::flush() {
     const Command nowhere;
     Fault fault = finish();
-    if (std::exchange(cannot_turn_, false)) fault = &diag::CompTurnsInside;
+    if (std::exchange(cannot_orient_, false)) fault = &diag::CompTurnsInside;
     if (fault == nullptr) return std::nullopt;
     return alarm(fault, held_.empty() ? nowhere : held_.back().command);
 }
@@ -209,7 +209,7 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
         if (leaves) state_ = State::On;
     }
     fresh_.clear();
-    if (std::exchange(cannot_turn_, false))
+    if (std::exchange(cannot_orient_, false))
         return CompAlarm{&diag::CompTurnsInside, block.source, block.line};
     here_ = into_plane(here);
     if (is_on_contour()) lead(here_);
@@ -541,7 +541,7 @@ void Compensation::turn_along_arc(const Held& held, const Element& arc, Command&
     shift_point({linear(meant_), linear(held.command.to), beside_center(arc, scale, shown_),
                  beside_center(arc, scale, command.to)},
                 command);
-    command.turn_outwards = held.radius - radius;
+    command.orient_outwards = held.radius - radius;
 }
 
 /// A place on the way beside an arc as it lies on the programmed one.
@@ -592,8 +592,9 @@ void Compensation::emit_rapid_around(const Held& held, const Element& arc) {
 void Compensation::put(Command command) {
     command.moved = static_cast<AxisMask>(command.moved | bit(axes_.first) | bit(axes_.second));
     const AxisValues from = out_of_plane(std::exchange(shown_, command.to));
-    if (!put_turned(settings_.turner, from, out_of_plane(std::move(command)), settled_))
-        cannot_turn_ = true;
+    if (!put_oriented(settings_.orientation_limits, from, out_of_plane(std::move(command)),
+                      settled_))
+        cannot_orient_ = true;
 }
 
 /// … that is no arc: from where the last one was programmed to end.
@@ -605,8 +606,9 @@ void Compensation::put_beside(Command command, const AxisValues& programmed_to) 
 
 /// What a corner inserts the tool passes as it stands.
 void Compensation::stand_tool(Command& command) const {
-    if (settings_.turner.chain == nullptr || command.turning == path::Turning::None) return;
-    const machine::Chain& chain = *settings_.turner.chain;
+    if (settings_.orientation_limits.chain == nullptr || command.turning == path::Turning::None)
+        return;
+    const machine::Chain& chain = *settings_.orientation_limits.chain;
     command.turning = path::Turning::Axes;
     command.direction = lie_.transpose() * machine::tool_vector(chain, joints_at(chain, shown_));
 }

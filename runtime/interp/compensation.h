@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "interp/turns_beside.h"
+#include "interp/compensated_orientation.h"
 #include "nc/block.h"
 #include "nc/rules.h"
 #include "path/command.h"
@@ -30,7 +30,7 @@ struct CompSettings {
     bool takes_inverse_time = false;  // F of the block as it is programmed
     int empty_blocks = 3;             // without motion in the plane that may stand in a row
     bool more_empty_is_fault = true;  // else the cutter goes to the normal before them
-    ToolTurner turner;                // of a transformation
+    OrientationLimits orientation_limits;  // of a transformation
     /// Turns the working plane, where it is one of two axes, to where it lies in the base system;
     /// taken over where the compensation begins.
     path::Mat3 lie = path::Mat3::Identity();
@@ -198,7 +198,7 @@ class Compensation {
     bool is_let_go_ = false;   // the next element is a line from where the cutter is
     std::optional<path::Vec2> leave_direction_;
     int empty_blocks_ = 0;
-    bool cannot_turn_ = false;  // the tool, as the way beside the contour asks for it
+    bool cannot_orient_ = false;  // the tool, as the way beside the contour asks for it
     std::deque<Held> held_;
     std::vector<path::Command> fresh_;
     std::vector<path::Command> settled_;

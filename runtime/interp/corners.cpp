@@ -10,7 +10,7 @@
 #include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
-#include "interp/turned_command.h"
+#include "interp/rotated_command.h"
 
 namespace kadr::interp {
 
@@ -30,7 +30,7 @@ bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
 /// Whether the tool is led under a transformation, which its block ends with whatever a corner cuts
 /// off its path. Where it keeps to a surface or a line in space, the path says how it stands.
-bool leads_tool(const Command& command) {
+bool gives_direction(const Command& command) {
     return !command.virtual_axes.is_on() &&
            (command.turning == path::Turning::Axes || command.turning == path::Turning::Cone);
 }
@@ -224,7 +224,7 @@ Corners::Fault Corners::take_motion(Item& item) {
     tool_ = item.command.direction;
     if (is_taken(item.command, from)) {
         // The tool turns all the same.
-        if (leads_tool(item.command) && rotary_differs(from, at_)) {
+        if (gives_direction(item.command) && rotary_differs(from, at_)) {
             item.command.op = Op::Line;
             settled_.push_back(std::move(item));
         }
@@ -323,7 +323,7 @@ void Corners::shorten(const CornerCut& cut) {
     const Vec2 end = cut.piece.from;
     const AxisValues whole = first.to;
     first.to = between(held_from_, whole, cut.leaves, end);
-    if (leads_tool(first)) set_rotary(first.to, whole);
+    if (gives_direction(first)) set_rotary(first.to, whole);
     if (first.op == Op::Arc) first.sweep *= cut.leaves;
     keep_speed(first, cut.leaves);
     for (auto item = held_.begin() + 1; item != held_.end(); ++item) {
@@ -349,7 +349,7 @@ void Corners::insert(const CornerCut& cut, const Command& first, Command& next) 
     inserted.exact_stop = first.exact_stop;
     inserted.moved = static_cast<AxisMask>(next.moved | bit(axes_.first) | bit(axes_.second));
     inserted.to = between(at_, next.to, cut.joins, piece.to);
-    if (leads_tool(next)) set_rotary(inserted.to, at_);
+    if (gives_direction(next)) set_rotary(inserted.to, at_);
     stand_tool(inserted);
     at_ = inserted.to;
     if (next.op == Op::Arc) next.sweep *= 1 - cut.joins;
@@ -360,7 +360,7 @@ void Corners::insert(const CornerCut& cut, const Command& first, Command& next) 
 
 /// What a corner inserts the tool passes as it stands.
 void Corners::stand_tool(Command& command) const {
-    if (!leads_tool(command)) return;
+    if (!gives_direction(command)) return;
     command.turning = path::Turning::Axes;
     command.direction = tool_;
 }

@@ -319,7 +319,7 @@ void Executor::fill_in(Command& command, const Block& block) {
     if (comp_.acts_on_faces() && reaches_comp && path::is_motion(op))
         command.contact.push_back({face_, path::Vec3::Zero(), path::Vec3::Zero()});
     command.virtual_axes = {};
-    if (is_transformed()) put_turn(command);
+    if (is_transformed()) put_orientation(command);
     command.text.clear();
 }
 

@@ -3,8 +3,8 @@
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
 // functions), power_on.cpp (how the control begins), plain_moves.cpp (what nearly every block is),
 // motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and angles.cpp
-// (what controls work out of other words), orienting.cpp, tool_words.cpp and tool_turns.cpp (the
-// machine's transformation, and how the tool turns under it), tilting.cpp and swivelling.cpp
+// (what controls work out of other words), orienting.cpp, tool_words.cpp and tool_orientation.cpp
+// (the machine's transformation, and how the tool turns under it), tilting.cpp and swivelling.cpp
 // (tilted planes), carrier_words.cpp (tool carriers that are turned), virtual_axes.cpp (faces and
 // cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp
 // (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
@@ -54,7 +54,7 @@
 #include "path/arc.h"
 #include "path/curve.h"
 #include "path/involute.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 
 namespace kadr::interp {
 
@@ -342,15 +342,15 @@ class Executor {
                                                 nc::Function word);
     std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
 
-    // tool_turns.cpp: how the tool turns
+    // tool_orientation.cpp: how the tool turns
     Done orient(const nc::Block& block, const Actions& actions, Target& target);
     Done lay_tool_words(const nc::Block& block, const ToolWords& tool, Target& target);
-    void settle_turn(const Target& target);
-    Done turn_by_axes(const nc::Block& block, Target& target);
-    Done turn_to(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
-                 Target& target);
-    Done lay_turn(const nc::Block& block, const path::Vec3& to, Target& target,
-                  const ToolWords* angles = nullptr);
+    void settle_orientation(const Target& target);
+    Done orient_by_axes(const nc::Block& block, Target& target);
+    Done orient_to(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+                   Target& target);
+    Done lay_orientation(const nc::Block& block, const path::Vec3& to, Target& target,
+                         const ToolWords* angles = nullptr);
     Done lay_cone(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
                   Target& target);
     std::optional<machine::OrientationArc> cone_to(const nc::Block& block, const ToolWords& tool,
@@ -372,7 +372,7 @@ class Executor {
                          Target& target);
     Done lead_by_point(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
                        Target& target);
-    Done turn_first(const nc::Block& block, const path::Vec3& to);
+    Done orient_first(const nc::Block& block, const path::Vec3& to);
     bool spins_with_path(const ToolWords& tool) const;
     std::optional<path::Vec3> spin_reference(const path::Vec3& tool,
                                              const path::Curve* curve) const;
@@ -383,7 +383,7 @@ class Executor {
     machine::JointLimits joint_limits() const;
     void put_joints(const path::Vec3& joints, Target& target) const;
     void report_no_way(const nc::Block& block, const machine::PathRefusal& refusal);
-    void put_turn(path::Command& command);
+    void put_orientation(path::Command& command);
     machine::PathQuery query_to(const path::Vec3& to, const ToolWords* angles) const;
     // point_to_point.cpp: … where the axes go straight
     bool goes_straight(path::Op op) const;
@@ -395,15 +395,16 @@ class Executor {
     Done stand_along(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
                      Target& target);
     Done turn_by_signs(const nc::Block& block, const ToolWords& tool, Target& target);
-    // spline_turns.cpp: … along splines and polynomials
-    Done require_turn_along(const nc::Block& block, const ToolWords& tool);
+    // spline_orientation.cpp: … along splines and polynomials
+    Done require_orientation_along(const nc::Block& block, const ToolWords& tool);
     Done direct_pole(const nc::Block& block, const ToolWords& tool, PoleBlock& pole);
     Done turn_along(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
                     AxisValues& to);
-    Done lay_span_turn(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
-                       Target& target);
-    Done share_turn(const nc::Block& block, const ToolWords& tool,
-                    const std::vector<double>& shares, const std::vector<PoleBlock*>& pieces);
+    Done lay_span_orientation(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
+                              Target& target);
+    Done share_orientation(const nc::Block& block, const ToolWords& tool,
+                           const std::vector<double>& shares,
+                           const std::vector<PoleBlock*>& pieces);
     // tilting.cpp: tilted planes, and the rotary axes that stand to them
     void tilt(const nc::Block& block, const nc::Invocation& invocation);
     std::optional<path::Frame> plane_by_angles(const nc::Block& block,
@@ -418,7 +419,7 @@ class Executor {
     void tilt_along_tool(const nc::Block& block, const nc::Invocation& invocation);
     void end_tilt(const nc::Block& block);
     void turn_in_space(const nc::Block& block, const nc::Invocation& invocation);
-    Done end_space_turns(const nc::Block& block);
+    Done end_rotations_3d(const nc::Block& block);
     Done require_nested_length(const nc::Block& block, nc::Function function);
     void align(const nc::Block& block, const nc::Invocation& invocation);
     Done require_rotary_axes(const nc::Block& block, nc::Function function);
@@ -852,7 +853,7 @@ class Executor {
     Polar polar_;
     Orienting orienting_;
     Tilting tilting_;
-    NextTurn next_turn_;
+    NextOrientation next_orientation_;
     std::optional<ToolWords> course_;  // of the block: waits until its path is known
     path::Contact face_;               // normals of the surface along the block, of a Face
     Virtual virtual_;

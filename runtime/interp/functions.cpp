@@ -172,8 +172,9 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
             if (comp_.system == CompSystem::InPlane)
                 comp_.is_in_frame = member == Function::CompInFrame;
             break;
-        case Group::CompTurning:
-            if (takes_comp_choice(actions)) comp_.turns_on_arc = member == Function::CompTurnOnArc;
+        case Group::CompOrientation:
+            if (takes_comp_choice(actions))
+                comp_.orients_on_arc = member == Function::CompOrientOnArc;
             break;
         case Group::Spindle:
             if (member == Function::SpindleOrient) break;
@@ -193,7 +194,7 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
             break;
         case Group::Diameter: set_diameter(block, member); break;
         case Group::Compressor: choose_smoothing(block, effect.invocation_in(block)); break;
-        case Group::Turning: orienting_.turning = turn_way_of(member); break;
+        case Group::Turning: orienting_.turning = orient_interpolation_of(member); break;
         case Group::OrientAngles:
             orienting_.angles = tool_angles_of(member);
             if (member == Function::AnglesEuler || member == Function::AnglesZyz)
@@ -375,7 +376,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::TiltAlongTool: tilt_along_tool(block, invocation); break;
         case Function::TiltAlign:
         case Function::TiltAlignTip: actions.align = &invocation; break;
-        case Function::TurnInSpace: turn_in_space(block, invocation); break;
+        case Function::Rotation3d: turn_in_space(block, invocation); break;
         case Function::Swivel: swivel(block, invocation); break;
         case Function::ToolFrame: frame_along_tool(block, invocation); break;
         case Function::ToolFrameOff:
@@ -561,8 +562,8 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::CompByFace:
         case Function::CompByFaceInFrame:
         case Function::CompByFaceInPlane:
-        case Function::CompTurnOnArc:
-        case Function::CompTurnBefore:
+        case Function::CompOrientOnArc:
+        case Function::CompOrientBefore:
         case Function::LengthCompOn:
         case Function::TcpLength:
         case Function::TcpVector:
@@ -599,14 +600,14 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::FaceOn:
         case Function::CylinderOn:
         case Function::InclinedOn:
-        case Function::TurnPlane:
-        case Function::TurnAxes:
-        case Function::TurnSurface:
-        case Function::TurnConeCw:
-        case Function::TurnConeCcw:
-        case Function::TurnConeOver:
-        case Function::TurnConeOn:
-        case Function::TurnPoint:
+        case Function::OrientGreatCircle:
+        case Function::OrientAxes:
+        case Function::OrientSurface:
+        case Function::OrientConeCw:
+        case Function::OrientConeCcw:
+        case Function::OrientConeThrough:
+        case Function::OrientConeTangential:
+        case Function::OrientSecondPoint:
         case Function::AnglesEuler:
         case Function::AnglesZyz:
         case Function::AnglesRpy:

@@ -254,7 +254,8 @@ void append_smoothing(std::string& out, const Command& command) {
         if (command.turning != path::Turning::None && std::isfinite(blending.orientation))
             append_field(out, "blend_orientation", deg_from_rad(blending.orientation));
     }
-    if (blending.smooths_turns && command.turning > path::Turning::Straight && !command.exact_stop)
+    if (blending.smooths_orientation && command.turning > path::Turning::Straight &&
+        !command.exact_stop)
         append_field(out, "smooth_orientation", deg_from_rad(blending.orientation));
     if (command.compress > 0) append_field(out, "compress", command.compress);
 }

@@ -18,9 +18,10 @@ constexpr std::array kCompSides = {Function::RadiusCompOff, Function::RadiusComp
 constexpr std::array kCompSystems = {Function::CompInPlane, Function::CompBySide,
                                      Function::CompByFace, Function::CompByFaceInFrame,
                                      Function::CompByFaceInPlane};
-constexpr std::array kTurnWays = {
-    Function::TurnPlane,   Function::TurnAxes,     Function::TurnSurface, Function::TurnConeCw,
-    Function::TurnConeCcw, Function::TurnConeOver, Function::TurnConeOn,  Function::TurnPoint};
+constexpr std::array kOrientInterpolations = {
+    Function::OrientGreatCircle,    Function::OrientAxes,       Function::OrientSurface,
+    Function::OrientConeCw,         Function::OrientConeCcw,    Function::OrientConeThrough,
+    Function::OrientConeTangential, Function::OrientSecondPoint};
 constexpr std::array kToolAngles = {Function::AnglesEuler, Function::AnglesZyz, Function::AnglesRpy,
                                     Function::AnglesXyz};
 constexpr std::array kSpins = {Function::SpinFixed, Function::SpinPlane, Function::SpinTurn,
@@ -60,11 +61,17 @@ bool is_on_faces(CompSystem system) {
     return nc::has_fact(kCompSystems.at(static_cast<std::size_t>(system)), nc::Fact::OnFaces);
 }
 
-TurnWay turn_way_of(Function function) { return mode_of<TurnWay>(kTurnWays, function); }
+OrientInterpolation orient_interpolation_of(Function function) {
+    return mode_of<OrientInterpolation>(kOrientInterpolations, function);
+}
 
-Function function_of(TurnWay way) { return kTurnWays.at(static_cast<std::size_t>(way)); }
+Function function_of(OrientInterpolation way) {
+    return kOrientInterpolations.at(static_cast<std::size_t>(way));
+}
 
-bool is_on_cone(TurnWay way) { return nc::has_fact(function_of(way), nc::Fact::ConeTurning); }
+bool is_on_cone(OrientInterpolation way) {
+    return nc::has_fact(function_of(way), nc::Fact::ConeOrientation);
+}
 
 ToolAngles tool_angles_of(Function function) { return mode_of<ToolAngles>(kToolAngles, function); }
 

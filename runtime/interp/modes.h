@@ -24,7 +24,7 @@ CompSystem comp_system_of(nc::Function function);  // in a frame it is in a plan
 bool is_on_faces(CompSystem system);
 
 /// On which way the tool turns from one direction to the next.
-enum class TurnWay : std::uint8_t {
+enum class OrientInterpolation : std::uint8_t {
     Plane,
     Axes,
     Surface,
@@ -34,9 +34,9 @@ enum class TurnWay : std::uint8_t {
     ConeOn,
     Point,
 };
-TurnWay turn_way_of(nc::Function function);
-nc::Function function_of(TurnWay way);
-bool is_on_cone(TurnWay way);
+OrientInterpolation orient_interpolation_of(nc::Function function);
+nc::Function function_of(OrientInterpolation way);
+bool is_on_cone(OrientInterpolation way);
 
 /// How the angles of the tool are understood.
 enum class ToolAngles : std::uint8_t { Euler, Zyz, Rpy, Xyz };

@@ -91,7 +91,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (!require_no_move_before_tap(block, targets)) return;
     if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);
     const bool is_elsewhere = actions.machine_coordinates && !frames_off_;
-    if (actions.tool.is_any() && !nc::has_fact(modal_.motion, nc::Fact::TurnsTool)) {
+    if (actions.tool.is_any() && !nc::has_fact(modal_.motion, nc::Fact::TakesOrientation)) {
         report(diag::IsoNotSupported, block).arg("a tool that turns beside a thread");
         return;
     }

@@ -1,7 +1,7 @@
 // orienting.cpp — the machine's transformation: switched on and off, and where the axes stand.
 //
-// How the tool turns under it is tool_words.cpp's and tool_turns.cpp's matter; where the axes go
-// on the way motion's (motion/transformed.h).
+// How the tool turns under it is tool_words.cpp's and tool_orientation.cpp's matter; where the axes
+// go on the way motion's (motion/transformed.h).
 #include <bit>
 #include <string>
 #include <utility>
@@ -10,8 +10,8 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/block_words.h"
+#include "interp/compensated_orientation.h"
 #include "interp/executor.h"
-#include "interp/turns_beside.h"
 #include "machine/kinematics.h"
 #include "nc/parameters.h"
 #include "path/linear.h"
@@ -223,7 +223,8 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
         parameter_of_all<"offset", Function::TcpLength, Function::TcpVector>();
     constexpr std::size_t kPlane =
         parameter_of_all<"plane", Function::TcpLength, Function::TcpVector>();
-    orienting_.turning = block.argument(invocation, kPlane) == 1 ? TurnWay::Plane : TurnWay::Axes;
+    orienting_.turning = block.argument(invocation, kPlane) == 1 ? OrientInterpolation::Plane
+                                                                 : OrientInterpolation::Axes;
     orienting_.lead = orienting_.takes_vectors
                           ? block.argument(invocation, parameter_of<Function::TcpVector>("lead"))
                           : 0;

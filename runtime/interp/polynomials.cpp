@@ -339,7 +339,7 @@ void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_
     std::vector<Piece> pieces;
     for (const Piece& piece : positive)
         cut_evenly(piece, way, frames_.total(), kMostFollowedCuts, pieces);
-    if (!require_turn_along(block, tool)) return;
+    if (!require_orientation_along(block, tool)) return;
     if (tool_.has_changed) activate_length(block, target->moved);
     if (!require_within_limits(block, target->base, target->moved)) return;
     PoleBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
@@ -347,7 +347,7 @@ void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
     std::vector<SaidSpan> spans =
         said_spans(pieces, frames_.total(), position_.base, said, shares_time);
-    if (!share_turn(block, tool, shares_of(spans), blocks_of(spans))) return;
+    if (!share_orientation(block, tool, shares_of(spans), blocks_of(spans))) return;
     for (std::size_t i = 0; i < spans.size() && !ended_; ++i) {
         const bool is_last = i + 1 == spans.size();
         put_span(spans[i].span, spans[i].said, target->moved, is_last && exact_stop);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/units.h"
-#include "interp/turns_beside.h"
+#include "interp/compensated_orientation.h"
 #include "machine/kinematics.h"
 #include "path/arc.h"
 #include "path/linear.h"

@@ -22,8 +22,8 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
     switch (invocation.function) {
         case Function::CompressOn: smoothing_.compresses = true; return;
         case Function::CompressOff: smoothing_.compresses = false; return;
-        case Function::OrientSmooth: smoothing_.smooths_turns = true; return;
-        case Function::OrientSmoothOff: smoothing_.smooths_turns = false; return;
+        case Function::OrientSmooth: smoothing_.smooths_orientation = true; return;
+        case Function::OrientSmoothOff: smoothing_.smooths_orientation = false; return;
         case Function::HighSpeed: choose_high_speed(block, invocation); return;
         default: break;
     }
@@ -82,8 +82,8 @@ path::Blending Executor::blending(Op op) const {
         blending.size = smoothing_.tolerance.value_or(machine_.corner_tolerance);
         blending.orientation = orientation;
     }
-    if (orienting_.is_on && smoothing_.smooths_turns && orientation > 0) {
-        blending.smooths_turns = true;
+    if (orienting_.is_on && smoothing_.smooths_orientation && orientation > 0) {
+        blending.smooths_orientation = true;
         blending.orientation = orientation;
     }
     return blending;

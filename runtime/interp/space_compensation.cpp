@@ -12,7 +12,7 @@
 #include "interp/space_compensation_parts.h"
 #include "machine/kinematics.h"
 #include "path/curve_of.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 
 namespace kadr::interp {
 
@@ -82,7 +82,7 @@ std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
         has_moved = has_moved || (linear(here_) - before).norm() > kStill || place.op == Op::Arc;
     }
     fresh_.clear();
-    if (std::exchange(cannot_turn_, false))
+    if (std::exchange(cannot_orient_, false))
         return CompAlarm{&diag::CompTurnsInside, block.source, block.line};
     if (has_moved || (!last_ && !approach_)) {
         empty_blocks_ = 0;
@@ -94,11 +94,11 @@ std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
 
 /// Of the tool where a motion ends.
 Vec3 SpaceCompensation::tool_behind(const Command& command) const {
-    return settings_.turner.chain == nullptr ? settings_.direction : command.direction;
+    return settings_.orientation_limits.chain == nullptr ? settings_.direction : command.direction;
 }
 
-bool SpaceCompensation::turns_tool(const Command& command) const {
-    return settings_.turner.chain != nullptr && path::is_motion(command.op);
+bool SpaceCompensation::changes_orientation(const Command& command) const {
+    return settings_.orientation_limits.chain != nullptr && path::is_motion(command.op);
 }
 
 /// What is wrong at a corner is told of the side before it.
@@ -201,7 +201,8 @@ SpaceCompensation::Fault SpaceCompensation::check(Side& side) const {
 
 SpaceCompensation::Fault SpaceCompensation::check_side(const Side& side) const {
     // Without the machine's transformation nobody holds the tip on another way.
-    if (settings_.turner.chain == nullptr && !keeps_kind(side)) return &diag::CompMotion;
+    if (settings_.orientation_limits.chain == nullptr && !keeps_kind(side))
+        return &diag::CompMotion;
     for (const double place : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const double share = side.share_of_way(place);
         const path::CurvePoint at = side.at(share);
@@ -326,8 +327,8 @@ SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const View& v
 
 /// Around the corner on an arc, or to where both lines meet if they are extended.
 void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
-    const bool turns =
-        std::ranges::any_of(waiting_, [&](const Command& command) { return turns_tool(command); });
+    const bool turns = std::ranges::any_of(
+        waiting_, [&](const Command& command) { return changes_orientation(command); });
     const bool are_even = last_->is_line() && next.is_line() && !last_->turns() && !next.turns();
     if (settings_.extends_lines && are_even && !turns && std::abs(corner.turn) <= settings_.limit) {
         extend(next, corner);
@@ -335,7 +336,7 @@ void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
     }
     emit(*last_);
     Contact contact = standing(corner.first);
-    if (turns && settings_.turns_on_arc) {
+    if (turns && settings_.orients_on_arc) {
         contact.axis = corner.axis();
         contact.turn =
             std::atan2(corner.first.cross(corner.second).norm(), corner.first.dot(corner.second));
@@ -403,13 +404,14 @@ bool SpaceCompensation::keeps_kind(const Side& side) {
 Vec3 SpaceCompensation::tool_along(const Command& command, const AxisValues& from,
                                    const Vec3& from_tool, const path::Curve& way,
                                    double share) const {
-    if (settings_.turner.chain == nullptr) return from_tool;
+    if (settings_.orientation_limits.chain == nullptr) return from_tool;
     const double length = std::holds_alternative<path::Point>(way) ? 1 : path::length(way);
     if (command.turning > path::Turning::Axes)
         return path::direction_at(turn_of(command, from_tool, length), way, share * length);
     AxisValues axes{};
     for (std::size_t i = 3; i < kAxes; ++i) axes[i] = from[i] + share * (command.to[i] - from[i]);
-    return machine::tool_vector(*settings_.turner.chain, joints_at(*settings_.turner.chain, axes));
+    return machine::tool_vector(*settings_.orientation_limits.chain,
+                                joints_at(*settings_.orientation_limits.chain, axes));
 }
 
 /// At a share of the whole way.
@@ -495,7 +497,7 @@ void SpaceCompensation::emit(Side& side) {
                               ? aside_on(side, 0).value_or(Vec3::Zero())
                               : Vec3(-side.contact.depth * side.from_tool);
         command.sweep *= part;
-    } else if (settings_.turner.chain == nullptr) {
+    } else if (settings_.orientation_limits.chain == nullptr) {
         return emit_splines(side.command, side.from, [&](double share) {
             return tip_on(side, side.share_of_way(share)).value_or(Vec3::Zero());
         });
@@ -522,12 +524,12 @@ void SpaceCompensation::emit_waiting(Contact contact, const Vec3& at) {
     double angles = 0;
     Vec3 tool = shown_tool_;
     for (const Command& command : waiting_) {
-        if (!turns_tool(command)) continue;
+        if (!changes_orientation(command)) continue;
         angles += std::acos(std::clamp(tool.dot(command.direction), -1.0, 1.0));
         tool = command.direction;
     }
     for (Command& command : waiting_) {
-        if (!turns_tool(command)) {
+        if (!changes_orientation(command)) {
             set_linear(command.to, linear(shown_));
             put(std::move(command));
             continue;
@@ -607,7 +609,8 @@ void SpaceCompensation::put_way(Command command, const Vec3& from, const Vec3& t
     shift_point({from, to, linear(shown_), linear(command.to)}, command);
     shown_tool_ = tool_behind(command);
     const AxisValues begin = std::exchange(shown_, command.to);
-    if (!put_turned(settings_.turner, begin, std::move(command), settled_)) cannot_turn_ = true;
+    if (!put_oriented(settings_.orientation_limits, begin, std::move(command), settled_))
+        cannot_orient_ = true;
 }
 
 void SpaceCompensation::put(Command command) {

@@ -12,12 +12,12 @@
 #include <optional>
 #include <vector>
 
+#include "interp/compensated_orientation.h"
 #include "interp/compensation.h"
-#include "interp/turns_beside.h"
 #include "nc/block.h"
 #include "path/command.h"
 #include "path/curve.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 
 namespace kadr::interp {
 
@@ -32,11 +32,11 @@ struct SpaceCutter {
 
 struct SpaceCompSettings {
     SpaceCutter cutter;
-    ToolTurner turner;                           // without a chain the tool keeps its direction
+    OrientationLimits orientation_limits;        // without a chain the tool keeps its direction
     path::Vec3 direction = path::Vec3::UnitZ();  // of the tool where the compensation begins
     bool extends_lines = false;  // at a corner around which the cutter goes, until they meet …
     double limit = 0;            // … up to this change of direction, rad; else an arc about it
-    bool turns_on_arc = true;    // blocks that only turn the tool do it on the arc
+    bool orients_on_arc = true;  // blocks that only turn the tool do it on the arc
     bool takes_inverse_time = false;
     int empty_blocks = 3;  // without a way that may stand in a row
 };
@@ -133,7 +133,7 @@ class SpaceCompensation {
     void emit_splines(const path::Command& model, const AxisValues& from, const WayOfTip& tip);
 
     path::Vec3 tool_behind(const path::Command& command) const;
-    bool turns_tool(const path::Command& command) const;
+    bool changes_orientation(const path::Command& command) const;
     static bool keeps_kind(const Side& side);
     static path::Turn turn_on(const Side& side);
     static void cut_turn(const Side& side, path::Command& command);
@@ -158,7 +158,7 @@ class SpaceCompensation {
 
     State state_ = State::Off;
     SpaceCompSettings settings_;
-    bool cannot_turn_ = false;
+    bool cannot_orient_ = false;
     AxisValues here_{};  // programmed, behind what was taken …
     path::Vec3 tool_ = path::Vec3::UnitZ();
     AxisValues shown_{};  // … and where the tip is behind what was let go

@@ -12,7 +12,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/space_compensation_parts.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 
 namespace kadr::interp {
 
@@ -54,9 +54,10 @@ SpaceCompensation::Fault SpaceCompensation::take_face(const Contact& face, Side&
     side.contact.guide = face.guide;
     side.contact.axis = face.axis;
     side.contact.turn = face.turn;
-    if (settings_.turner.chain == nullptr && side.turns()) return &diag::CompMotion;
+    if (settings_.orientation_limits.chain == nullptr && side.turns()) return &diag::CompMotion;
     // At rapid only lines lead anywhere, and between their ends nobody holds the tip.
-    if (settings_.turner.chain == nullptr && side.command.op == Op::Rapid && !keeps_kind(side))
+    if (settings_.orientation_limits.chain == nullptr && side.command.op == Op::Rapid &&
+        !keeps_kind(side))
         return &diag::CompMotion;
     return check(side);
 }
@@ -148,9 +149,9 @@ SpaceCompensation::Fault SpaceCompensation::join_faces(Side& next) {
     if (is_hollow) return join_hollow(next, corner);
     emit(*last_);
     Contact contact = standing(from);
-    const bool turns =
-        std::ranges::any_of(waiting_, [&](const Command& command) { return turns_tool(command); });
-    if (angle > kSmooth && turns && settings_.turns_on_arc) {
+    const bool turns = std::ranges::any_of(
+        waiting_, [&](const Command& command) { return changes_orientation(command); });
+    if (angle > kSmooth && turns && settings_.orients_on_arc) {
         const Vec3 across = from.cross(to);
         contact.axis = across.norm() > kSmooth ? Vec3(across.normalized()) : from.unitOrthogonal();
         contact.turn = angle;
@@ -165,7 +166,8 @@ SpaceCompensation::Fault SpaceCompensation::join_faces(Side& next) {
 /// Both ways end where the tips meet as the tool stands at the edge. In space they need not: then
 /// no place of the cutter touches both surfaces on the way.
 SpaceCompensation::Fault SpaceCompensation::join_hollow(Side& next, const Corner& corner) {
-    if (std::ranges::any_of(waiting_, [&](const Command& command) { return turns_tool(command); }))
+    if (std::ranges::any_of(waiting_,
+                            [&](const Command& command) { return changes_orientation(command); }))
         return &diag::CompTurnsInside;
     const Vec3 along = corner.second - corner.second.dot(corner.first) * corner.first;
     if (along.norm() < kSmooth) return &diag::CompFaceCorner;
@@ -220,7 +222,7 @@ void SpaceCompensation::roll_part(const Contact& contact, const Side& next, cons
     Command command = like(next.command, Op::Line);
     command.to = end;
     command.direction = tool;
-    if (settings_.turner.chain == nullptr) return emit_splines(command, shown_, tip);
+    if (settings_.orientation_limits.chain == nullptr) return emit_splines(command, shown_, tip);
     path::ContactMotion motion;
     motion.contact = contact;
     motion.from = motion.to = at;

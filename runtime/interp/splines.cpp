@@ -101,7 +101,7 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
             .arg(word_of(block, Function::SplineInterval));
         return;
     }
-    if (!require_turn_along(block, tool)) return;
+    if (!require_orientation_along(block, tool)) return;
     if (!spline_ && !start_spline(block, knot.has_value())) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
@@ -262,7 +262,7 @@ void Executor::put_span(const path::SplineSpan& span, const PoleBlock& said, Axi
     puts_span_ = false;
     if (!is_laid) return;
     has_moved_ = true;
-    const bool turns = next_turn_.turning != path::Turning::Axes;
+    const bool turns = next_orientation_.turning != path::Turning::Axes;
     Command& command = put(Op::Spline, at);
     if (is_in_spline()) as_said(command);
     command.to = to;

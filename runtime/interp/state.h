@@ -143,7 +143,7 @@ struct RadiusCompState {
     bool is_by_side_code = false;             // … unless its own code says by the side
     CompSystem acting = CompSystem::InPlane;  // where it has begun
     bool is_mirrored = false;                 // … and whether a frame mirrored its plane there
-    bool turns_on_arc = true;                 // in space: blocks at corners that only turn the tool
+    bool orients_on_arc = true;               // in space: blocks at corners that only turn the tool
     double depth = 0;                         // in space: of the contour above the tip, mm
 
     bool is_on() const { return side != CompSide::Off; }
@@ -167,12 +167,12 @@ struct Smoothing {
     std::optional<double> tolerance;    // mm; nothing: as the machine has it
     std::optional<double> orientation;  // rad; likewise
     bool compresses = false;
-    bool smooths_turns = false;  // of the tool, from motion to motion
+    bool smooths_orientation = false;  // of the tool, from motion to motion
 };
 
 /// How words of the orientation are understood, and on which way the tool turns.
 struct OrientModes {
-    TurnWay turning = TurnWay::Plane;
+    OrientInterpolation turning = OrientInterpolation::Plane;
     ToolAngles angles = ToolAngles::Euler;
     ToolAngles euler = ToolAngles::Euler;  // what Euler's angles are on this control
     SpinFrom spin = SpinFrom::Fixed;
@@ -270,7 +270,7 @@ struct Virtual {
 };
 
 /// How the tool turns in the motion that is put out next, as a Command says it.
-struct NextTurn {
+struct NextOrientation {
     path::Turning turning = path::Turning::Axes;
     path::Vec3 direction = path::Vec3::UnitZ();  // at the end
     path::Vec3 from = path::Vec3::UnitZ();

@@ -80,13 +80,13 @@ Done Executor::require_no_side_arc(const Block& block) {
     const bool is_on = comp_.is_on() && comp_.is_by_side_code;
     if (!is_on || !is_arc(modal_.motion)) return kDone;
     const machine::Chain& chain = machine_.kinematics->chain;
-    bool turns_tool = false;
+    bool changes_orientation = false;
     bool turns_table = false;
     for (const machine::RotaryJoint& joint : chain.joints) {
-        turns_tool |= joint.is_present && joint.side == machine::Side::Head;
+        changes_orientation |= joint.is_present && joint.side == machine::Side::Head;
         turns_table |= joint.is_present && joint.side == machine::Side::Table;
     }
-    if (!turns_tool || !turns_table) return kDone;
+    if (!changes_orientation || !turns_table) return kDone;
     report(diag::SideCompArc, block, modal_.motion);
     return kFailed;
 }

@@ -150,7 +150,7 @@ std::optional<Mat3> Executor::swivel_rotation(const Block& block, const Invocati
                                                                  direct_joints(block, invocation)));
         }
         case kSolid: {
-            const std::array<machine::AxisTurn, 2> turns = {
+            const std::array<machine::AxisRotation, 2> turns = {
                 {{Axis::Z, angles[0]}, {Axis::Y, angles[1]}}};
             return machine::turned_in_order(turns);
         }
@@ -167,7 +167,7 @@ std::optional<Mat3> Executor::swivel_rotation(const Block& block, const Invocati
     }
     const unsigned seen = 1u << codes[0] | 1u << codes[1] | 1u << codes[2];
     if (bits >> 6 != kByAxes || seen != 0b1110u) return refuse("_MODE names no order of X, Y, Z");
-    const std::array<machine::AxisTurn, 3> turns = {
+    const std::array<machine::AxisRotation, 3> turns = {
         {{axis(0), angles[0]}, {axis(1), angles[1]}, {axis(2), angles[2]}}};
     return machine::turned_in_order(turns);
 }

@@ -87,7 +87,7 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
     if (others != 0 && is_transformed()) return refuse_others();
     if (!require_axes(block, targets) || !require_rotary_ways(block)) return;
     if (!require_feed(block, "spline")) return;
-    if (!require_turn_along(block, tool)) return;
+    if (!require_orientation_along(block, tool)) return;
     if (!through_ && !start_through(block)) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;

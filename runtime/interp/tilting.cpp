@@ -153,7 +153,7 @@ std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocat
             .arg("its order of the axes is none of 123, 132, 213, 231, 312, 321");
         return std::nullopt;
     }
-    std::array<machine::AxisTurn, 3> turns{};
+    std::array<machine::AxisRotation, 3> turns{};
     for (std::size_t i = 0; i < 3; ++i)
         turns[i] = {(*order)[i], angles[static_cast<Eigen::Index>(index((*order)[i]))]};
     return shift * turned(machine::turned_about_fixed(turns));
@@ -260,7 +260,7 @@ void Executor::tilt_along_tool(const Block& block, const Invocation& invocation)
 }
 
 void Executor::end_tilt(const Block& block) {
-    if (!tilting_.is_on || !end_space_turns(block)) return;
+    if (!tilting_.is_on || !end_rotations_3d(block)) return;
     tilting_.is_on = false;
     told_.renew(Once::TiltTurned);
     frames_.set_tilt({});

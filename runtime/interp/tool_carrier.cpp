@@ -106,7 +106,7 @@ bool lies_along(const Vec3& direction, const Vec3& vector) {
 
 /// A turn of `to` about `outer` and of `from` about `inner`, so that both meet:
 /// Rot(outer, first) · Rot(inner, second) · from = to.
-struct TwoTurns {
+struct TwoRotations {
     Vec3 outer;
     Vec3 inner;
     Vec3 from;
@@ -115,7 +115,7 @@ struct TwoTurns {
 };
 
 /// One of them where the other axis does not exist.
-void solve_one(const TwoTurns& turns, std::size_t axis, std::vector<Angles>& out) {
+void solve_one(const TwoRotations& turns, std::size_t axis, std::vector<Angles>& out) {
     const Vec3& direction = axis == 0 ? turns.outer : turns.inner;
     if (std::abs(direction.dot(turns.from) - direction.dot(turns.to)) > kSameDirection) return;
     Angles angles{};
@@ -126,12 +126,12 @@ void solve_one(const TwoTurns& turns, std::size_t axis, std::vector<Angles>& out
 }
 
 /// Both by the vectors in which the cones about the axes meet (Paden–Kahan's second subproblem).
-void solve_both(const TwoTurns& turns, std::vector<Angles>& out) {
+void solve_both(const TwoRotations& turns, std::vector<Angles>& out) {
     const double cosine = turns.outer.dot(turns.inner);
     const Vec3 across = turns.outer.cross(turns.inner);
     const double square = across.squaredNorm();
     if (square < kSameDirection * kSameDirection) {
-        TwoTurns one = turns;  // about one line: the second axis stands
+        TwoRotations one = turns;  // about one line: the second axis stands
         one.from = machine::rotation_about(turns.inner, turns.near[1]) * turns.from;
         const std::size_t before = out.size();
         solve_one(one, 0, out);
@@ -158,7 +158,7 @@ void solve_both(const TwoTurns& turns, std::vector<Angles>& out) {
     }
 }
 
-std::vector<Angles> solve(const TwoTurns& turns) {
+std::vector<Angles> solve(const TwoRotations& turns) {
     std::vector<Angles> out;
     const bool has_outer = is_axis(turns.outer);
     const bool has_inner = is_axis(turns.inner);

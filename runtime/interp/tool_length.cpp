@@ -168,8 +168,8 @@ void Executor::move_behind_switch(const Block& block) {
     const AxisMask moved =
         orienting_.is_on ? static_cast<AxisMask>(kLinearXYZ | joint_axes()) : kLinearXYZ;
     if (orienting_.is_on) {
-        next_turn_ = {};
-        settle_turn({position_.here, position_.base, moved});
+        next_orientation_ = {};
+        settle_orientation({position_.here, position_.base, moved});
     }
     line(block, {position_.here, position_.base, moved},
          modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, stops_exactly());

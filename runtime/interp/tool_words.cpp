@@ -150,7 +150,9 @@ Done Executor::require_axes_for_direction(const Block& block) {
 }
 
 /// Whether the tool is led by a surface in every block.
-bool Executor::leans_on_surface() const { return orienting_.turning == TurnWay::Surface; }
+bool Executor::leans_on_surface() const {
+    return orienting_.turning == OrientInterpolation::Surface;
+}
 
 /// Whether a surface tells how the tool stands in this block: along it, or at its end.
 bool Executor::is_led_by_surface(const ToolWords& tool) const {
@@ -162,17 +164,19 @@ bool Executor::is_led_by_surface(const ToolWords& tool) const {
 /// compensated on the surface they are of the surface alone; a cone, or the second point of the
 /// tool, says itself where the tool goes.
 bool Executor::surface_leads_end() const {
-    const TurnWay turning = orienting_.turning;
-    const bool is_free = turning == TurnWay::Plane || turning == TurnWay::Axes;
+    const OrientInterpolation turning = orienting_.turning;
+    const bool is_free =
+        turning == OrientInterpolation::Plane || turning == OrientInterpolation::Axes;
     return rules_.surface_words_at_end && is_free && !comp_.takes_faces();
 }
 
 /// Words that the way on which the tool turns has no place for: nothing may be lost silently.
 Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) {
-    const TurnWay turning = orienting_.turning;
-    const bool is_about_axis = turning == TurnWay::ConeCw || turning == TurnWay::ConeCcw;
+    const OrientInterpolation turning = orienting_.turning;
+    const bool is_about_axis =
+        turning == OrientInterpolation::ConeCw || turning == OrientInterpolation::ConeCcw;
     const bool takes_surface =
-        turning == TurnWay::Surface || surface_leads_end() || comp_.takes_faces();
+        turning == OrientInterpolation::Surface || surface_leads_end() || comp_.takes_faces();
     const nc::Invocation* const spin = block.find(Function::ToolSpin);
     if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == SpinFrom::Path) {
         report(diag::SpinAgainstPath, block, Function::ToolSpin)
@@ -190,8 +194,8 @@ Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) 
     } checks[] = {
         {tool.cone_axis.is_said() && !is_about_axis, Function::ConeAxis},
         {tool.opening.has_value() && !is_about_axis, Function::ConeOpening},
-        {tool.between.is_said() && turning != TurnWay::ConeOver, Function::ToolBetween},
-        {tool.point.is_said() && turning != TurnWay::Point, Function::ToolPoint},
+        {tool.between.is_said() && turning != OrientInterpolation::ConeOver, Function::ToolBetween},
+        {tool.point.is_said() && turning != OrientInterpolation::Point, Function::ToolPoint},
         {tool.normals[0].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.normals[1].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.changes_lean && tool.says_direction(),

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/assert.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 
 namespace kadr::machine {
 

@@ -10,7 +10,7 @@
 
 #include "base/result.h"
 #include "machine/chain.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 
 namespace kadr::machine {
 

@@ -66,16 +66,16 @@ std::optional<Vec3> within_limits(const Chain& chain, const Solution& solution,
 
 }  // namespace
 
-Mat3 turned_in_order(std::span<const AxisTurn> turns) {
+Mat3 turned_in_order(std::span<const AxisRotation> turns) {
     Mat3 rotation = Mat3::Identity();
-    for (const AxisTurn& turn : turns)
+    for (const AxisRotation& turn : turns)
         rotation = rotation * rotation_about(path::unit(turn.axis), turn.angle);
     return rotation;
 }
 
-Mat3 turned_about_fixed(std::span<const AxisTurn> turns) {
+Mat3 turned_about_fixed(std::span<const AxisRotation> turns) {
     Mat3 rotation = Mat3::Identity();
-    for (const AxisTurn& turn : turns)
+    for (const AxisRotation& turn : turns)
         rotation = rotation_about(path::unit(turn.axis), turn.angle) * rotation;
     return rotation;
 }

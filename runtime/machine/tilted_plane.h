@@ -15,16 +15,16 @@
 namespace kadr::machine {
 
 /// A turn about a linear axis, rad, right-handed.
-struct AxisTurn {
+struct AxisRotation {
     Axis axis = Axis::X;
     double angle = 0;
 };
 
 /// Turns one after the other, each about the axis as the former ones have left it: CYCLE800 axis by
 /// axis, AROT.
-Mat3 turned_in_order(std::span<const AxisTurn> turns);
+Mat3 turned_in_order(std::span<const AxisRotation> turns);
 /// The same about axes that stay: the first turn acts first. Roll, pitch, yaw of G68.2 P1.
-Mat3 turned_about_fixed(std::span<const AxisTurn> turns);
+Mat3 turned_about_fixed(std::span<const AxisRotation> turns);
 
 /// Angles of projections (CYCLE800, G68.2 P4; motion.md 7.2): the new X axis stays in the Z-X
 /// plane, turned about Y by `about_y`; the line in which the plane cuts the Y-Z plane is turned

@@ -296,7 +296,7 @@ class Walk {
         const path::CurvePoint a = first_.here();
         const path::CurvePoint b = second_.here();
         const Vec3 apart = b.position - a.position + carried_apart();
-        const double ahead = first_.segment().turns_only ? 0 : apart.dot(a.tangent);
+        const double ahead = first_.segment().is_rotary_only ? 0 : apart.dot(a.tangent);
         const bool leads = std::abs(ahead) <= tolerance_;
         const double distance = leads ? (apart - ahead * a.tangent).norm() : apart.norm();
         if (distance > result_.greatest_distance) {

@@ -52,10 +52,10 @@ struct Rates {
 
 double feed_axes_rate(const path::Dynamics& dynamics, const Segment& piece, double distance,
                       const AxisTable* axes) {
-    const bool is_swivel = piece.is_transformed() && piece.turns_only;
+    const bool is_swivel = piece.is_transformed() && piece.is_rotary_only;
     // As delivered: the path is that of X, Y, Z or, where these stand, of what moves; and what the
     // tool swivels by is in degrees.
-    if (dynamics.feed_axes == 0 && (!piece.turns_only || is_swivel)) return 1;
+    if (dynamics.feed_axes == 0 && (!piece.is_rotary_only || is_swivel)) return 1;
     const Rates rates{direction(piece, distance), follower_rates(piece, distance, axes)};
     constexpr auto kOthers = static_cast<AxisMask>(~kRotaryABC);
     const AxisMask wanted = dynamics.feed_axes != 0 ? dynamics.feed_axes : kLinearXYZ;

@@ -53,7 +53,7 @@ double LossTrace::asked(const Piece& piece, double feed_override) const {
     double feed = segment.feed;
     // What the machine's own greatest feed cut off is a loss, too.
     const bool is_cut = segment.kind == SegmentKind::Feed && machine_.max_feed > 0 &&
-                        !segment.turns_only && reaches(feed, machine_.max_feed);
+                        !segment.is_rotary_only && reaches(feed, machine_.max_feed);
     if (is_cut) feed = std::max(feed, piece.programmed * feed_override);
     return AxisTable::path_speed(segment, feed);
 }

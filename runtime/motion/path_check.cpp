@@ -55,7 +55,7 @@ double room_of(const path::Blending& blending) {
     return blending.kind == path::BlendKind::None ? 0 : blending.size;
 }
 double lean_of(const path::Blending& blending) {
-    const bool leans = blending.kind != path::BlendKind::None || blending.smooths_turns;
+    const bool leans = blending.kind != path::BlendKind::None || blending.smooths_orientation;
     return leans ? blending.orientation : 0;
 }
 
@@ -456,7 +456,7 @@ std::optional<PathCheck::State::Found> PathCheck::State::find(bool is_thorough, 
             nearest = {&motions[i], near};
         behind = std::max(behind, kBehind * motion.tolerance + kLonger * aside);
         // What is left of the first one is not known in mm; it may be nothing.
-        if (i > 0 && !motion.way.turns_only) passed += motion.length;
+        if (i > 0 && !motion.way.is_rotary_only) passed += motion.length;
         if (passed > kLonger * reach() + behind) break;
     }
     return std::nullopt;

@@ -95,7 +95,7 @@ void Planner::State::deliver(Segment& segment) {
     segment = piece.segment;
     if (std::isfinite(piece.feed_asked)) {
         const double dial = panel.dials().feed;
-        const bool is_limited = max_feed > 0 && !segment.turns_only;
+        const bool is_limited = max_feed > 0 && !segment.is_rotary_only;
         segment.feed = std::min(dial * piece.programmed, is_limited ? max_feed : kInfinity);
         segment.feed_per_revolution *= dial / options.feed_override;
         if (piece.course.is_on())
@@ -146,7 +146,7 @@ Done Planner::State::wait(Segment& segment) {
     segment.follower_rate = {};
     segment.profile = {};
     segment.feed = segment.feed_per_revolution = 0;
-    segment.ends_command = segment.has_pulse = segment.turns_only = false;
+    segment.ends_command = segment.has_pulse = segment.is_rotary_only = false;
     segment.start_time = totals.time;
     segment.duration = panel.next_time() - totals.time;
     totals.time += segment.duration;

@@ -546,8 +546,8 @@ double Preparer::State::wanted_feed(const Command& command, const Segment& segme
     // A thread follows the spindle: neither an override nor a limit of the feed acts on it.
     if (command.op == Op::Thread || command.op == Op::Rapid) return programmed;
     const double wanted = programmed * (command.keeps_feed ? 1 : options.feed_override);
-    return machine.max_feed > 0 && !segment.turns_only ? std::min(wanted, machine.max_feed)
-                                                       : wanted;
+    return machine.max_feed > 0 && !segment.is_rotary_only ? std::min(wanted, machine.max_feed)
+                                                           : wanted;
 }
 
 void Preparer::State::alarm_raised() {

@@ -47,9 +47,9 @@ constexpr double kBellCrowding = 1.05;
 double Preparer::State::corner_speed(const Segment& segment, const AxisRates& in,
                                      double acceleration) const {
     if (last.must_stop) return 0;
-    if (segment.turns_only != last.turns_only) return 0;  // mm/s and deg/s do not meet
+    if (segment.is_rotary_only != last.is_rotary_only) return 0;  // mm/s and deg/s do not meet
     const std::size_t n = axes.size();
-    if (options.corner_rule == CornerRule::AxisJump || segment.turns_only) {
+    if (options.corner_rule == CornerRule::AxisJump || segment.is_rotary_only) {
         return axis_jump_speed({last.rates.data(), n}, {in.data(), n}, {jump.data(), n});
     }
     // The rule knows directions in space; axes beside X Y Z keep to the jump.
@@ -474,7 +474,7 @@ void Preparer::State::remember(const Piece& piece) {
     last.acceleration = piece.acceleration;
     last.jerk = piece.jerk;
     last.turning_acceleration = piece.turning_acceleration;
-    last.turns_only = segment.turns_only;
+    last.is_rotary_only = segment.is_rotary_only;
     last.must_stop = false;
     last.exit_feed = std::numeric_limits<double>::infinity();
     last.feed_slope = 0;

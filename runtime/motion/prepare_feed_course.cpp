@@ -98,7 +98,7 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
         emit(share, piece, length, own);
     };
     const double own_limit =
-        machine.max_feed > 0 && !segment.turns_only ? machine.max_feed : kInfinity;
+        machine.max_feed > 0 && !segment.is_rotary_only ? machine.max_feed : kInfinity;
     const PathLimits limits = axes.limits(piece, axes.start_rates(piece), range.most);
     const double most = std::min(limits.speed, own_limit);
     const bool is_even = range.most <= kEven * range.least;

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "motion/feed.h"
+#include "motion/orientation_corner.h"
 #include "motion/prepare_state.h"
 #include "motion/rounding.h"
 #include "motion/smooth_profile.h"
-#include "motion/turned_corner.h"
 
 namespace kadr::motion {
 
@@ -153,7 +153,7 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
 /// those that turn the tool, and the pulses of a laser burn the programmed points.
 bool Preparer::State::can_be_rounded(const Command& command, const Segment& segment,
                                      const Arrival& arrival) const {
-    if (!is_rounded(command.op) || has_pulses() || segment.turns_only) return false;
+    if (!is_rounded(command.op) || has_pulses() || segment.is_rotary_only) return false;
     const bool is_free =
         segment.is_transformed() ? is_one_way(segment, arrival.joints) : segment.followers == 0;
     return is_free && feed_of(command, segment, arrival.length).has_value();
@@ -164,7 +164,7 @@ bool Preparer::State::hold(const Command& command, const Segment& segment, const
                            double from) {
     const path::Blending& wish = command.blending;
     const bool rounds = wish.kind != path::BlendKind::None && wish.size > 0;
-    const bool smooths = wish.smooths_turns && segment.is_transformed();
+    const bool smooths = wish.smooths_orientation && segment.is_transformed();
     if (command.exact_stop || !(rounds || smooths)) return false;
     if (!can_be_rounded(command, segment, arrival)) return false;
     held.is_held = true;
@@ -193,7 +193,7 @@ void Preparer::State::emit_rest(const Command& command, const Segment& whole, do
                                 double from) {
     if (whole.is_transformed()) {
         if (has_law(command)) begin_law(from, length);
-        emit_way(command, TurningWay(axes.chain(), whole).part(from, length), length);
+        emit_way(command, OrientationPath(axes.chain(), whole).part(from, length), length);
     } else {
         emit_part(command, whole, length, {from, length});
     }
@@ -211,7 +211,7 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
         held.segment.is_transformed() != is_transformed ||
         held.segment.goes_straight() != segment.goes_straight())
         return release(), 0;
-    if (is_transformed) return round_turned_corner(command, segment, length);
+    if (is_transformed) return blend_orientation_corner(command, segment, length);
     const auto found =
         rounding({held.segment.curve, held.command.blending}, {segment.curve, command.blending});
     if (!found) return keep_sharp(), 0;
@@ -260,8 +260,8 @@ double Preparer::State::time_along(std::span<const Segment> ways, const Command&
 }
 
 /// Whether the way around a corner takes less time than the corner as it is, or than a stop there.
-bool Preparer::State::gains_time(const TurnedRounding& around, const Command& command,
-                                 const TurningWay& before, const TurningWay& behind,
+bool Preparer::State::gains_time(const OrientationBlend& around, const Command& command,
+                                 const OrientationPath& before, const OrientationPath& behind,
                                  CornerAsItIs as_it_is) {
     const double way = around.way;
     const Segment tail = before.part(held.length - way, held.length);
@@ -301,11 +301,12 @@ bool Preparer::State::gains_time(const TurnedRounding& around, const Command& co
 /// The way of tip and tool around the corner between two motions, if the program asks for one and
 /// it takes less time than the corner. Under a limit of the jerk the corner is a stop then: small
 /// turns of the tool at a corner of the tip would let the rotary axes jump, which costs no time.
-TurnAtCorner Preparer::State::rounded_turn(const Command& command, const TurningWay& before,
-                                           const TurningWay& behind) {
+OrientationAtCorner Preparer::State::blended_orientation(const Command& command,
+                                                         const OrientationPath& before,
+                                                         const OrientationPath& behind) {
     const path::Blending& wish = held.command.blending;
     if (wish.kind == path::BlendKind::None || !(wish.size > 0)) return {};
-    auto found = turned_rounding(axes.chain(), before, wish, behind, command.blending);
+    auto found = orientation_blend(axes.chain(), before, wish, behind, command.blending);
     if (!found) return {};
     const bool rests = axes.limits_jerk();
     if (gains_time(*found, command, before, behind,
@@ -316,24 +317,24 @@ TurnAtCorner Preparer::State::rounded_turn(const Command& command, const Turning
 
 /// The way of the tool alone, while the tip stays on its path: likewise. Else the corner stays as
 /// it would be without.
-std::optional<TurnedRounding> Preparer::State::smoothed_way(const Command& command,
-                                                            const TurningWay& before,
-                                                            const TurningWay& behind) {
+std::optional<OrientationBlend> Preparer::State::smoothed_way(const Command& command,
+                                                              const OrientationPath& before,
+                                                              const OrientationPath& behind) {
     const path::Blending& wish = held.command.blending;
-    if (!wish.smooths_turns) return std::nullopt;
-    auto found = smoothed_turn(axes.chain(), before, behind, wish.orientation);
+    if (!wish.smooths_orientation) return std::nullopt;
+    auto found = smoothed_orientation(axes.chain(), before, behind, wish.orientation);
     if (found && !gains_time(*found, command, before, behind, CornerAsItIs::OfTheTip))
         found.reset();
     return found;
 }
 
 /// The same on which the tool turns: its way is rounded, too, or it alone.
-double Preparer::State::round_turned_corner(const Command& command, const Segment& segment,
-                                            double length) {
+double Preparer::State::blend_orientation_corner(const Command& command, const Segment& segment,
+                                                 double length) {
     if (held.segment.carrier != segment.carrier) return release(), 0;
-    const TurningWay before(axes.chain(), held.segment);
-    const TurningWay behind(axes.chain(), segment);
-    auto [found, rests] = rounded_turn(command, before, behind);
+    const OrientationPath before(axes.chain(), held.segment);
+    const OrientationPath behind(axes.chain(), segment);
+    auto [found, rests] = blended_orientation(command, before, behind);
     if (!found) found = smoothed_way(command, before, behind);
     if (!found) {
         release();

@@ -20,11 +20,11 @@
 #include "base/told_once.h"
 #include "motion/axis_check.h"
 #include "motion/compressor.h"
+#include "motion/orientation_corner.h"
 #include "motion/prepare.h"
 #include "motion/spindle.h"
 #include "motion/standing.h"
 #include "motion/transformed.h"
-#include "motion/turned_corner.h"
 
 namespace kadr::motion {
 
@@ -41,7 +41,7 @@ struct CornerMemory {
     double acceleration = 0;
     double jerk = std::numeric_limits<double>::infinity();
     double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
-    bool turns_only = false;
+    bool is_rotary_only = false;
     bool is_bent = false;
     bool can_be_cut = true;  // into parts that are as exact as the whole
     bool must_stop = true;   // the path comes to rest behind it
@@ -123,9 +123,9 @@ enum class CornerAsItIs : std::uint8_t {
 };
 
 /// What becomes of a corner at which the tool turns.
-struct TurnAtCorner {
-    std::optional<TurnedRounding> around;  // nothing: it stays
-    bool rests = false;                    // … and is a stop
+struct OrientationAtCorner {
+    std::optional<OrientationBlend> around;  // nothing: it stays
+    bool rests = false;                      // … and is a stop
 };
 
 /// What is beside a corner.
@@ -274,14 +274,18 @@ struct Preparer::State {
     void keep_sharp();
     double round_corner(const path::Command& command, const Segment& segment,
                         const Arrival& arrival);
-    double round_turned_corner(const path::Command& command, const Segment& segment, double length);
+    double blend_orientation_corner(const path::Command& command, const Segment& segment,
+                                    double length);
     double time_along(std::span<const Segment> ways, const path::Command& command) const;
-    bool gains_time(const TurnedRounding& around, const path::Command& command,
-                    const TurningWay& before, const TurningWay& behind, CornerAsItIs as_it_is);
-    TurnAtCorner rounded_turn(const path::Command& command, const TurningWay& before,
-                              const TurningWay& behind);
-    std::optional<TurnedRounding> smoothed_way(const path::Command& command,
-                                               const TurningWay& before, const TurningWay& behind);
+    bool gains_time(const OrientationBlend& around, const path::Command& command,
+                    const OrientationPath& before, const OrientationPath& behind,
+                    CornerAsItIs as_it_is);
+    OrientationAtCorner blended_orientation(const path::Command& command,
+                                            const OrientationPath& before,
+                                            const OrientationPath& behind);
+    std::optional<OrientationBlend> smoothed_way(const path::Command& command,
+                                                 const OrientationPath& before,
+                                                 const OrientationPath& behind);
     void emit_rest(const path::Command& command, const Segment& whole, double length, double from);
     bool is_one_way(const Segment& whole, const path::Vec3& to) const;  // prepare_transformed.cpp
     PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;

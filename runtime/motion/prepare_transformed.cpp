@@ -12,9 +12,9 @@
 
 #include "base/assert.h"
 #include "base/units.h"
+#include "motion/orientation_corner.h"
 #include "motion/prepare_state.h"
 #include "motion/transformed.h"
-#include "motion/turned_corner.h"
 
 namespace kadr::motion {
 
@@ -97,7 +97,7 @@ bool is_followed(const Chain& chain, const Segment& whole, const Vec3& to) {
         std::abs(from[0] + way - to[0]) < kFollowed)
         return true;
     // Where the configurations meet, the formula may not tell.
-    const LogicalAxes axes = TurningWay(chain, whole).end();
+    const LogicalAxes axes = OrientationPath(chain, whole).end();
     std::array<double, kFollowers> followers{};
     std::copy(axes.begin() + 3, axes.end(), followers.begin());
     return (joints_of(chain, followers) - to).head<2>().norm() < kFollowed;
@@ -185,7 +185,7 @@ std::vector<Segment> legs_of_circle(const Chain& chain, const Segment& whole, co
 std::vector<Segment> legs_of(const Chain& chain, const Segment& whole, const Vec3& to,
                              double tolerance) {
     const Turn& turn = whole.turn;
-    if (!leads_tool(turn) || !chain.orients()) return {whole};
+    if (!gives_direction(turn) || !chain.orients()) return {whole};
     if (turn.kind == Turning::Cone) {
         if (turn.rate == 0) return {whole};
         if (std::abs(turn.axis.dot(turn.start)) < kSquare)
@@ -216,7 +216,7 @@ void run_evenly(const Chain& chain, const Vec3& from, const Vec3& to, Segment& l
 
 /// Whether the tool leaves the pole in this leg.
 bool starts_at_pole(const Chain& chain, const Segment& leg) {
-    if (!leads_tool(leg.turn) || !chain.orients()) return false;
+    if (!gives_direction(leg.turn) || !chain.orients()) return false;
     return is_at_pole(chain, path::direction_at(leg.turn, leg.curve, 0));
 }
 
@@ -234,7 +234,7 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
     for (std::size_t i = 0; i < legs.size() && !has_ended; ++i) {
         Segment& leg = legs[i];
         put_joints(chain, joints, leg.follower_start);
-        const bool is_beside = leads_tool(whole.turn) && !leads_tool(leg.turn);
+        const bool is_beside = gives_direction(whole.turn) && !gives_direction(leg.turn);
         if (is_beside) {
             const bool is_last = i + 1 == legs.size();
             run_evenly(chain, joints,
@@ -273,10 +273,10 @@ bool Preparer::State::is_one_way(const Segment& whole, const Vec3& to) const {
     if (whole.virtual_axes.is_on() || whole.contact.kind != path::ContactKind::Tip) return false;
     if ((whole.followers & ~kRotaryABC) != 0) return false;
     const Chain& chain = axes.chain();
-    if (!leads_tool(whole.turn)) return true;
+    if (!gives_direction(whole.turn)) return true;
     const double tolerance = std::max(machine.kinematics->pole_tolerance, machine::kPoleWidth);
     const std::vector<Segment> legs = legs_of(chain, whole, to, tolerance);
-    if (legs.size() != 1 || !leads_tool(legs[0].turn)) return false;
+    if (legs.size() != 1 || !gives_direction(legs[0].turn)) return false;
     return !starts_at_pole(chain, whole) && !is_at_pole(chain, end_of(whole));
 }
 
@@ -293,7 +293,7 @@ void Preparer::State::turn_at_pole(const Command& command, const Segment& at, co
 void Preparer::State::turn_alone(const Command& command, const Segment& at, Axis axis, double way) {
     Segment turn = standing_at(at, 0);
     turn.kind = SegmentKind::Rapid;
-    turn.turns_only = true;
+    turn.is_rotary_only = true;
     turn.turn.kind = Turning::Axes;
     turn.turn.length = deg_from_rad(std::abs(way));
     turn.follower_rate[index(axis) - 3] = way / turn.turn.length;

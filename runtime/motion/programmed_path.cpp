@@ -44,7 +44,9 @@ bool follows_axes(const Segment& way) {
     return !way.is_transformed() || way.turn.kind == path::Turning::Axes ||
            way.virtual_axes.is_on();
 }
-bool turns_tool(const Segment& way) { return way.is_transformed() && !way.virtual_axes.is_on(); }
+bool changes_orientation(const Segment& way) {
+    return way.is_transformed() && !way.virtual_axes.is_on();
+}
 
 bool touches(const ProgrammedMotion& motion) {
     return motion.way.contact.kind != path::ContactKind::Tip;
@@ -58,7 +60,7 @@ Walk walk_of(const ProgrammedMotion& motion) {
     if (touches(motion) && (!stands || way.contact.turn != 0)) return Walk::Touch;
     if (stands) return Walk::Turn;
     if (std::holds_alternative<path::Helix>(way.curve)) return Walk::Circle;
-    const bool is_alone = way.followers == 0 && !turns_tool(way);
+    const bool is_alone = way.followers == 0 && !changes_orientation(way);
     const bool is_span = std::holds_alternative<path::CubicSpan>(way.curve) ||
                          std::holds_alternative<path::QuinticSpan>(way.curve);
     return is_alone && is_span ? Walk::Span : Walk::Length;
@@ -102,7 +104,7 @@ double follower_at(const Segment& way, std::size_t i, double distance) {
 }
 
 Vec3 direction_on(const Chain& chain, const Segment& way, double distance) {
-    if (leads_tool(way.turn)) return path::direction_at(way.turn, way.curve, distance);
+    if (gives_direction(way.turn)) return path::direction_at(way.turn, way.curve, distance);
     std::array<double, kFollowers> followers{};
     for (std::size_t i = 0; i < kFollowers; ++i) followers[i] = follower_at(way, i, distance);
     return machine::tool_vector(chain, joints_of(chain, followers));
@@ -287,7 +289,7 @@ Nearness judged(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
     near.off_allowed = kSameFollower;
     if (!(near.distance <= motion.tolerance)) return near;
     const double distance = length_at(motion, walk, place);
-    if (turns_tool(motion.way)) judge_tool(chain, motion, tool, distance, near);
+    if (changes_orientation(motion.way)) judge_tool(chain, motion, tool, distance, near);
     else judge_followers(motion, tool, distance, near);
     return near;
 }

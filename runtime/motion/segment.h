@@ -11,7 +11,7 @@
 #include "motion/spindle.h"
 #include "path/contact.h"
 #include "path/curve.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 #include "path/virtual_axes.h"
 
 namespace kadr::motion {
@@ -52,14 +52,14 @@ inline constexpr std::size_t kFollowers = kAxes - 3;
 /// how to colour it and whence it came.
 struct Segment {
     SegmentKind kind = SegmentKind::Rapid;
-    bool ends_command = true;  // no further piece of its command comes
-    bool has_pulse = false;    // a pulse of the laser burns the point where it ends
-    bool turns_only = false;   // no linear axis moves: lengths are degrees, not mm
-    bool is_thread = false;    // the spindle leads: a thread, or a tap
-    float thread_start = 0;    // of a thread: turns of the spindle from its mark where it begins
-    AxisMask followers = 0;    // axes beside X, Y, Z that move in this piece
-    std::uint32_t line = 0;    // of the ISO-7bit text
-    std::uint16_t cycle = 0;   // of the command
+    bool ends_command = true;     // no further piece of its command comes
+    bool has_pulse = false;       // a pulse of the laser burns the point where it ends
+    bool is_rotary_only = false;  // no linear axis moves: lengths are degrees, not mm
+    bool is_thread = false;       // the spindle leads: a thread, or a tap
+    float thread_start = 0;       // of a thread: turns of the spindle from its mark where it begins
+    AxisMask followers = 0;       // axes beside X, Y, Z that move in this piece
+    std::uint32_t line = 0;       // of the ISO-7bit text
+    std::uint16_t cycle = 0;      // of the command
     std::int64_t tool_number = 0;  // that was called last; 0: none
     SourceId source;
 

@@ -136,7 +136,7 @@ double Standing::lay_path(const Command& command, const Target& target, Segment&
     else segment.curve = touched_way(command, command.contact.front());
     double length = std::max(path::length(segment.curve), pivot_length(command, segment.curve));
     if (target.followers != followers_) lay_followers(target, length, segment);
-    if (segment.is_transformed()) lay_turn(command, length, segment);
+    if (segment.is_transformed()) lay_orientation(command, length, segment);
     return length > kStill ? length : 0;
 }
 
@@ -151,21 +151,21 @@ void Standing::lay_straight(const Target& target, Segment& segment) const {
 
 /// A rotary axis of virtual coordinates follows the path. Where the tool's way is given R1 and R2
 /// follow it; where only it turns, its angle is the path.
-void Standing::lay_turn(const Command& command, double& length, Segment& segment) const {
+void Standing::lay_orientation(const Command& command, double& length, Segment& segment) const {
     path::Turn& turn = segment.turn;
     turn.kind = command.turning;
     if (virtual_.turns()) {
         segment.follower_rate[index(virtual_.rotary) - 3] = 0;
         segment.followers |= bit(virtual_.rotary);
     }
-    if (leads_tool(turn)) {
+    if (gives_direction(turn)) {
         const Vec3 from = machine::tool_vector(*chain_, joints_of(*chain_, followers_));
         const bool stands = std::holds_alternative<path::Point>(segment.curve);
         const bool is_parallel = (segment.followers & ~kRotaryABC) != 0;
         if (stands && !is_parallel && pivot_length(command, segment.curve) <= kStill) {
             const double before = length;
             length = deg_from_rad(turned_angle(command, from));
-            segment.turns_only = true;
+            segment.is_rotary_only = true;
             if (length > kStill)
                 for (double& rate : segment.follower_rate) rate *= before / length;
         }
@@ -181,7 +181,7 @@ void Standing::lay_turn(const Command& command, double& length, Segment& segment
         turn.axis = is_point ? Vec3(share * command.turn_axis) : command.turn_axis;
         turn.rate = share * command.turn_angle;
         turn.lean = command.lean;
-        turn.outwards = command.turn_outwards;
+        turn.outwards = command.orient_outwards;
     }
     turn.length = length;
     if (!command.contact.empty()) segment.contact = command.contact.front().contact;
@@ -200,7 +200,7 @@ void Standing::lay_followers(const Target& target, double& length, Segment& segm
     if (length <= kStill) length = std::sqrt(parallel);
     if (length <= kStill) {
         length = std::sqrt(turn);
-        segment.turns_only = true;
+        segment.is_rotary_only = true;
     }
     if (length <= kStill) return;
     for (std::size_t i = 0; i < kFollowers; ++i) {

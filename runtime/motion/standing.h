@@ -33,7 +33,7 @@ class Standing {
     Target target_of(const path::Command& command) const;
 
     /// The way of a Rapid, Line or Arc to its target as geometry. Returns the length of the path in
-    /// mm, or in degrees if only rotary axes move (`segment.turns_only`); 0 if nothing moves.
+    /// mm, or in degrees if only rotary axes move (`segment.is_rotary_only`); 0 if nothing moves.
     double lay_path(const path::Command& command, const Target& target, Segment& segment) const;
 
     /// A segment in which the machine stands here, for the caller to complete.
@@ -56,7 +56,7 @@ class Standing {
     double virtual_angle() const;
     void put_carrier(const path::Vec3& carrier);
     void lay_straight(const Target& target, Segment& segment) const;
-    void lay_turn(const path::Command& command, double& length, Segment& segment) const;
+    void lay_orientation(const path::Command& command, double& length, Segment& segment) const;
     void lay_followers(const Target& target, double& length, Segment& segment) const;
 
     const machine::Chain* chain_ = nullptr;  // null if the machine has no transformation

@@ -162,7 +162,7 @@ Placed virtual_near(const Segment& piece, double distance, const Vec3& tip,
 }
 
 Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
-    if (leads_tool(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
+    if (gives_direction(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
     return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
 }
 
@@ -209,7 +209,7 @@ Placed placed_near(const Chain& chain, const Segment& piece, double distance, co
     if (piece.virtual_axes.is_on()) return virtual_near(piece, distance, place, near);
     Placed placed;
     auto followers = followers_at(piece, distance);
-    if (leads_tool(piece.turn)) {
+    if (gives_direction(piece.turn)) {
         std::array<double, kFollowers> from{};
         std::copy(near.begin() + 3, near.end(), from.begin());
         placed.tool = path::direction_at(piece.turn, piece.curve, distance);

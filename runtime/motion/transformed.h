@@ -22,7 +22,7 @@ using machine::is_at_pole;
 using machine::joints_for;
 
 /// Whether the tool's direction is given along the piece, and the rotary axes follow it.
-inline bool leads_tool(const path::Turn& turn) { return turn.kind > path::Turning::Axes; }
+inline bool gives_direction(const path::Turn& turn) { return turn.kind > path::Turning::Axes; }
 
 /// Where the joints of the chain stand, as followers of a piece say it, and the other way round.
 path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFollowers>& followers);

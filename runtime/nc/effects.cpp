@@ -84,8 +84,8 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::CompByFace:
         case Function::CompByFaceInFrame:
         case Function::CompByFaceInPlane:
-        case Function::CompTurnOnArc:
-        case Function::CompTurnBefore:
+        case Function::CompOrientOnArc:
+        case Function::CompOrientBefore:
         case Function::ExactStop:
         case Function::ContinuousPath:
         case Function::TappingMode:
@@ -96,14 +96,14 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::CompressOff:
         case Function::DiameterOn:
         case Function::DiameterOff:
-        case Function::TurnPlane:
-        case Function::TurnAxes:
-        case Function::TurnSurface:
-        case Function::TurnConeCw:
-        case Function::TurnConeCcw:
-        case Function::TurnConeOver:
-        case Function::TurnConeOn:
-        case Function::TurnPoint:
+        case Function::OrientGreatCircle:
+        case Function::OrientAxes:
+        case Function::OrientSurface:
+        case Function::OrientConeCw:
+        case Function::OrientConeCcw:
+        case Function::OrientConeThrough:
+        case Function::OrientConeTangential:
+        case Function::OrientSecondPoint:
         case Function::AnglesEuler:
         case Function::AnglesZyz:
         case Function::AnglesRpy:
@@ -191,7 +191,7 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::TiltPoint:
         case Function::TiltVector:
         case Function::TiltAlongTool:
-        case Function::TurnInSpace: does.at_once(Kind::Tilts).own(); break;
+        case Function::Rotation3d: does.at_once(Kind::Tilts).own(); break;
         case Function::TiltAlign:
         case Function::TiltAlignTip:
         case Function::Swivel:

@@ -52,7 +52,7 @@ enum class Group : std::uint8_t {
     OrientSystem,
     Spinning,
     CompSystem,
-    CompTurning,
+    CompOrientation,
     DataInput,
 };
 inline constexpr std::size_t kGroups = 28;

@@ -14,9 +14,9 @@
 #include "base/source.h"
 #include "path/contact.h"
 #include "path/dynamics.h"
+#include "path/orient_kind.h"
 #include "path/parametric.h"
 #include "path/spline.h"
-#include "path/turning.h"
 #include "path/virtual_axes.h"
 
 namespace kadr::path {
@@ -74,7 +74,7 @@ struct Blending {
     /// So far the tool's direction may leave the programmed one meanwhile, rad.
     double orientation = std::numeric_limits<double>::infinity();
     /// Where the tip is not led around the corner, the tool is: the tip stays on its path.
-    bool smooths_turns = false;
+    bool smooths_orientation = false;
 
     friend bool operator==(const Blending&, const Blending&) = default;
 };
@@ -129,7 +129,7 @@ struct Command {
     Vec3 turn_from = Vec3::UnitZ();  // Surface, Point
     Vec3 turn_axis = Vec3::Zero();   // Cone, Surface, Point
     double turn_angle = 0;           // Cone, Surface; by the right-hand rule
-    double turn_outwards = 0;        // Point
+    double orient_outwards = 0;      // Point
     Lean lean;                       // Surface
     // … whose path is that of the place where the cutter touches: one; else none.
     std::vector<ContactMotion> contact;

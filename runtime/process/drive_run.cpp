@@ -38,7 +38,7 @@ void DriveRun::add(const Segment& segment) {
     if (has_stalled_) return;
     if (!has_begun_) begin(segment);
     line_ = segment.line;
-    const bool moves = motion::is_motion(segment.kind) && !segment.turns_only;
+    const bool moves = motion::is_motion(segment.kind) && !segment.is_rotary_only;
     const bool is_cut = segment.kind == SegmentKind::Feed;
     const bool begins_cut = moves && is_cut && !was_cutting_;
     if (begins_cut) side_ = radius() < 0 ? -1 : 1;

@@ -42,7 +42,7 @@ constexpr bool is_quiet_group(Group group) {
         case Group::OrientAngles:
         case Group::OrientSystem:
         case Group::CompSystem:
-        case Group::CompTurning:
+        case Group::CompOrientation:
         case Group::Spinning:
         case Group::DataInput: return true;
         case Group::Once:

@@ -134,26 +134,26 @@ void add_vector(Block& block, Function function) {
 Block any_mode(bool is_axioma) {
     using F = Function;
     switch (whole(0, 9)) {
-        case 0: return of(F::TurnAxes);
-        case 1: return of(F::TurnSurface);
-        case 2: return of(maybe() ? F::TurnConeCw : F::TurnConeCcw);
+        case 0: return of(F::OrientAxes);
+        case 1: return of(F::OrientSurface);
+        case 2: return of(maybe() ? F::OrientConeCw : F::OrientConeCcw);
         case 3: return of(is_axioma ? F::AnglesZyz : F::AnglesEuler);
         case 4: return of(maybe() ? F::AnglesRpy : F::AnglesXyz);
         case 5: return of(maybe() ? F::OrientInBase : F::OrientInWork);
         case 6: return of(F::OrientReset, {any_angle(60), any_angle(180)});
-        default: return of(F::TurnPlane);
+        default: return of(F::OrientGreatCircle);
     }
 }
 
 /// What stands beside a motion depends on the mode that acts.
 Block any_turn(Function turning) {
     Block block = any_move();
-    if (turning == Function::TurnSurface) {
+    if (turning == Function::OrientSurface) {
         if (maybe()) add(block, Function::LeanLead, {any_angle(25)});
         if (maybe()) add(block, Function::LeanTilt, {any_angle(25)});
         return block;
     }
-    const bool is_cone = turning == Function::TurnConeCw || turning == Function::TurnConeCcw;
+    const bool is_cone = turning == Function::OrientConeCw || turning == Function::OrientConeCcw;
     const int choice = is_cone ? 0 : whole(0, 3);
     if (choice < 2) {
         add_vector(block, Function::ToolVector);
@@ -170,7 +170,7 @@ Block any_turn(Function turning) {
 
 std::vector<Block> any_oriented(bool is_axioma) {
     std::vector<Block> blocks = {first_move(), of(Function::TcpOn)};
-    Function turning = Function::TurnPlane;
+    Function turning = Function::OrientGreatCircle;
     for (int i = whole(1, 15); i > 0; --i) {
         const int choice = whole(0, 9);
         if (choice < 3) {

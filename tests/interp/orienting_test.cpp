@@ -49,13 +49,14 @@ TEST(Orienting, TurnsAreSmoothedWithinTheToleranceOfTheTool) {
         "ORISON OTOL=2\nG1 X10 A3=1 C3=1 F100\nG642 X20\nORISOF X30\nG64 X40\nORISON OTOL=-1 X50");
     ASSERT_EQ(all.size(), 5u);
     const bool smooths[] = {true, true, false, false, true};
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(all[i].blending.smooths_turns, smooths[i]) << i;
+    for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_EQ(all[i].blending.smooths_orientation, smooths[i]) << i;
     EXPECT_NEAR(all[0].blending.orientation, rad_from_deg(2), 1e-15);
     EXPECT_EQ(all[0].blending.kind, path::BlendKind::None);
     EXPECT_EQ(all[1].blending.kind, path::BlendKind::Tolerance);
     EXPECT_EQ(all[4].blending.orientation, trunnion().orientation_tolerance);
     const Ran plain = read("sinumerik", "S1000 M3\nORISON\nG1 X10 F100\nM30", trunnion());
-    EXPECT_FALSE(motions(plain)[0].blending.smooths_turns) << "without a transformation";
+    EXPECT_FALSE(motions(plain)[0].blending.smooths_orientation) << "without a transformation";
 }
 
 TEST(Orienting, AnglesAreWhatTheirModeSays) {

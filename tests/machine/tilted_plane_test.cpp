@@ -42,13 +42,13 @@ Mat3 plane_of(const json& input) {
     const std::string mode = input["mode"];
     if (mode == "axis_by_axis") {
         const std::string order = input["order"];
-        std::array<AxisTurn, 3> turns{};
+        std::array<AxisRotation, 3> turns{};
         const std::array<const char*, 3> names = {"_A", "_B", "_C"};
         for (std::size_t i = 0; i < 3; ++i) turns[i] = {axis_named(order[i]), rad(input[names[i]])};
         return turned_in_order(turns);
     }
     if (mode == "solid") {
-        const std::array<AxisTurn, 2> turns = {
+        const std::array<AxisRotation, 2> turns = {
             {{Axis::Z, rad(input["_A"])}, {Axis::Y, rad(input["_B"])}}};
         return turned_in_order(turns);
     }
@@ -147,7 +147,7 @@ TEST(TiltedPlane, FormsOfG682LieAsTheOracleSays) {
             const Vec3 angles(rad(input["I"]), rad(input["J"]), rad(input["K"]));
             Mat3 rotation = Mat3::Identity();
             if (form == 1) {
-                std::array<AxisTurn, 3> turns{};
+                std::array<AxisRotation, 3> turns{};
                 int rest = input["Q"];
                 for (std::size_t i = 3; i-- > 0; rest /= 10)
                     turns[i] = {static_cast<Axis>(rest % 10 - 1), angles[rest % 10 - 1]};
@@ -155,7 +155,7 @@ TEST(TiltedPlane, FormsOfG682LieAsTheOracleSays) {
             } else if (form == 4) {
                 rotation = projected({angles[1], angles[0], angles[2]}).value();
             } else {
-                const std::array<AxisTurn, 3> turns = {
+                const std::array<AxisRotation, 3> turns = {
                     {{Axis::Z, angles[0]}, {Axis::X, angles[1]}, {Axis::Z, angles[2]}}};
                 rotation = turned_in_order(turns);
             }
@@ -171,7 +171,7 @@ TEST(TiltedPlane, FormsOfG682LieAsTheOracleSays) {
 
 TEST(TiltedPlane, EulerPlanesOfTheOracleStandToTheirMachines) {
     for_each_case("frames.json", "G68.2_euler", 7, [&](const json& input, const json& expect) {
-        const std::array<AxisTurn, 3> turns = {
+        const std::array<AxisRotation, 3> turns = {
             {{Axis::Z, rad(input["I"])}, {Axis::X, rad(input["J"])}, {Axis::Z, rad(input["K"])}}};
         const path::Frame plane{turned_in_order(turns), vec(input["origin"])};
         for (std::size_t i = 0; i < input["points"].size(); ++i)
@@ -187,7 +187,7 @@ TEST(TiltedPlane, EulerPlanesOfTheOracleStandToTheirMachines) {
     for_each_case("frames.json", "swivel_axis_by_axis", 6,
                   [&](const json& input, const json& expect) {
                       const std::string order = input["order"];
-                      std::array<AxisTurn, 3> turns{};
+                      std::array<AxisRotation, 3> turns{};
                       for (std::size_t i = 0; i < 3; ++i)
                           turns[i] = {axis_named(order[i]), rad(input["angles_in_order"][i])};
                       expect_plane(turned_in_order(turns), expect);

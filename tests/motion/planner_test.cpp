@@ -436,11 +436,11 @@ TEST(Planner, RotaryAxesFollowOrMakeThePath) {
     const Motion result = run(with_rotary(), {both, turn});
     ASSERT_EQ(result.segments.size(), 2u);
     // 100 mm at 10 mm/s, and C comes along: π/2 in 100 mm.
-    EXPECT_FALSE(result.segments[0].turns_only);
+    EXPECT_FALSE(result.segments[0].is_rotary_only);
     EXPECT_NEAR(result.segments[0].profile.length, 100, 1e-12);
     EXPECT_NEAR(result.segments[0].follower_rate[index(Axis::C) - 3], kPi / 200, 1e-15);
     // 90 degrees at 600 deg/min.
-    EXPECT_TRUE(result.segments[1].turns_only);
+    EXPECT_TRUE(result.segments[1].is_rotary_only);
     EXPECT_NEAR(result.segments[1].profile.length, 90, 1e-12);
     EXPECT_NEAR(result.segments[1].duration, 9, 0.05);
     EXPECT_EQ(result.segments[0].profile.exit_speed, 0);  // mm/s and deg/s do not meet

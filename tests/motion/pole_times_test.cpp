@@ -40,7 +40,7 @@ machine::Machine machine_of_case(const json& input) {
 
 /// The tool turns while its tip stands, to where the rotary axes are then; it stops before and
 /// behind.
-Command turn_to(const machine::Machine& machine, const Vec3& joints) {
+Command orient_to(const machine::Machine& machine, const Vec3& joints) {
     Command command = line_to(Vec3(40, 25, -10), kFast);
     for (const std::size_t k : {kR1, kR2}) {
         const Axis axis = machine.kinematics->chain.joints[k].axis;
@@ -54,7 +54,7 @@ Command turn_to(const machine::Machine& machine, const Vec3& joints) {
 }
 
 Command along_great_circle(const machine::Machine& machine, const Vec3& from, const Vec3& joints) {
-    Command command = turn_to(machine, joints);
+    Command command = orient_to(machine, joints);
     command.turning = Turning::Cone;
     const Vec3 across = from.cross(command.direction);
     command.turn_axis = across.normalized();
@@ -66,7 +66,7 @@ Command along_great_circle(const machine::Machine& machine, const Vec3& from, co
 double time_of_turn(const machine::Machine& machine, const Vec3& start, const Vec3& end) {
     const Vec3 from = machine::tool_vector(machine.kinematics->chain, start);
     const Motion motion =
-        run(machine, {turn_to(machine, start), along_great_circle(machine, from, end)});
+        run(machine, {orient_to(machine, start), along_great_circle(machine, from, end)});
     EXPECT_FALSE(motion.alarmed);
     double time = 0;
     for (const Segment& segment : motion.segments)
@@ -112,7 +112,8 @@ TEST(PoleTimes, ThroughThePoleByBothWays) {
             const Vec3 behind(end[0], 0, 0);
             expect_time(time_of_turn(machine, start, before), turned["T_to_pole"]);
             expect_time(time_of_turn(machine, behind, end), turned["T_from_pole"]);
-            const Motion turn = run(machine, {turn_to(machine, before), turn_to(machine, behind)});
+            const Motion turn =
+                run(machine, {orient_to(machine, before), orient_to(machine, behind)});
             double time = 0;
             for (const Segment& segment : turn.segments)
                 if (segment.line == 2) time += segment.duration;

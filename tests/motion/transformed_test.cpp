@@ -695,15 +695,17 @@ void expect_even_turns(const path::Blending& blending) {
     }
 }
 
-TEST(TurnedCorner, TheToolTurnsEvenlyWithinItsTolerance) { expect_even_turns(within(0.05, 0.1)); }
+TEST(OrientationCorner, TheToolTurnsEvenlyWithinItsTolerance) {
+    expect_even_turns(within(0.05, 0.1));
+}
 
-TEST(TurnedCorner, TheToolAloneTurnsEvenlyWithinItsTolerance) {
+TEST(OrientationCorner, TheToolAloneTurnsEvenlyWithinItsTolerance) {
     expect_even_turns(of_the_tool(0.1));
 }
 
 // Around a corner of the tip the tool goes on evenly by the path; the tip does not leave it, and
 // passes the corner as without.
-TEST(TurnedCorner, TheToolAloneIsLedAroundACornerOfTheTip) {
+TEST(OrientationCorner, TheToolAloneIsLedAroundACornerOfTheTip) {
     for (const machine::Machine& machine : every_class()) {
         Program program(machine);
         program.go_fast({0, 0, 0}, direction(30, 30));
@@ -753,7 +755,7 @@ TEST(TurnedCorner, TheToolAloneIsLedAroundACornerOfTheTip) {
 // Where the way of the tool alone would take longer than the corner as it is, the corner stays: on
 // it the rotary axes are slower on all of its way. Some took 16 % longer. What the ramps between
 // its parts take is estimated, to some percent.
-TEST(TurnedCorner, TheToolAloneTakesNoMoreTimeThanTheCorner) {
+TEST(OrientationCorner, TheToolAloneTakesNoMoreTimeThanTheCorner) {
     for (const machine::Machine& machine : every_class()) {
         for (const double length : {3.0, 25.0}) {
             for (const double turn : {0.0, 0.7, 2.0}) {
@@ -779,7 +781,7 @@ TEST(TurnedCorner, TheToolAloneTakesNoMoreTimeThanTheCorner) {
     }
 }
 
-TEST(TurnedCorner, CornersOfTheTipAreRoundedToo) {
+TEST(OrientationCorner, CornersOfTheTipAreRoundedToo) {
     const machine::Machine machine = table_table();
     Program program(machine);
     program.go_fast({0, 0, 0}, direction(30, 30));
@@ -801,7 +803,7 @@ TEST(TurnedCorner, CornersOfTheTipAreRoundedToo) {
 /// A line to the start of a spiral up a dome on which the tool stands square, as examples/dome.mpf:
 /// between all motions there is a curve or a rest. The corner behind the line stayed as it was, and
 /// C jumped there; near the pole, too, where C turns far from block to block.
-TEST(TurnedCorner, UnderALimitOfTheJerkNoRotaryAxisJumps) {
+TEST(OrientationCorner, UnderALimitOfTheJerkNoRotaryAxisJumps) {
     for (const double feed : {1000.0, 3000.0, 10000.0}) {
         const machine::Machine machine = table_table(0.02);
         Program program(machine);
@@ -832,7 +834,7 @@ TEST(TurnedCorner, UnderALimitOfTheJerkNoRotaryAxisJumps) {
     }
 }
 
-RC_GTEST_PROP(TurnedCorner, KeepsTolerancesAndLimits, ()) {
+RC_GTEST_PROP(OrientationCorner, KeepsTolerancesAndLimits, ()) {
     const std::vector<machine::Machine> machines = every_class();
     const machine::Machine& machine = machines[*rc::gen::inRange<std::size_t>(0, machines.size())];
     std::vector<Command> commands = any_turning_program(machine);

@@ -1,4 +1,4 @@
-#include "interp/turns_beside.h"
+#include "interp/compensated_orientation.h"
 
 #include <utility>
 
@@ -56,10 +56,11 @@ bool turn_straight(const Vec3& from, Command& command) {
 }
 
 /// The rotary axes where the tool ends on its way there. False: they cannot go.
-bool lead_joints(const ToolTurner& turner, const AxisValues& from, const machine::Course& course,
-                 AxisValues& to) {
-    const machine::Chain& chain = *turner.chain;
-    const auto end = machine::follow(chain, {joints_at(chain, from), turner.limits}, course);
+bool lead_joints(const OrientationLimits& orientation_limits, const AxisValues& from,
+                 const machine::Course& course, AxisValues& to) {
+    const machine::Chain& chain = *orientation_limits.chain;
+    const auto end =
+        machine::follow(chain, {joints_at(chain, from), orientation_limits.limits}, course);
     if (!end) return false;
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
@@ -69,9 +70,10 @@ bool lead_joints(const ToolTurner& turner, const AxisValues& from, const machine
 }
 
 /// The tip stands where the axes are while the tool turns along the great circle.
-bool put_standing_turn(const ToolTurner& turner, const Command& model, const Vec3& to,
-                       AxisValues& axes, std::vector<Command>& settled) {
-    const Vec3 from = machine::tool_vector(*turner.chain, joints_at(*turner.chain, axes));
+bool put_standing_turn(const OrientationLimits& orientation_limits, const Command& model,
+                       const Vec3& to, AxisValues& axes, std::vector<Command>& settled) {
+    const Vec3 from =
+        machine::tool_vector(*orientation_limits.chain, joints_at(*orientation_limits.chain, axes));
     if (is_same(from, to)) return true;
     Command turn = model;
     turn.op = model.op == Op::Rapid ? Op::Rapid : Op::Line;
@@ -84,29 +86,31 @@ bool put_standing_turn(const ToolTurner& turner, const Command& model, const Vec
     const auto course = [&](double share) -> Vec3 {
         return Eigen::AngleAxisd(share * whole.angle(), whole.axis()) * from;
     };
-    if (!lead_joints(turner, axes, course, turn.to)) return false;
+    if (!lead_joints(orientation_limits, axes, course, turn.to)) return false;
     axes = turn.to;
     settled.push_back(std::move(turn));
     return true;
 }
 
 /// Along an arc the tool stays led by it: it turns there before, and to what is programmed behind.
-bool put_led(const ToolTurner& turner, AxisValues axes, const Command& programmed, const Ends& ends,
-             std::vector<Command>& settled) {
+bool put_led(const OrientationLimits& orientation_limits, AxisValues axes,
+             const Command& programmed, const Ends& ends, std::vector<Command>& settled) {
     const std::size_t before = settled.size();
     const auto put = [&] {
-        if (!put_standing_turn(turner, programmed, ends.first, axes, settled)) return false;
+        if (!put_standing_turn(orientation_limits, programmed, ends.first, axes, settled))
+            return false;
         Command command = programmed;
         const path::Curve way = path::curve_of(command, linear(axes), linear(command.to));
         const path::Turn turn = turn_of(command, ends.first, path::length(way));
         const auto course = [&](double share) {
             return path::direction_at(turn, way, share * turn.length);
         };
-        if (!lead_joints(turner, axes, course, command.to)) return false;
+        if (!lead_joints(orientation_limits, axes, course, command.to)) return false;
         command.direction = ends.last;
         axes = command.to;
         settled.push_back(std::move(command));
-        return put_standing_turn(turner, programmed, programmed.direction, axes, settled);
+        return put_standing_turn(orientation_limits, programmed, programmed.direction, axes,
+                                 settled);
     };
     if (put()) return true;
     settled.resize(before);
@@ -133,7 +137,7 @@ path::Turn turn_of(const Command& command, const Vec3& from_tool, double length)
     turn.axis = turn.kind == Turning::Point ? Vec3(share * command.turn_axis) : command.turn_axis;
     turn.rate = share * command.turn_angle;
     turn.lean = command.lean;
-    turn.outwards = command.turn_outwards;
+    turn.outwards = command.orient_outwards;
     return turn;
 }
 
@@ -145,20 +149,21 @@ void shift_point(const WayBeside& way, Command& command) {
     command.turn_axis += behind - before;
 }
 
-bool put_turned(const ToolTurner& turner, const AxisValues& from, Command command,
-                std::vector<Command>& settled) {
-    const bool is_led = turner.chain != nullptr && path::is_motion(command.op) &&
+bool put_oriented(const OrientationLimits& orientation_limits, const AxisValues& from,
+                  Command command, std::vector<Command>& settled) {
+    const bool is_led = orientation_limits.chain != nullptr && path::is_motion(command.op) &&
                         command.turning > Turning::Axes && command.contact.empty();
     if (!is_led) {
         settled.push_back(std::move(command));
         return true;
     }
-    const Vec3 now = machine::tool_vector(*turner.chain, joints_at(*turner.chain, from));
+    const Vec3 now =
+        machine::tool_vector(*orientation_limits.chain, joints_at(*orientation_limits.chain, from));
     const path::Curve way = path::curve_of(command, linear(from), linear(command.to));
     const Ends ends = ends_of(command, way, now);
     if (!is_same(ends.first, now) || !is_same(ends.last, command.direction)) {
         if (command.op == Op::Arc && command.turning != Turning::Cone)
-            return put_led(turner, from, command, ends, settled);
+            return put_led(orientation_limits, from, command, ends, settled);
         if (!turn_straight(now, command)) return false;
     }
     settled.push_back(std::move(command));

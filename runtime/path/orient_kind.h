@@ -1,4 +1,4 @@
-// turning.h — the ways on which a tool turns: names and angles that commands say.
+// orient_kind.h — the ways on which a tool turns: names and angles that commands say.
 #pragma once
 
 #include <cstdint>

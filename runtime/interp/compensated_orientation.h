@@ -1,5 +1,5 @@
-// turns_beside.h — how the tool turns on a way that a cutter compensation has laid beside the one
-// that is programmed, under the machine's transformation.
+// compensated_orientation.h — how the tool turns on a way that a cutter compensation has laid
+// beside the one that is programmed, under the machine's transformation.
 //
 // The control shares the turn of a block out over its path (S 7.4: u is the path fraction), so that
 // beside the contour, too, a block begins and ends with the tool that the program gives it. Where
@@ -11,12 +11,12 @@
 #include "machine/chain.h"
 #include "machine/path_choice.h"
 #include "path/command.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 
 namespace kadr::interp {
 
 /// What turns the tool; without a chain nothing does.
-struct ToolTurner {
+struct OrientationLimits {
     const machine::Chain* chain = nullptr;
     machine::JointLimits limits;
 };
@@ -44,7 +44,7 @@ void shift_point(const WayBeside& way, path::Command& command);
 ///
 /// from     where the axes are
 /// returns  false if the rotary axes cannot follow; then nothing is put out
-bool put_turned(const ToolTurner& turner, const AxisValues& from, path::Command command,
-                std::vector<path::Command>& settled);
+bool put_oriented(const OrientationLimits& orientation_limits, const AxisValues& from,
+                  path::Command command, std::vector<path::Command>& settled);
 
 }  // namespace kadr::interp

@@ -1,4 +1,4 @@
-// turned_command.h — places and commands in a system that is turned against the base system, as a
+// rotated_command.h — places and commands in a system that is turned against the base system, as a
 // tilted working plane is.
 #pragma once
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "machine/orientation.h"
-#include "path/turn.h"
+#include "path/orient_law.h"
 #include "tests/interp/five_axis_bench.h"
 
 namespace kadr::interp {

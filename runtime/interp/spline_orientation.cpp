@@ -1,4 +1,4 @@
-// spline_turns.cpp — how the tool turns along splines and polynomials.
+// spline_orientation.cpp — how the tool turns along splines and polynomials.
 //
 // Blocks of a spline are read before their spans are known: what they say of the tool waits with
 // them. Along a span the tool turns as along any other way, in proportion to its length. A pole of
@@ -28,14 +28,15 @@ constexpr double kNoDirection = 1e-3;
 }  // namespace
 
 /// The tool may turn as it is said beside a spline or a polynomial.
-Done Executor::require_turn_along(const Block& block, const ToolWords& tool) {
+Done Executor::require_orientation_along(const Block& block, const ToolWords& tool) {
     if (!orienting_.is_on && !tool.is_any()) return kDone;
     const bool is_alone = orienting_.is_on && !orienting_.has_length && !is_any_comp_on();
     // What is modal would act on the spans that wait, too.
     bool is_refused = tool.is_any() && (!is_alone || (tool.changes_lean && is_in_spline()));
     if (modal_.motion == Function::Spline) {
-        const TurnWay turning = orienting_.turning;
-        const bool is_free = turning == TurnWay::Plane || turning == TurnWay::Axes;
+        const OrientInterpolation turning = orienting_.turning;
+        const bool is_free =
+            turning == OrientInterpolation::Plane || turning == OrientInterpolation::Axes;
         const bool spins = tool.spin || tool.spin_by ||
                            (tool.angles.is_said() && machine_.kinematics->chain.has(machine::kPsi));
         is_refused |= is_led_by_surface(tool) || (tool.is_any() && !is_free) || spins;
@@ -84,7 +85,7 @@ Done Executor::turn_along(const Block& at, const PoleBlock& said, const path::Cu
     for (std::size_t i = 0; i < 3; ++i)
         target.base[i] = path::end(span)[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
-    const bool is_laid = lay_span_turn(at, said, span, target) &&
+    const bool is_laid = lay_span_orientation(at, said, span, target) &&
                          require_within_limits(at, target.base, joint_axes());
     modal_.feed = feed;
     static_cast<OrientModes&>(orienting_) = modes;
@@ -98,38 +99,38 @@ Done Executor::turn_along(const Block& at, const PoleBlock& said, const path::Cu
     return kDone;
 }
 
-Done Executor::lay_span_turn(const Block& at, const PoleBlock& said, const path::Curve& span,
-                             Target& target) {
-    next_turn_ = {};
+Done Executor::lay_span_orientation(const Block& at, const PoleBlock& said, const path::Curve& span,
+                                    Target& target) {
+    next_orientation_ = {};
     course_.reset();
     if (said.direction) {
         if (said.direction->norm() < kNoDirection) {
             report(diag::OrientationOpposite, at);
             return kFailed;
         }
-        if (!lay_turn(at, said.direction->normalized(), target)) return kFailed;
+        if (!lay_orientation(at, said.direction->normalized(), target)) return kFailed;
         orienting_.leans = false;
     } else {
         if (!lay_tool_words(at, said.tool.value_or(ToolWords{}), target)) return kFailed;
         if (course_) return lay_course(at, span, target);
     }
-    settle_turn(target);
+    settle_orientation(target);
     return kDone;
 }
 
 /// What a block says of the tool, shared out to the pieces of its polynomial by their lengths: the
 /// directions in which they end.
-Done Executor::share_turn(const Block& block, const ToolWords& tool,
-                          const std::vector<double>& shares,
-                          const std::vector<PoleBlock*>& pieces) {
+Done Executor::share_orientation(const Block& block, const ToolWords& tool,
+                                 const std::vector<double>& shares,
+                                 const std::vector<PoleBlock*>& pieces) {
     if (!orienting_.is_on) return kDone;
     const bool is_led = is_led_by_surface(tool);
     if (pieces.size() == 1 || (!tool.is_any() && !is_led)) {
         if (tool.is_any() || is_led) pieces.back()->tool = tool;
         return kDone;
     }
-    const bool is_plane = orienting_.turning == TurnWay::Plane && tool.says_direction() &&
-                          !is_led && !tool.spin && !tool.spin_by;
+    const bool is_plane = orienting_.turning == OrientInterpolation::Plane &&
+                          tool.says_direction() && !is_led && !tool.spin && !tool.spin_by;
     if (!is_plane) {
         report(diag::IsoNotSupported, block)
             .arg("a tool that turns so beside a polynomial with such a denominator");

@@ -1,4 +1,4 @@
-// turned_corner.h — the curve around the corner between two motions on which the tool turns.
+// orientation_corner.h — the curve around the corner between two motions on which the tool turns.
 //
 // Under the transformation of the machine a corner is a corner of the tip, of the way on which the
 // tool turns, or of both: where a great circle goes over into another one the tip may go straight
@@ -16,10 +16,10 @@
 namespace kadr::motion {
 
 /// The way of the axes on a motion of any length, found once from its start.
-class TurningWay {
+class OrientationPath {
   public:
     /// chain, whole  have to live as long
-    TurningWay(const machine::Chain& chain, const Segment& whole);
+    OrientationPath(const machine::Chain& chain, const Segment& whole);
 
     /// Where the rotary axes are, rad, and how they go on, per mm and per mm² of the path.
     path::CurvePoint joints(double distance) const;
@@ -43,7 +43,7 @@ class TurningWay {
     std::vector<Node> nodes_;
 };
 
-struct TurnedRounding {
+struct OrientationBlend {
     double way = 0;                 // mm of the path on either side of the corner
     std::array<Segment, 4> pieces;  // two before the middle, two behind it
 };
@@ -53,16 +53,20 @@ struct TurnedRounding {
 ///
 /// returns   nothing if neither tip nor rotary axes have a corner, if the tip turns back, or if
 ///           nothing is left of the way
-std::optional<TurnedRounding> turned_rounding(const machine::Chain& chain, const TurningWay& before,
-                                              const path::Blending& wish, const TurningWay& behind,
-                                              const path::Blending& wish_behind);
+std::optional<OrientationBlend> orientation_blend(const machine::Chain& chain,
+                                                  const OrientationPath& before,
+                                                  const path::Blending& wish,
+                                                  const OrientationPath& behind,
+                                                  const path::Blending& wish_behind);
 
 /// The tip stays on its path, corner or not, and the rotary axes alone are led around theirs: their
 /// speed and how it changes go on along the path, on a way as long as the tolerance allows.
 ///
 /// tolerance  how far the tool may be from its programmed direction, rad
 /// returns    nothing if the rotary axes have no corner, or if nothing is left of the way
-std::optional<TurnedRounding> smoothed_turn(const machine::Chain& chain, const TurningWay& before,
-                                            const TurningWay& behind, double tolerance);
+std::optional<OrientationBlend> smoothed_orientation(const machine::Chain& chain,
+                                                     const OrientationPath& before,
+                                                     const OrientationPath& behind,
+                                                     double tolerance);
 
 }  // namespace kadr::motion

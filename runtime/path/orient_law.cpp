@@ -1,4 +1,4 @@
-#include "path/turn.h"
+#include "path/orient_law.h"
 
 #include <algorithm>
 #include <cmath>

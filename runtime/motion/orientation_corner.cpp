@@ -1,4 +1,4 @@
-#include "motion/turned_corner.h"
+#include "motion/orientation_corner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,8 @@ double most_turn(const LogicalAxes& a, const LogicalAxes& b) {
 
 // ------------------------------------------------------------------------------ the way
 
-TurningWay::TurningWay(const Chain& chain, const Segment& whole) : chain_(&chain), whole_(&whole) {
+OrientationPath::OrientationPath(const Chain& chain, const Segment& whole)
+    : chain_(&chain), whole_(&whole) {
     const double length = whole.turn.length;
     nodes_.push_back({0, axes_near(chain, whole, 0, start_of(whole))});
     double step = length / 8;
@@ -55,13 +56,13 @@ TurningWay::TurningWay(const Chain& chain, const Segment& whole) : chain_(&chain
     }
 }
 
-LogicalAxes TurningWay::axes(double distance) const {
+LogicalAxes OrientationPath::axes(double distance) const {
     auto next = std::ranges::upper_bound(nodes_, distance, {}, &Node::distance);
     if (next != nodes_.begin()) --next;
     return axes_near(*chain_, *whole_, distance, next->axes);
 }
 
-Vec3 TurningWay::joints_at(double distance) const {
+Vec3 OrientationPath::joints_at(double distance) const {
     const LogicalAxes there = axes(distance);
     std::array<double, kFollowers> followers{};
     std::copy(there.begin() + 3, there.end(), followers.begin());
@@ -69,7 +70,7 @@ Vec3 TurningWay::joints_at(double distance) const {
 }
 
 /// Central differences of the fourth order.
-CurvePoint TurningWay::joints(double distance) const {
+CurvePoint OrientationPath::joints(double distance) const {
     const double h = kStencil * std::min(distance, whole_->turn.length - distance);
     const Vec3 here = joints_at(distance);
     const Vec3 far_before = joints_at(distance - 2 * h);
@@ -81,11 +82,11 @@ CurvePoint TurningWay::joints(double distance) const {
     return {here, rate, bend};
 }
 
-Vec3 TurningWay::tool(double distance) const {
+Vec3 OrientationPath::tool(double distance) const {
     return machine::tool_vector(*chain_, joints_at(distance));
 }
 
-Segment TurningWay::part(double from, double to) const {
+Segment OrientationPath::part(double from, double to) const {
     Segment piece = part_of(*whole_, from, to);
     const LogicalAxes start = axes(from);
     std::copy(start.begin() + 3, start.end(), piece.follower_start.begin());
@@ -96,9 +97,10 @@ Segment TurningWay::part(double from, double to) const {
 
 namespace {
 
-class TurnedCorner {
+class OrientationCorner {
   public:
-    TurnedCorner(const Chain& chain, const TurningWay& before, const TurningWay& behind)
+    OrientationCorner(const Chain& chain, const OrientationPath& before,
+                      const OrientationPath& behind)
         : chain_(chain),
           before_(before),
           behind_(behind),
@@ -138,9 +140,9 @@ class TurnedCorner {
     }
 
     /// tip  around the corner as well; nothing: along its path
-    TurnedRounding pieces(double way, const std::optional<path::Transition>& tip) const {
+    OrientationBlend pieces(double way, const std::optional<path::Transition>& tip) const {
         const path::Transition turn = joints(way);
-        TurnedRounding found;
+        OrientationBlend found;
         found.way = way;
         const std::array<Segment, 2> sides = {before_.part(length_ - way, length_),
                                               behind_.part(0, way)};
@@ -166,18 +168,19 @@ class TurnedCorner {
 
   private:
     const Chain& chain_;
-    const TurningWay& before_;
-    const TurningWay& behind_;
+    const OrientationPath& before_;
+    const OrientationPath& behind_;
     double length_;
     RoundedCorner tip_;
 };
 
 }  // namespace
 
-std::optional<TurnedRounding> turned_rounding(const Chain& chain, const TurningWay& before,
-                                              const path::Blending& wish, const TurningWay& behind,
-                                              const path::Blending& wish_behind) {
-    const TurnedCorner corner(chain, before, behind);
+std::optional<OrientationBlend> orientation_blend(const Chain& chain, const OrientationPath& before,
+                                                  const path::Blending& wish,
+                                                  const OrientationPath& behind,
+                                                  const path::Blending& wish_behind) {
+    const OrientationCorner corner(chain, before, behind);
     const std::optional<double> most = corner.tip().most_way();
     if (!most) return std::nullopt;
     if (!corner.tip().is_corner(wish.with_tangents) && corner.turns_evenly(*most))
@@ -197,9 +200,11 @@ std::optional<TurnedRounding> turned_rounding(const Chain& chain, const TurningW
     return corner.pieces(way, corner.tip().curve(way));
 }
 
-std::optional<TurnedRounding> smoothed_turn(const Chain& chain, const TurningWay& before,
-                                            const TurningWay& behind, double tolerance) {
-    const TurnedCorner corner(chain, before, behind);
+std::optional<OrientationBlend> smoothed_orientation(const Chain& chain,
+                                                     const OrientationPath& before,
+                                                     const OrientationPath& behind,
+                                                     double tolerance) {
+    const OrientationCorner corner(chain, before, behind);
     const double most = std::min(before.whole().turn.length, behind.whole().turn.length) / 2;
     if (corner.turns_evenly(most)) return std::nullopt;
     const auto used = [&](double way) { return corner.leaning(way) / tolerance; };

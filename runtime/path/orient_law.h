@@ -1,11 +1,11 @@
-// turn.h — how the tool turns while its tip goes along a path.
+// orient_law.h — how the tool turns while its tip goes along a path.
 //
 // The direction of the tool as a function of the distance along the path: no machine takes part
 // (machine/), no words (interp/), no time (motion/).
 #pragma once
 
 #include "path/curve.h"
-#include "path/turning.h"
+#include "path/orient_kind.h"
 #include "path/vec3.h"
 
 namespace kadr::path {

@@ -1,4 +1,4 @@
-// tool_turns.cpp — how the tool turns in a block: the rotary positions at its end and the way
+// tool_orientation.cpp — how the tool turns in a block: the rotary positions at its end and the way
 // there.
 //
 // The way is a cone, a great circle among them, or the axes in proportion; or it is led by the
@@ -96,7 +96,7 @@ Done Executor::orient(const Block& block, const Actions& actions, Target& target
     // Every axis may move, whatever the block names.
     target.carried = static_cast<AxisMask>(kLinearXYZ & ~target.moved);
     target.moved = static_cast<AxisMask>(target.moved | kLinearXYZ | joint_axes());
-    next_turn_ = {};
+    next_orientation_ = {};
     course_.reset();
     const ToolWords& tool = actions.tool;
     check_offset_said(block);
@@ -109,7 +109,7 @@ Done Executor::orient(const Block& block, const Actions& actions, Target& target
     const Done is_laid = goes_straight(block, actions) ? lay_point_to_point(block, tool, target)
                                                        : lay_tool_words(block, tool, target);
     if (!is_laid) return kFailed;
-    settle_turn(target);
+    settle_orientation(target);
     return kDone;
 }
 
@@ -125,8 +125,8 @@ Done Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target&
         if (tool.says_direction()) {
             if (!require_axes_for_direction(block)) return kFailed;
             const std::optional<Vec3> to = wanted_direction(block, tool);
-            if (!to || !turn_to(block, tool, *to, target)) return kFailed;
-        } else if (orienting_.has_length && !turn_by_axes(block, target)) {
+            if (!to || !orient_to(block, tool, *to, target)) return kFailed;
+        } else if (orienting_.has_length && !orient_by_axes(block, target)) {
             return kFailed;
         }
         if (!waits && !lay_spin(block, tool, target)) return kFailed;
@@ -136,22 +136,24 @@ Done Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target&
 }
 
 /// What the block's end says of the tool, for the command and for the blocks behind it.
-void Executor::settle_turn(const Target& target) {
+void Executor::settle_orientation(const Target& target) {
     const Chain& chain = machine_.kinematics->chain;
-    next_turn_.direction = machine::tool_vector(chain, joints_of(target.base));
-    if (next_turn_.turning == Turning::Cone)
-        orienting_.rate = next_turn_.axis.cross(next_turn_.direction) * next_turn_.angle;
+    next_orientation_.direction = machine::tool_vector(chain, joints_of(target.base));
+    if (next_orientation_.turning == Turning::Cone)
+        orienting_.rate =
+            next_orientation_.axis.cross(next_orientation_.direction) * next_orientation_.angle;
 }
 
 /// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
-Done Executor::turn_by_axes(const Block& block, Target& target) {
-    if (orienting_.turning != TurnWay::Plane || (block.given & joint_axes()) == 0) return kDone;
+Done Executor::orient_by_axes(const Block& block, Target& target) {
+    if (orienting_.turning != OrientInterpolation::Plane || (block.given & joint_axes()) == 0)
+        return kDone;
     const Chain& chain = machine_.kinematics->chain;
     constexpr double kSameJoint = 1e-6;  // rad
     const Vec3 wanted = joints_of(target.base);
     if ((wanted - joints_of(position_.base)).norm() < kSameJoint) return kDone;
     Target end{position_.here, position_.base, target.moved};
-    if (!lay_turn(block, machine::tool_vector(chain, wanted), end)) return kFailed;
+    if (!lay_orientation(block, machine::tool_vector(chain, wanted), end)) return kFailed;
     const Vec3 reached = joints_of(end.base);
     if ((reached - wanted).norm() < kSameJoint) return kDone;
     const std::size_t joint =
@@ -163,18 +165,19 @@ Done Executor::turn_by_axes(const Block& block, Target& target) {
 }
 
 /// To a direction, on the way that the program has chosen.
-Done Executor::turn_to(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
+Done Executor::orient_to(const Block& block, const ToolWords& tool, const Vec3& to,
+                         Target& target) {
     switch (orienting_.turning) {
-        case TurnWay::ConeCw:
-        case TurnWay::ConeCcw:
-        case TurnWay::ConeOver:
-        case TurnWay::ConeOn: return lay_cone(block, tool, to, target);
-        case TurnWay::Plane:
-        case TurnWay::Axes:
-        case TurnWay::Surface:
-        case TurnWay::Point: break;
+        case OrientInterpolation::ConeCw:
+        case OrientInterpolation::ConeCcw:
+        case OrientInterpolation::ConeOver:
+        case OrientInterpolation::ConeOn: return lay_cone(block, tool, to, target);
+        case OrientInterpolation::Plane:
+        case OrientInterpolation::Axes:
+        case OrientInterpolation::Surface:
+        case OrientInterpolation::Point: break;
     }
-    return lay_turn(block, to, target, tool.angles.is_said() ? &tool : nullptr);
+    return lay_orientation(block, to, target, tool.angles.is_said() ? &tool : nullptr);
 }
 
 machine::JointLimits Executor::joint_limits() const {
@@ -211,16 +214,16 @@ void Executor::report_no_way(const Block& block, const machine::PathRefusal& ref
 
 /// Along a great circle, or with the axes in proportion. With three rotary axes the block's angles
 /// say how the tool turns about itself, too.
-Done Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
-                        const ToolWords* angles) {
+Done Executor::lay_orientation(const Block& block, const Vec3& to, Target& target,
+                               const ToolWords* angles) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 joints = joints_of(position_.base);
     const Vec3 from = machine::tool_vector(chain, joints);
     const bool fixes_spin = angles != nullptr && chain.has(machine::kPsi);
     if ((to - from).norm() < kSameDirection && !fixes_spin) return kDone;
     machine::PathQuery query = query_to(to, angles);
-    const bool is_plane =
-        orienting_.turning == TurnWay::Plane || orienting_.turning == TurnWay::Surface;
+    const bool is_plane = orienting_.turning == OrientInterpolation::Plane ||
+                          orienting_.turning == OrientInterpolation::Surface;
     query.mode = is_plane ? machine::PathMode::Vector : machine::PathMode::Axis;
     const auto arc = machine::great_circle(from, to);
     if (is_plane && !arc) {
@@ -237,9 +240,9 @@ Done Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
         report(diag::PlaneLeft, block)
             .arg(degrees(angle_out_of(chain, arc->axis, joints, end->rotary)));
     if (end->mode == machine::PathMode::Vector && arc->turn > kSameDirection) {
-        next_turn_.turning = Turning::Cone;
-        next_turn_.axis = arc->axis;
-        next_turn_.angle = arc->turn;
+        next_orientation_.turning = Turning::Cone;
+        next_orientation_.axis = arc->axis;
+        next_orientation_.angle = arc->turn;
     }
     return kDone;
 }
@@ -275,7 +278,7 @@ machine::Mat3 Executor::base_rotation() const {
 std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, const ToolWords& tool,
                                                          const Vec3& from, const Vec3& to) {
     using machine::ConeSense;
-    const bool is_cw = (orienting_.turning == TurnWay::ConeCw) != mirrors_words();
+    const bool is_cw = (orienting_.turning == OrientInterpolation::ConeCw) != mirrors_words();
     const ConeSense sense = is_cw ? ConeSense::Cw : ConeSense::Ccw;
     const auto refuse = [&](const DiagnosticRow& row) {
         report(row, block);
@@ -283,12 +286,12 @@ std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, con
     };
     Result<machine::OrientationArc, machine::OrientationFault> arc =
         machine::OrientationFault::EqualVectors;
-    if (orienting_.turning == TurnWay::ConeOver) {
+    if (orienting_.turning == OrientInterpolation::ConeOver) {
         if (!tool.between.is_said()) return refuse(diag::ConeBetweenMissing);
         const auto between = direction_in_base(block, tool.between.vector(), Function::ToolBetween);
         if (!between) return std::nullopt;
         arc = machine::cone_through(from, *between, to);
-    } else if (orienting_.turning == TurnWay::ConeOn) {
+    } else if (orienting_.turning == OrientInterpolation::ConeOn) {
         arc = machine::cone_tangential(from, orienting_.rate, to);
     } else if (tool.cone_axis.is_said()) {
         const auto axis = direction_in_base(block, tool.cone_axis.vector(), Function::ConeAxis);
@@ -320,9 +323,9 @@ Done Executor::lay_cone(const Block& block, const ToolWords& tool, const Vec3& t
     const Vec3 from = machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
     const auto arc = cone_to(block, tool, from, to);
     if (!arc) return kFailed;
-    next_turn_.turning = Turning::Cone;
-    next_turn_.axis = arc->axis;
-    next_turn_.angle = arc->turn;
+    next_orientation_.turning = Turning::Cone;
+    next_orientation_.axis = arc->axis;
+    next_orientation_.angle = arc->turn;
     return follow_course(block, {Turning::Cone, 1, from, arc->axis, arc->turn, {}}, path::Point{},
                          target);
 }
@@ -356,7 +359,7 @@ Done Executor::lay_course(const Block& block, const path::Curve& curve, Target& 
         if (!lead_by_surface(block, tool, curve, target)) return kFailed;
     }
     if (!lay_spin(block, tool, target, &curve)) return kFailed;
-    settle_turn(target);
+    settle_orientation(target);
     return kDone;
 }
 
@@ -369,7 +372,7 @@ Done Executor::lean_at_end(const Block& block, const ToolWords& tool, const path
     const std::optional<Vec3> to =
         lean_on(block, *normal, path::evaluate(curve, path::length(curve)).tangent, lean);
     if (!to) return kFailed;
-    return turn_to(block, tool, *to, target);
+    return orient_to(block, tool, *to, target);
 }
 
 /// The tool as it leans on a surface; nothing if it was reported.
@@ -449,7 +452,7 @@ Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     const auto end = lean_on(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
     if (!end) return kFailed;
     orienting_.normal = (*normals)[1];
-    if (!is_led) return turn_to(block, tool, *end, target);
+    if (!is_led) return orient_to(block, tool, *end, target);
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
     if (!arc) {
         report(diag::OrientationOpposite, block);
@@ -459,12 +462,12 @@ Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
                              arc->turn / length, lean};
     const bool leans = lean.lead != 0 || lean.tilt != 0;
     if (leans && !require_small_rise_along(block, surface, curve)) return kFailed;
-    if (!turn_first(block, *start)) return kFailed;
-    next_turn_.turning = Turning::Surface;
-    next_turn_.from = (*normals)[0];
-    next_turn_.axis = arc->axis;
-    next_turn_.angle = arc->turn;
-    next_turn_.lean = lean;
+    if (!orient_first(block, *start)) return kFailed;
+    next_orientation_.turning = Turning::Surface;
+    next_orientation_.from = (*normals)[0];
+    next_orientation_.axis = arc->axis;
+    next_orientation_.angle = arc->turn;
+    next_orientation_.lean = lean;
     return follow_course(block, surface, curve, target);
 }
 
@@ -492,12 +495,12 @@ Done Executor::lead_by_point(const Block& block, const ToolWords& tool, const pa
         report(diag::PointAtTip, block, Function::ToolPoint);
         return kFailed;
     }
-    if (!turn_first(block, (start - tip).normalized())) return kFailed;
+    if (!orient_first(block, (start - tip).normalized())) return kFailed;
     const bool stands = path::length(curve) == 0;
     const double length = stands ? 1 : path::length(curve);
-    next_turn_.turning = Turning::Point;
-    next_turn_.from = start;
-    next_turn_.axis = end - start;
+    next_orientation_.turning = Turning::Point;
+    next_orientation_.from = start;
+    next_orientation_.axis = end - start;
     orienting_.point = end;
     return follow_course(block, {Turning::Point, length, start, (end - start) / length, 0, {}},
                          curve, target);
@@ -505,23 +508,24 @@ Done Executor::lead_by_point(const Block& block, const ToolWords& tool, const pa
 
 /// Where a course begins with another direction than the tool has, the tool turns there first,
 /// along a great circle, while the tip stands.
-Done Executor::turn_first(const Block& block, const Vec3& to) {
+Done Executor::orient_first(const Block& block, const Vec3& to) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 from = machine::tool_vector(chain, joints_of(position_.base));
     if (path::angle_between(from, to) < kSameStart) return kDone;
     Target here{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
                 kLinearXYZ};
-    const TurnWay turning = std::exchange(orienting_.turning, TurnWay::Plane);
-    const Done is_laid = lay_turn(block, to, here);
+    const OrientInterpolation turning =
+        std::exchange(orienting_.turning, OrientInterpolation::Plane);
+    const Done is_laid = lay_orientation(block, to, here);
     orienting_.turning = turning;
     if (!is_laid) return kFailed;
-    settle_turn(here);
+    settle_orientation(here);
     Command& command = put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block);
     command.to = here.base;
     command.moved = here.moved;
     command.feed = command.op == Op::Rapid ? 0 : modal_.feed;
     arrive(here);
-    next_turn_ = {};
+    next_orientation_ = {};
     return kDone;
 }
 
@@ -538,8 +542,9 @@ std::optional<Vec3> Executor::spin_reference(const Vec3& tool, const path::Curve
     switch (orienting_.spin) {
         case SpinFrom::Plane:
         case SpinFrom::Turn:
-            if (next_turn_.turning == Turning::Cone)
-                reference = next_turn_.axis.cross(tool) * (next_turn_.angle < 0 ? -1 : 1);
+            if (next_orientation_.turning == Turning::Cone)
+                reference =
+                    next_orientation_.axis.cross(tool) * (next_orientation_.angle < 0 ? -1 : 1);
             break;
         case SpinFrom::Path:
             if (curve != nullptr) reference = path::evaluate(*curve, path::length(*curve)).tangent;
@@ -632,25 +637,25 @@ void Executor::reset_orientation(const Block& block, const nc::Invocation& invoc
     }
     put_joints(joints, target);
     if (!require_within_machine(block, target.base, joint_axes())) return;
-    next_turn_ = {};
-    settle_turn(target);
+    next_orientation_ = {};
+    settle_orientation(target);
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, false);
 }
 
 /// A motion under the transformation: the turn that waits, or the axes as they are programmed.
-void Executor::put_turn(Command& command) {
+void Executor::put_orientation(Command& command) {
     if (!path::is_motion(command.op)) return;
     if (virtual_.axes.is_on()) {
         command.turning = Turning::Axes;
         command.virtual_axes = virtual_.axes;
         return;
     }
-    command.turning = std::exchange(next_turn_.turning, Turning::Axes);
-    command.direction = next_turn_.direction;
-    command.turn_from = next_turn_.from;
-    command.turn_axis = next_turn_.axis;
-    command.turn_angle = next_turn_.angle;
-    command.lean = next_turn_.lean;
+    command.turning = std::exchange(next_orientation_.turning, Turning::Axes);
+    command.direction = next_orientation_.direction;
+    command.turn_from = next_orientation_.from;
+    command.turn_axis = next_orientation_.axis;
+    command.turn_angle = next_orientation_.angle;
+    command.lean = next_orientation_.lean;
     if (goes_straight(command.op)) command.turning = Turning::Straight;
 }
 

@@ -1,4 +1,4 @@
-// space_turns.cpp — a rotation in space about an axis through a point: FANUC's coordinate
+// rotation_3d.cpp — a rotation in space about an axis through a point: FANUC's coordinate
 // conversion in three dimensions, G68 with I, J and K.
 //
 // The program goes on in a system whose origin is that point, turned about the axis; a second
@@ -35,9 +35,9 @@ Done Executor::require_nested_length(const Block& block, Function function) {
 }
 
 void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kCenter = parameter_of<Function::TurnInSpace>("x");
-    constexpr std::size_t kAxis = parameter_of<Function::TurnInSpace>("i");
-    constexpr std::size_t kAngle = parameter_of<Function::TurnInSpace>("angle");
+    constexpr std::size_t kCenter = parameter_of<Function::Rotation3d>("x");
+    constexpr std::size_t kAxis = parameter_of<Function::Rotation3d>("i");
+    constexpr std::size_t kAngle = parameter_of<Function::Rotation3d>("angle");
     if (tilting_.turns >= kMostTurns) {
         report(diag::SpaceTurnNested, block, invocation.function);
         return;
@@ -64,7 +64,7 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
 }
 
 /// All rotations end at once.
-Done Executor::end_space_turns(const Block& block) {
+Done Executor::end_rotations_3d(const Block& block) {
     if (tilting_.turns == 0) return kDone;
     if (!require_nested_length(block, Function::RotateOff)) return kFailed;
     tilting_.turns = 0;
