@@ -356,7 +356,7 @@ void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
         case Group::OrientAngles:
         case Group::OrientSystem:
         case Group::Spinning:
-        case Group::CompSystem:
+        case Group::CompKind:
         case Group::CompOrientation:
         case Group::DataInput: break;  // what acts is all that is known of them
     }

@@ -91,7 +91,7 @@ double Executor::run_time() {
     const auto add = [&](const path::Command& command) { clock.add(command); };
     for (const path::Command& command : output_.waiting()) add(command);
     compensation_.look_at_waiting(add);
-    space_comp_.look_at_waiting(add);
+    comp_3d_.look_at_waiting(add);
     soft_approach_.look_at_waiting(add);
     corners_.look_at_waiting(add);
     clocks_.latest = std::max(clocks_.latest, clock.seconds());

@@ -45,9 +45,9 @@ void Executor::choose_pointed_corners(const Block& block, const Invocation& invo
 void Executor::choose_comp_side(const Block& block, Function function, Actions& actions) {
     const CompSide side = comp_side_of(function);
     if (side != CompSide::Off) {
-        const bool is_by_side_code = !nc::has_fact(function, nc::Fact::CompSide);
-        if (is_by_side_code && !require_tcp_for_side_comp(block, function)) return;
-        comp_.is_by_side_code = is_by_side_code;
+        const bool is_peripheral_code = !nc::has_fact(function, nc::Fact::CompSide);
+        if (is_peripheral_code && !require_tcp_for_peripheral_comp(block, function)) return;
+        comp_.is_peripheral_code = is_peripheral_code;
     }
     actions.radius_comp = side;
 }
@@ -67,14 +67,14 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
         return;
     }
     // A surface has one side: there both words are the same.
-    const bool is_other_side = actions.radius_comp != comp_.side && !comp_.acts_on_faces();
+    const bool is_other_side = actions.radius_comp != comp_.side && !comp_.is_face_milling_acting();
     if (actions.radius_comp && is_other_side) {
         begin_comp(block, *actions.radius_comp);
         return;
     }
     if (!comp_.is_on()) return;
     const bool is_again = actions.radius_comp && rules_.comp_again_on_normal;
-    if (is_again && comp_.acting == CompSystem::InPlane)
+    if (is_again && comp_.acting == CompKind::InPlane)
         send_comp({CompChange::Kind::Again, {}, modal_.plane, 0, position_.base, {}, {}});
     if (ended_) return;
     const CompChange change = comp_change(block, CompChange::Kind::Set);
@@ -134,7 +134,7 @@ void Executor::send_comp(const CompChange& change) {
 }
 
 void Executor::change_comp(const CompChange& change) {
-    if (space_comp_.is_on() || change.space) return change_space_comp(change);
+    if (comp_3d_.is_on() || change.space) return change_comp_3d(change);
     switch (change.kind) {
         case CompChange::Kind::Leave:
             compensation_.leave(change.direction, change.settings.corners.open_end);
@@ -163,18 +163,18 @@ void Executor::change_comp(const CompChange& change) {
 }
 
 Done Executor::require_comp_in_plane(const Block& block, Function function) {
-    if (!space_comp_.is_on()) return kDone;
+    if (!comp_3d_.is_on()) return kDone;
     report(diag::IsoNotSupported, block, function)
         .arg(word_of(block, function) + " beside a contour in space");
     return kFailed;
 }
 
 /// What a program can say of it in space; the rest is of the working plane.
-void Executor::change_space_comp(const CompChange& change) {
+void Executor::change_comp_3d(const CompChange& change) {
     switch (change.kind) {
-        case CompChange::Kind::Leave: space_comp_.leave(); break;
+        case CompChange::Kind::Leave: comp_3d_.leave(); break;
         case CompChange::Kind::Set:
-            if (change.space) space_comp_.set_settings(*change.space);
+            if (change.space) comp_3d_.set_settings(*change.space);
             break;
         case CompChange::Kind::Begin:
             // From one side to the other, or from the plane: the contour so far ends here.
@@ -185,7 +185,7 @@ void Executor::change_space_comp(const CompChange& change) {
                 if (!ended_) change_comp(change);
                 return;
             }
-            space_comp_.begin(*change.space, change.here);
+            comp_3d_.begin(*change.space, change.here);
             break;
         case CompChange::Kind::KeepVector:
         case CompChange::Kind::RoundCorner:
@@ -201,15 +201,15 @@ void Executor::change_space_comp(const CompChange& change) {
 path::Vec3 Executor::tool_direction() const {
     if (orienting_.is_on)
         return machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
-    if (comp_.acting == CompSystem::ByFaceInPlane)
+    if (comp_.acting == CompKind::FaceMillingInPlane)
         return path::unit(path::axes_of(modal_.plane).normal);
-    if (comp_.acting == CompSystem::ByFaceInFrame)
+    if (comp_.acting == CompKind::FaceMillingInFrame)
         return frames_.total().direction(path::Vec3::UnitZ()).normalized();
     return frames_.total().direction(path::unit(path::axes_of(modal_.plane).normal)).normalized();
 }
 
-SpaceCompSettings Executor::space_comp_settings() const {
-    SpaceCompSettings settings;
+Comp3dSettings Executor::comp_3d_settings() const {
+    Comp3dSettings settings;
     if (orienting_.is_on)
         settings.orientation_limits = {&machine_.kinematics->chain, joint_limits()};
     settings.direction = tool_direction();
@@ -245,12 +245,12 @@ void Executor::begin_comp(const Block& block, CompSide side) {
     }
     comp_.acting = comp_.chosen();
     comp_.is_mirrored = frames_.is_mirrored(modal_.plane);
-    const bool is_of_tool = comp_.acting == CompSystem::InPlane && !comp_.is_in_frame;
+    const bool is_of_tool = comp_.acting == CompKind::InPlane && !comp_.is_in_frame;
     if (is_of_tool && is_turned_by_carrier() && !is_plane_on_carrier()) {
         report(diag::CarrierPlane, block, function_of(comp_.side));
         return;
     }
-    if (comp_.acting != CompSystem::InPlane && comp_settings().start == nc::CompStart::Around) {
+    if (comp_.acting != CompKind::InPlane && comp_settings().start == nc::CompStart::Around) {
         report(diag::CompSpaceStart, block, function_of(comp_.side));
         return;
     }
@@ -267,17 +267,16 @@ CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
     change.here = position_.base;
     take_comp_tool(block, comp_offset().value_or(0), change);
     if (is_in_space(kind)) {
-        change.space = space_comp_settings();
+        change.space = comp_3d_settings();
         change.space->cutter.contact.radius = -change.distance;
-        if (const auto cutter = face_cutter_now(block)) change.space->cutter = *cutter;
+        if (const auto cutter = mill_shape_now(block)) change.space->cutter = *cutter;
     }
     return change;
 }
 
 /// What is chosen counts where the compensation begins.
 bool Executor::is_in_space(CompChange::Kind kind) const {
-    return kind == CompChange::Kind::Begin ? comp_.acting != CompSystem::InPlane
-                                           : space_comp_.is_on();
+    return kind == CompChange::Kind::Begin ? comp_.acting != CompKind::InPlane : comp_3d_.is_on();
 }
 
 static path::OutsideCorner corner_of(nc::CompCorner corner) {
@@ -372,9 +371,9 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
 /// is_last  no block waits behind it
 void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_last) {
     std::optional<CompAlarm> alarm;
-    if (space_comp_.is_on()) {
-        if (!alarmed_) alarm = space_comp_.end_block(block);
-        if (!alarmed_ && !alarm && ended_ && is_last) alarm = space_comp_.flush();
+    if (comp_3d_.is_on()) {
+        if (!alarmed_) alarm = comp_3d_.end_block(block);
+        if (!alarmed_ && !alarm && ended_ && is_last) alarm = comp_3d_.flush();
         return take_comp(alarm);
     }
     const bool is_same_plane =
@@ -390,16 +389,14 @@ void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_l
 }
 
 void Executor::flush_comp() {
-    take_comp(space_comp_.is_on() ? space_comp_.flush() : compensation_.flush());
+    take_comp(comp_3d_.is_on() ? comp_3d_.flush() : compensation_.flush());
 }
 
-void Executor::stop_comp() {
-    take_comp(space_comp_.is_on() ? space_comp_.stop() : compensation_.stop());
-}
+void Executor::stop_comp() { take_comp(comp_3d_.is_on() ? comp_3d_.stop() : compensation_.stop()); }
 
 /// What the compensation has settled goes out.
 void Executor::take_comp(const std::optional<CompAlarm>& alarm) {
-    for (auto* settled : {&compensation_.settled(), &space_comp_.settled()}) {
+    for (auto* settled : {&compensation_.settled(), &comp_3d_.settled()}) {
         for (path::Command& command : *settled) output_.next() = std::move(command);
         settled->clear();
     }

@@ -127,7 +127,7 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
 /// The size counts in the programmed system, the commands are of the base system.
 void Executor::put_wish(const Block& block, CornerWish wish) {
     if (!(wish.size > 0) && !wish.is_open) return;
-    if (comp_.acts_on_faces()) {
+    if (comp_.is_face_milling_acting()) {
         if (!wish.is_open)
             report(diag::IsoNotSupported, block).arg("a chamfer or a rounding on a surface");
         return;

@@ -13,7 +13,7 @@
 
 #include "base/diagnostic.h"
 #include "interp/compensation.h"
-#include "interp/space_compensation.h"
+#include "interp/compensation_3d.h"
 #include "path/command.h"
 #include "path/contour_corner.h"
 #include "path/frame.h"
@@ -70,11 +70,11 @@ struct CompChange {
     CompSettings settings;
     path::Plane plane = path::Plane::Xy;
     double distance = 0;
-    AxisValues here{};                            // where the tool is, Begin
-    std::optional<path::Vec2> direction = {};     // Leave, RoundCorner
-    path::Command motion = {};                    // RoundCorner
-    path::Vec2 aside = path::Vec2::Zero();        // Begin, Set: see Compensation::set_aside
-    std::optional<SpaceCompSettings> space = {};  // Begin, Set: in space
+    AxisValues here{};                         // where the tool is, Begin
+    std::optional<path::Vec2> direction = {};  // Leave, RoundCorner
+    path::Command motion = {};                 // RoundCorner
+    path::Vec2 aside = path::Vec2::Zero();     // Begin, Set: see Compensation::set_aside
+    std::optional<Comp3dSettings> space = {};  // Begin, Set: in space
 };
 
 class Corners {

@@ -734,7 +734,7 @@ void Executor::finish_cycle() {
         comp_.side = CompSide::Off;
         stop_comp();
         if (ended_) return;
-        position_.base = space_comp_.is_on() ? space_comp_.place() : compensation_.place();
+        position_.base = comp_3d_.is_on() ? comp_3d_.place() : compensation_.place();
         frame_changed();
     }
     cycle_.blocks.reset();

@@ -281,7 +281,7 @@ Command& Executor::behind_corners() {
     if (keeps_shape()) return shape_->commands.emplace_back();
     if (contour_) return contour_->commands.emplace_back();
     if (soft_approach_.is_active()) return soft_approach_.next();
-    if (space_comp_.is_on()) return space_comp_.next();
+    if (comp_3d_.is_on()) return comp_3d_.next();
     return compensation_.is_on() ? compensation_.next() : output_.next();
 }
 
@@ -315,8 +315,8 @@ void Executor::fill_in(Command& command, const Block& block) {
     command.to = position_.base;
     command.turning = path::Turning::None;
     command.contact.clear();
-    const bool reaches_comp = space_comp_.is_on() || corners_.is_active();
-    if (comp_.acts_on_faces() && reaches_comp && path::is_motion(op))
+    const bool reaches_comp = comp_3d_.is_on() || corners_.is_active();
+    if (comp_.is_face_milling_acting() && reaches_comp && path::is_motion(op))
         command.contact.push_back({face_, path::Vec3::Zero(), path::Vec3::Zero()});
     command.virtual_axes = {};
     if (is_transformed()) put_orientation(command);

@@ -546,14 +546,14 @@ class Executor {
     void choose_comp_side(const nc::Block& block, nc::Function function, Actions& actions);
     void begin_comp(const nc::Block& block, CompSide side);
     void act_on_comp(const nc::Block& block, const Actions& actions);
-    bool is_any_comp_on() const { return compensation_.is_on() || space_comp_.is_on(); }
+    bool is_any_comp_on() const { return compensation_.is_on() || comp_3d_.is_on(); }
     void send_comp(const CompChange& change);
-    void change_space_comp(const CompChange& change);
+    void change_comp_3d(const CompChange& change);
     bool is_in_space(CompChange::Kind kind) const;
     Done require_comp_in_plane(const nc::Block& block, nc::Function function);
     path::Mat3 comp_lie() const;
     path::Mat3 plane_lie() const;
-    SpaceCompSettings space_comp_settings() const;
+    Comp3dSettings comp_3d_settings() const;
     path::Vec3 tool_direction() const;
     void change_comp(const CompChange& change);
     void settle_comp(const nc::Block& block, const AxisValues& here, bool is_last = true);
@@ -652,11 +652,11 @@ class Executor {
     void report_involute(const nc::Block& block, path::InvoluteFault fault);
 
     // surfaces.cpp
-    std::optional<SpaceCutter> face_cutter_now(const nc::Block& block);
+    std::optional<Cutter3d> mill_shape_now(const nc::Block& block);
     Done require_constant_tool(const nc::Block& block);
-    Done lay_face(const nc::Block& block, const ToolWords& tool);
-    Done require_tcp_for_side_comp(const nc::Block& block, nc::Function function);
-    Done require_no_side_arc(const nc::Block& block);
+    Done lay_surface(const nc::Block& block, const ToolWords& tool);
+    Done require_tcp_for_peripheral_comp(const nc::Block& block, nc::Function function);
+    Done require_no_peripheral_arc(const nc::Block& block);
 
     // curves.cpp
     void move_along_curve(const nc::Block& block, const nc::Invocation& call);
@@ -881,7 +881,7 @@ class Executor {
     };
     std::optional<Approached> approached_;
     Compensation compensation_;
-    SpaceCompensation space_comp_;  // in place of it under CompBySide
+    Compensation3d comp_3d_;  // in place of it under CompPeripheral
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool is_scanning_ = false;  // motions are a scanner's
     bool has_moved_ = false;

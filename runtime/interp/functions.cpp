@@ -58,7 +58,7 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
     if (!rules_.comp_is_innermost || !acts || block.is_of_cycle()) return false;
     if (nc::has_fact(function, nc::Fact::NeedsCompOff)) return true;
     // It begins anew behind, which it can in a plane alone.
-    return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != CompSystem::InPlane;
+    return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != CompKind::InPlane;
 }
 
 /// Refuses a function that cannot stand where it does.
@@ -166,10 +166,10 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
         case Group::CompCheck:
             if (takes_comp_choice(actions)) comp_.has_check = member == Function::CompCheckOn;
             break;
-        case Group::CompSystem:
+        case Group::CompKind:
             if (!takes_comp_choice(actions)) break;
             comp_.system = comp_system_of(member);
-            if (comp_.system == CompSystem::InPlane)
+            if (comp_.system == CompKind::InPlane)
                 comp_.is_in_frame = member == Function::CompInFrame;
             break;
         case Group::CompOrientation:
@@ -545,8 +545,8 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::RadiusCompOff:
         case Function::RadiusCompLeft:
         case Function::RadiusCompRight:
-        case Function::SideCompLeft:
-        case Function::SideCompRight:
+        case Function::PeripheralCompLeft:
+        case Function::PeripheralCompRight:
         case Function::RadiusOffset:
         case Function::CompStartNormal:
         case Function::CompStartAround:
@@ -558,10 +558,10 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::CompCheckOff:
         case Function::CompInPlane:
         case Function::CompInFrame:
-        case Function::CompBySide:
-        case Function::CompByFace:
-        case Function::CompByFaceInFrame:
-        case Function::CompByFaceInPlane:
+        case Function::CompPeripheral:
+        case Function::CompFaceMilling:
+        case Function::CompFaceMillingInFrame:
+        case Function::CompFaceMillingInPlane:
         case Function::CompOrientOnArc:
         case Function::CompOrientBefore:
         case Function::LengthCompOn:

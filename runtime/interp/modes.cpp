@@ -15,9 +15,9 @@ namespace {
 // One row for each enumerator, in their order.
 constexpr std::array kCompSides = {Function::RadiusCompOff, Function::RadiusCompLeft,
                                    Function::RadiusCompRight};
-constexpr std::array kCompSystems = {Function::CompInPlane, Function::CompBySide,
-                                     Function::CompByFace, Function::CompByFaceInFrame,
-                                     Function::CompByFaceInPlane};
+constexpr std::array kCompSystems = {Function::CompInPlane, Function::CompPeripheral,
+                                     Function::CompFaceMilling, Function::CompFaceMillingInFrame,
+                                     Function::CompFaceMillingInPlane};
 constexpr std::array kOrientInterpolations = {
     Function::OrientGreatCircle,    Function::OrientAxes,       Function::OrientSurface,
     Function::OrientConeCw,         Function::OrientConeCcw,    Function::OrientConeThrough,
@@ -45,20 +45,21 @@ Mode mode_of(const auto& rows, Function function) {
 
 /// The side of a cutter that is compensated square to the tool is the same choice.
 CompSide comp_side_of(Function function) {
-    if (function == Function::SideCompLeft) return CompSide::Left;
-    if (function == Function::SideCompRight) return CompSide::Right;
+    if (function == Function::PeripheralCompLeft) return CompSide::Left;
+    if (function == Function::PeripheralCompRight) return CompSide::Right;
     return mode_of<CompSide>(kCompSides, function);
 }
 
 Function function_of(CompSide side) { return kCompSides.at(static_cast<std::size_t>(side)); }
 
-CompSystem comp_system_of(Function function) {
-    if (function == Function::CompInFrame) return CompSystem::InPlane;
-    return mode_of<CompSystem>(kCompSystems, function);
+CompKind comp_system_of(Function function) {
+    if (function == Function::CompInFrame) return CompKind::InPlane;
+    return mode_of<CompKind>(kCompSystems, function);
 }
 
-bool is_on_faces(CompSystem system) {
-    return nc::has_fact(kCompSystems.at(static_cast<std::size_t>(system)), nc::Fact::OnFaces);
+bool is_face_milling(CompKind system) {
+    return nc::has_fact(kCompSystems.at(static_cast<std::size_t>(system)),
+                        nc::Fact::ForFaceMilling);
 }
 
 OrientInterpolation orient_interpolation_of(Function function) {

@@ -19,9 +19,15 @@ CompSide comp_side_of(nc::Function function);
 nc::Function function_of(CompSide side);
 
 /// What of the cutter is compensated: its radius in a plane, its side, or its end on a surface.
-enum class CompSystem : std::uint8_t { InPlane, BySide, ByFace, ByFaceInFrame, ByFaceInPlane };
-CompSystem comp_system_of(nc::Function function);  // in a frame it is in a plane, too
-bool is_on_faces(CompSystem system);
+enum class CompKind : std::uint8_t {
+    InPlane,
+    Peripheral,
+    FaceMilling,
+    FaceMillingInFrame,
+    FaceMillingInPlane
+};
+CompKind comp_system_of(nc::Function function);  // in a frame it is in a plane, too
+bool is_face_milling(CompKind system);
 
 /// On which way the tool turns from one direction to the next.
 enum class OrientInterpolation : std::uint8_t {

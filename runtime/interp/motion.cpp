@@ -60,7 +60,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (may_move && !require_point_to_point_way(block, actions)) return;
     // They have told where the compensation ends.
     if (arc_words != 0 && leave_direction(block)) arc_words &= ~nc::kCenterSlots;
-    if (actions.soft != nullptr && (space_comp_.is_on() || comp_.chosen() != CompSystem::InPlane)) {
+    if (actions.soft != nullptr && (comp_3d_.is_on() || comp_.chosen() != CompKind::InPlane)) {
         report(diag::CompSpaceStart, block, actions.soft->function);
         return;
     }
@@ -120,7 +120,7 @@ void Executor::move(const Block& block, const Actions& actions) {
 
     Target target = target_of(block, targets);
     if (orienting_.is_on && !orient(block, actions, target)) return;
-    if (comp_.takes_faces() && !lay_face(block, actions.tool)) return;
+    if (comp_.takes_surface_normals() && !lay_surface(block, actions.tool)) return;
     if (tilting_.carries || tilting_.on_tables) {
         // In the base system every linear axis may move, whatever the block names.
         target.moved = static_cast<AxisMask>(target.moved | (axes_.present & kLinearXYZ));

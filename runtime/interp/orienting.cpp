@@ -282,8 +282,8 @@ void Executor::check_offset_said(const Block& block) {
 /// F 4.7: PS5421.
 Done Executor::require_allowed_under_tcp(const Block& block, Function function) {
     if (!orienting_.has_length || block.is_of_cycle()) return kDone;
-    const bool is_by_side = comp_.is_on() && comp_.is_by_side_code;
-    if (is_by_side && nc::info(function).group == nc::Group::LengthComp) {
+    const bool is_peripheral = comp_.is_on() && comp_.is_peripheral_code;
+    if (is_peripheral && nc::info(function).group == nc::Group::LengthComp) {
         report(diag::SideCompOrder, block, function).arg(word_of(block, function));
         return kFailed;
     }

@@ -10,7 +10,7 @@ Snapshot Executor::snapshot() const {
     Snapshot now;
     now.axes = axes_.present;
     // Beside a contour the axes stand where the blocks have sent them that are settled.
-    const AxisValues machine = space_comp_.is_on()     ? machine_axes_at(space_comp_.place())
+    const AxisValues machine = comp_3d_.is_on()        ? machine_axes_at(comp_3d_.place())
                                : compensation_.is_on() ? machine_axes_at(compensation_.place())
                                                        : machine_axes();
     for (std::size_t i = 0; i < kAxes; ++i) {

@@ -135,22 +135,24 @@ struct RadiusCompState {
     std::optional<nc::CompCorner> corner;  // likewise
     bool has_check = false;
     path::OpenEnd open_end = path::OpenEnd::None;
-    std::optional<std::int64_t> feed;         // CompFeed by number; nothing: as the control begins
-    double pointed = 0;                       // of arcs about corners, percent
-    double allowance = 0;                     // mm
-    CompSystem system = CompSystem::InPlane;  // chosen for where it begins next …
-    bool is_in_frame = false;                 // … in the plane that frames have tilted
-    bool is_by_side_code = false;             // … unless its own code says by the side
-    CompSystem acting = CompSystem::InPlane;  // where it has begun
-    bool is_mirrored = false;                 // … and whether a frame mirrored its plane there
-    bool orients_on_arc = true;               // in space: blocks at corners that only turn the tool
-    double depth = 0;                         // in space: of the contour above the tip, mm
+    std::optional<std::int64_t> feed;     // CompFeed by number; nothing: as the control begins
+    double pointed = 0;                   // of arcs about corners, percent
+    double allowance = 0;                 // mm
+    CompKind system = CompKind::InPlane;  // chosen for where it begins next …
+    bool is_in_frame = false;             // … in the plane that frames have tilted
+    bool is_peripheral_code = false;      // … unless its own code says by the side
+    CompKind acting = CompKind::InPlane;  // where it has begun
+    bool is_mirrored = false;             // … and whether a frame mirrored its plane there
+    bool orients_on_arc = true;           // in space: blocks at corners that only turn the tool
+    double depth = 0;                     // in space: of the contour above the tip, mm
 
     bool is_on() const { return side != CompSide::Off; }
-    CompSystem chosen() const { return is_by_side_code ? CompSystem::BySide : system; }
-    bool acts_on_faces() const { return is_on() && is_on_faces(acting); }
+    CompKind chosen() const { return is_peripheral_code ? CompKind::Peripheral : system; }
+    bool is_face_milling_acting() const { return is_on() && is_face_milling(acting); }
     /// Whether the surface normals of blocks are the cutter's matter.
-    bool takes_faces() const { return acts_on_faces() || is_on_faces(chosen()); }
+    bool takes_surface_normals() const {
+        return is_face_milling_acting() || is_face_milling(chosen());
+    }
 };
 
 /// What the program has chosen for soft approaches and retracts.

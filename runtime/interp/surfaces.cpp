@@ -4,7 +4,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
-#include "interp/face_cutter.h"
+#include "interp/mill_shape.h"
 #include "machine/kinematics.h"
 #include "machine/orientation.h"
 
@@ -15,20 +15,20 @@ using nc::Function;
 using path::Vec3;
 
 /// The cutter that acts, as it touches surfaces; nothing where it touches none, or it was reported.
-std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
-    if (!comp_.acts_on_faces()) return std::nullopt;
+std::optional<Cutter3d> Executor::mill_shape_now(const Block& block) {
+    if (!comp_.is_face_milling_acting()) return std::nullopt;
     const std::int64_t number = comp_offset().value_or(0);
     const auto found = face_cutter(tool_offsets_, number, extra_.radius + sum_offset(4));
     if (!found) {
         report(diag::CompFaceTool, block, function_of(comp_.side))
-            .arg(found.error() == FaceCutterFault::EdgeTooLarge
+            .arg(found.error() == MillShapeFault::EdgeTooLarge
                      ? "its edge is rounded with more than its radius, or with less than nothing"
                      : "its side leans by 90 degrees and more, or inwards");
         return std::nullopt;
     }
     if (!found->is_known && number != 0 && told_.first_time(Once::ToolShape))
         report(diag::CompFaceShape, block, function_of(comp_.side)).arg(tool_offsets_.type(number));
-    SpaceCutter cutter;
+    Cutter3d cutter;
     cutter.contact.kind = path::ContactKind::Face;
     cutter.contact.radius = found->radius;
     cutter.contact.depth = found->edge;
@@ -39,15 +39,15 @@ std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
 
 /// Where the program has said that the tool keeps its direction, nothing may turn it.
 Done Executor::require_constant_tool(const Block& block) {
-    const bool is_constant =
-        comp_.acting == CompSystem::ByFaceInFrame || comp_.acting == CompSystem::ByFaceInPlane;
+    const bool is_constant = comp_.acting == CompKind::FaceMillingInFrame ||
+                             comp_.acting == CompKind::FaceMillingInPlane;
     if (!is_constant || !orienting_.is_on) return kDone;
     report(diag::CompFaceTurned, block, function_of(comp_.side));
     return kFailed;
 }
 
 /// How the surface lies along the block, for the cutter on it.
-Done Executor::lay_face(const Block& block, const ToolWords& tool) {
+Done Executor::lay_surface(const Block& block, const ToolWords& tool) {
     const auto normals = normals_of(block, tool);
     if (!normals) return kFailed;
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
@@ -69,15 +69,15 @@ Done Executor::lay_face(const Block& block, const ToolWords& tool) {
 
 /// A code by which the side of the cutter is compensated stands inside the tool centre point
 /// control, which ends after it. F 4.4.
-Done Executor::require_tcp_for_side_comp(const Block& block, Function function) {
+Done Executor::require_tcp_for_peripheral_comp(const Block& block, Function function) {
     if (orienting_.has_length) return kDone;
     report(diag::SideCompAlone, block, function);
     return kFailed;
 }
 
 /// F 4.4: with a tool and a table that turn, lines and positioning only.
-Done Executor::require_no_side_arc(const Block& block) {
-    const bool is_on = comp_.is_on() && comp_.is_by_side_code;
+Done Executor::require_no_peripheral_arc(const Block& block) {
+    const bool is_on = comp_.is_on() && comp_.is_peripheral_code;
     if (!is_on || !is_arc(modal_.motion)) return kDone;
     const machine::Chain& chain = machine_.kinematics->chain;
     bool changes_orientation = false;

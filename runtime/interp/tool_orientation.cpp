@@ -105,7 +105,7 @@ Done Executor::orient(const Block& block, const Actions& actions, Target& target
         report(diag::TcpArc, block, modal_.motion);
         return kFailed;
     }
-    if (!require_no_side_arc(block)) return kFailed;
+    if (!require_no_peripheral_arc(block)) return kFailed;
     const Done is_laid = goes_straight(block, actions) ? lay_point_to_point(block, tool, target)
                                                        : lay_tool_words(block, tool, target);
     if (!is_laid) return kFailed;
@@ -415,7 +415,7 @@ Done Executor::require_small_rise_along(const Block& block, const path::Turn& su
 std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, const ToolWords& tool) {
     const auto said = [&](std::size_t i) {
         const Vec3 normal = tool.normals[i].vector();
-        const bool is_none = comp_.takes_faces() && normal.isZero(0);
+        const bool is_none = comp_.takes_surface_normals() && normal.isZero(0);
         if (!is_none) return direction_in_base(block, normal, Function::SurfaceNormal);
         report(diag::CompFaceNormal, block, Function::SurfaceNormal)
             .arg("all its components are zero");

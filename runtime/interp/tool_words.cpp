@@ -42,7 +42,8 @@ std::size_t small_count(const Block& block, const nc::Invocation& invocation,
 
 void Executor::take_orientation(const Block& block, const nc::Invocation& invocation,
                                 Actions& actions) {
-    const bool is_of_cutter = invocation.function == Function::SurfaceNormal && comp_.takes_faces();
+    const bool is_of_cutter =
+        invocation.function == Function::SurfaceNormal && comp_.takes_surface_normals();
     if (!orienting_.is_on && !is_of_cutter) {
         report(diag::OrientationAlone, block, invocation.function)
             .arg(word_of(block, invocation.function));
@@ -125,7 +126,7 @@ Done Executor::require_one_turn(const Block& block, const ToolWords& tool) {
     const bool has_axes = (block.given & joint_axes()) != 0;
     const bool has_vector = tool.vector.is_said();
     const bool has_angles = tool.angles.is_said();
-    const bool leads = leans_on_surface() || surface_leads_end() || !comp_.takes_faces();
+    const bool leads = leans_on_surface() || surface_leads_end() || !comp_.takes_surface_normals();
     const bool has_surface = leads && tool.says_surface();
     const bool is_on_surface = leans_on_surface() || (surface_leads_end() && tool.says_surface());
     const DiagnosticRow* row = has_vector && has_angles  ? &diag::OrientVectorAngles
@@ -167,7 +168,7 @@ bool Executor::surface_leads_end() const {
     const OrientInterpolation turning = orienting_.turning;
     const bool is_free =
         turning == OrientInterpolation::Plane || turning == OrientInterpolation::Axes;
-    return rules_.surface_words_at_end && is_free && !comp_.takes_faces();
+    return rules_.surface_words_at_end && is_free && !comp_.takes_surface_normals();
 }
 
 /// Words that the way on which the tool turns has no place for: nothing may be lost silently.
@@ -175,8 +176,8 @@ Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) 
     const OrientInterpolation turning = orienting_.turning;
     const bool is_about_axis =
         turning == OrientInterpolation::ConeCw || turning == OrientInterpolation::ConeCcw;
-    const bool takes_surface =
-        turning == OrientInterpolation::Surface || surface_leads_end() || comp_.takes_faces();
+    const bool takes_surface = turning == OrientInterpolation::Surface || surface_leads_end() ||
+                               comp_.takes_surface_normals();
     const nc::Invocation* const spin = block.find(Function::ToolSpin);
     if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == SpinFrom::Path) {
         report(diag::SpinAgainstPath, block, Function::ToolSpin)

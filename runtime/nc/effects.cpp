@@ -68,8 +68,8 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::RadiusCompOff:
         case Function::RadiusCompLeft:
         case Function::RadiusCompRight:
-        case Function::SideCompLeft:
-        case Function::SideCompRight:
+        case Function::PeripheralCompLeft:
+        case Function::PeripheralCompRight:
         case Function::CompStartNormal:
         case Function::CompStartAround:
         case Function::CompStartTangent:
@@ -80,10 +80,10 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::CompCheckOff:
         case Function::CompInPlane:
         case Function::CompInFrame:
-        case Function::CompBySide:
-        case Function::CompByFace:
-        case Function::CompByFaceInFrame:
-        case Function::CompByFaceInPlane:
+        case Function::CompPeripheral:
+        case Function::CompFaceMilling:
+        case Function::CompFaceMillingInFrame:
+        case Function::CompFaceMillingInPlane:
         case Function::CompOrientOnArc:
         case Function::CompOrientBefore:
         case Function::ExactStop:

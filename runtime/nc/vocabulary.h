@@ -51,7 +51,7 @@ enum class Group : std::uint8_t {
     OrientAngles,
     OrientSystem,
     Spinning,
-    CompSystem,
+    CompKind,
     CompOrientation,
     DataInput,
 };

@@ -41,7 +41,7 @@ constexpr bool is_quiet_group(Group group) {
         case Group::Turning:
         case Group::OrientAngles:
         case Group::OrientSystem:
-        case Group::CompSystem:
+        case Group::CompKind:
         case Group::CompOrientation:
         case Group::Spinning:
         case Group::DataInput: return true;

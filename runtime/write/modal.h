@@ -64,7 +64,7 @@ inline constexpr GroupMask kSaidAgain =
     bit(Group::Plane) | bit(Group::RadiusComp) | bit(Group::PathMode) | bit(Group::CompStart) |
     bit(Group::CompCorner) | bit(Group::CompCheck) | bit(Group::Compressor) | bit(Group::Turning) |
     bit(Group::OrientAngles) | bit(Group::OrientSystem) | bit(Group::Spinning) |
-    bit(Group::CompSystem) | bit(Group::CompOrientation);
+    bit(Group::CompKind) | bit(Group::CompOrientation);
 
 /// Additional turns of a helix, as the interpreter takes them.
 inline constexpr double kMostTurns = 999;

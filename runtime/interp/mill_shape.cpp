@@ -1,4 +1,4 @@
-#include "interp/face_cutter.h"
+#include "interp/mill_shape.h"
 
 #include <array>
 #include <numbers>
@@ -32,12 +32,12 @@ constexpr std::int64_t kFlankWear = 20;
 
 }  // namespace
 
-Result<FaceCutter, FaceCutterFault> face_cutter(const ToolOffsets& offsets, std::int64_t number,
-                                                double extra) {
+Result<MillShape, MillShapeFault> face_cutter(const ToolOffsets& offsets, std::int64_t number,
+                                              double extra) {
     Shape shape{0, End::Ball, false};
     for (const Shape& row : kShapes)
         if (row.type == offsets.type(number)) shape = row;
-    FaceCutter cutter;
+    MillShape cutter;
     cutter.is_known = shape.type != 0;
     cutter.radius = offsets.radius(number) + extra;
     if (shape.end == End::Ball) cutter.edge = cutter.radius;
@@ -46,9 +46,9 @@ Result<FaceCutter, FaceCutterFault> face_cutter(const ToolOffsets& offsets, std:
     if (shape.tapers)
         cutter.flank =
             rad_from_deg(offsets.datum(number, kFlank) + offsets.datum(number, kFlankWear));
-    if (cutter.edge < 0 || cutter.edge > cutter.radius) return FaceCutterFault::EdgeTooLarge;
+    if (cutter.edge < 0 || cutter.edge > cutter.radius) return MillShapeFault::EdgeTooLarge;
     if (!(cutter.flank >= 0 && cutter.flank < std::numbers::pi / 2))
-        return FaceCutterFault::FlankTooLarge;
+        return MillShapeFault::FlankTooLarge;
     return cutter;
 }
 

@@ -1,4 +1,4 @@
-// face_cutter.h — what of a tool touches a surface: its shape by its type, and its sizes
+// mill_shape.h — what of a tool touches a surface: its shape by its type, and its sizes
 // (S 5.1, 5.3).
 #pragma once
 
@@ -10,14 +10,14 @@
 namespace kadr::interp {
 
 /// A mill as it touches with its end: a face, an edge that is a part of a torus, and a side.
-struct FaceCutter {
+struct MillShape {
     double radius = 0;     // mm, wear included
     double edge = 0;       // radius of the rounding between face and side, mm
     double flank = 0;      // between side and axis, rad: there the edge ends
     bool is_known = true;  // false: the type tells no shape of a mill
 };
 
-enum class FaceCutterFault : std::uint8_t {
+enum class MillShapeFault : std::uint8_t {
     EdgeTooLarge,  // or below zero
     FlankTooLarge,
 };
@@ -28,7 +28,7 @@ enum class FaceCutterFault : std::uint8_t {
 /// ball, of which the caller tells the user (unsure: said of a published manual from memory).
 ///
 /// extra  mm, added to the radius
-Result<FaceCutter, FaceCutterFault> face_cutter(const ToolOffsets& offsets, std::int64_t number,
-                                                double extra);
+Result<MillShape, MillShapeFault> face_cutter(const ToolOffsets& offsets, std::int64_t number,
+                                              double extra);
 
 }  // namespace kadr::interp

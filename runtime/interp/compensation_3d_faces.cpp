@@ -1,4 +1,4 @@
-// space_compensation_faces.cpp — the end of a cutter on a surface (S 5.3 CUT3DF, motion.md §8.3).
+// compensation_3d_faces.cpp — the end of a cutter on a surface (S 5.3 CUT3DF, motion.md §8.3).
 //
 // The commands bring along how the surface lies: its normal where they begin and how that turns.
 // Where the normal jumps from one command to the next, the surface has an edge: around one that
@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
-#include "interp/space_compensation_parts.h"
+#include "interp/compensation_3d_parts.h"
 #include "path/orient_law.h"
 
 namespace kadr::interp {
@@ -29,15 +29,15 @@ namespace {
 // Angle between a tool and a normal below which the face lies square to the tool, rad.
 constexpr double kSquare = 1e-6;
 // Rounding of normals where a cutter's side begins, rad.
-constexpr double kTiltRounding = 1e-6;
+constexpr double kInclinationRounding = 1e-6;
 // What a cutter may take off beyond a hollow edge before that is one, and by how much tips may miss
 // each other in it, mm.
 constexpr double kGouge = 1e-4;
 constexpr double kMiss = 1e-3;
 // Of a way as splines, mm.
 constexpr double kWayTolerance = 1e-6;
-constexpr int kTilts = 32;  // places of a way at which the tool is looked at
-constexpr int kBends = 16;  // … and the surface
+constexpr int kInclinations = 32;  // places of a way at which the tool is looked at
+constexpr int kBends = 16;         // … and the surface
 
 Contact part_of(const Contact& contact, double from, double to) {
     Contact part = contact;
@@ -50,7 +50,7 @@ Contact part_of(const Contact& contact, double from, double to) {
 
 // ------------------------------------------------------------------------------ along a surface
 
-SpaceCompensation::Fault SpaceCompensation::take_face(const Contact& face, Side& side) const {
+Compensation3d::Fault Compensation3d::take_surface(const Contact& face, Side& side) const {
     side.contact.guide = face.guide;
     side.contact.axis = face.axis;
     side.contact.turn = face.turn;
@@ -63,15 +63,15 @@ SpaceCompensation::Fault SpaceCompensation::take_face(const Contact& face, Side&
 }
 
 /// Of the tool from the normal, rad.
-double SpaceCompensation::tilt_on(const Side& side, double share) const {
+double Compensation3d::inclination_on(const Side& side, double share) const {
     return path::angle_between(guide_on(side, share), tool_on(side, share));
 }
 
 /// The share of what is left between two at which the tool is nearest to the normal, if there is
 /// one such place.
-double SpaceCompensation::least_tilt(const Side& side, double from, double to) const {
+double Compensation3d::least_inclination(const Side& side, double from, double to) const {
     constexpr double kNarrow = 1e-10;
-    const auto tilt = [&](double share) { return tilt_on(side, side.share_of_way(share)); };
+    const auto tilt = [&](double share) { return inclination_on(side, side.share_of_way(share)); };
     while (to - from > kNarrow) {
         const double third = (to - from) / 3;
         if (tilt(from + third) < tilt(to - third)) {
@@ -86,28 +86,28 @@ double SpaceCompensation::least_tilt(const Side& side, double from, double to) c
 /// The edge reaches from the face to where the cutter's side begins. A face that lies square to the
 /// tool all the way touches with its middle; one that comes to lie so on the way would have to
 /// touch with its other side from there on.
-SpaceCompensation::Fault SpaceCompensation::check_tilts(Side& side) const {
-    std::array<double, kTilts + 1> tilts;
-    for (int i = 0; i <= kTilts; ++i)
+Compensation3d::Fault Compensation3d::check_inclinations(Side& side) const {
+    std::array<double, kInclinations + 1> tilts;
+    for (int i = 0; i <= kInclinations; ++i)
         tilts[static_cast<std::size_t>(i)] =
-            tilt_on(side, side.share_of_way(static_cast<double>(i) / kTilts));
+            inclination_on(side, side.share_of_way(static_cast<double>(i) / kInclinations));
     const auto [least, most] = std::ranges::minmax(tilts);
-    if (most > pi / 2 - settings_.cutter.flank + kTiltRounding) return &diag::CompFaceTilt;
+    if (most > pi / 2 - settings_.cutter.flank + kInclinationRounding) return &diag::CompFaceTilt;
     if (side.contact.radius == side.contact.depth) return nullptr;
     if (most < kSquare) {
         side.contact.radius = side.contact.depth;
         return nullptr;
     }
-    if (most - least < kTiltRounding) return nullptr;
-    for (std::size_t i = 0; i <= kTilts; ++i) {
-        const bool is_lowest =
-            (i == 0 || tilts[i] <= tilts[i - 1]) && (i == kTilts || tilts[i] <= tilts[i + 1]);
+    if (most - least < kInclinationRounding) return nullptr;
+    for (std::size_t i = 0; i <= kInclinations; ++i) {
+        const bool is_lowest = (i == 0 || tilts[i] <= tilts[i - 1]) &&
+                               (i == kInclinations || tilts[i] <= tilts[i + 1]);
         if (!is_lowest) continue;
-        const double from = i == 0 ? 0 : static_cast<double>(i - 1) / kTilts;
-        const double to = i == kTilts ? 1 : static_cast<double>(i + 1) / kTilts;
-        const double share = least_tilt(side, from, to);
+        const double from = i == 0 ? 0 : static_cast<double>(i - 1) / kInclinations;
+        const double to = i == kInclinations ? 1 : static_cast<double>(i + 1) / kInclinations;
+        const double share = least_inclination(side, from, to);
         const bool is_inside = share > kSquare && share < 1 - kSquare;
-        if (is_inside && tilt_on(side, side.share_of_way(share)) < kSquare)
+        if (is_inside && inclination_on(side, side.share_of_way(share)) < kSquare)
             return &diag::CompFaceSquare;
     }
     return nullptr;
@@ -115,7 +115,7 @@ SpaceCompensation::Fault SpaceCompensation::check_tilts(Side& side) const {
 
 /// In a hollow that bends more than the cutter does its tip would go back: as the tool stands, the
 /// tip's way has the direction of the path everywhere.
-SpaceCompensation::Fault SpaceCompensation::check_bends(const Side& side) const {
+Compensation3d::Fault Compensation3d::check_bends(const Side& side) const {
     if (side.contact.turn == 0) return nullptr;
     constexpr double kStep = 1e-5;
     for (int i = 0; i <= kBends; ++i) {
@@ -136,7 +136,7 @@ SpaceCompensation::Fault SpaceCompensation::check_bends(const Side& side) const 
 
 // ------------------------------------------------------------------------------ at edges
 
-SpaceCompensation::Fault SpaceCompensation::join_faces(Side& next) {
+Compensation3d::Fault Compensation3d::join_surfaces(Side& next) {
     const Corner corner{last_->at(1).position, last_->at(1).tangent, next.at(0).tangent,
                         last_->to_tool, next.from_tool};
     const Vec3 from = guide_on(*last_, 1);
@@ -165,7 +165,7 @@ SpaceCompensation::Fault SpaceCompensation::join_faces(Side& next) {
 
 /// Both ways end where the tips meet as the tool stands at the edge. In space they need not: then
 /// no place of the cutter touches both surfaces on the way.
-SpaceCompensation::Fault SpaceCompensation::join_hollow(Side& next, const Corner& corner) {
+Compensation3d::Fault Compensation3d::join_hollow(Side& next, const Corner& corner) {
     if (std::ranges::any_of(waiting_,
                             [&](const Command& command) { return changes_orientation(command); }))
         return &diag::CompTurnsInside;
@@ -187,7 +187,7 @@ SpaceCompensation::Fault SpaceCompensation::join_hollow(Side& next, const Corner
 
 /// The cutter rolls around an edge from one normal to that of the next surface. Where its face
 /// comes to lie square to the tool on the way it slides over the edge.
-void SpaceCompensation::roll(const Side& next, const Vec3& from, const Vec3& at) {
+void Compensation3d::roll(const Side& next, const Vec3& from, const Vec3& at) {
     const Vec3 to = guide_on(next, 0);
     const Vec3 across = from.cross(to);
     Contact contact = standing(from);
@@ -204,7 +204,7 @@ void SpaceCompensation::roll(const Side& next, const Vec3& from, const Vec3& at)
     roll_part(part_of(contact, share, 1), next, at);
 }
 
-void SpaceCompensation::roll_part(const Contact& contact, const Side& next, const Vec3& at) {
+void Compensation3d::roll_part(const Contact& contact, const Side& next, const Vec3& at) {
     const Vec3 tool = shown_tool_;
     const WayOfTip tip = [&](double place) -> Vec3 {
         const auto aside = path::tip_or_limit(place, [&](double share) {
@@ -263,8 +263,8 @@ bool is_near(const std::function<Vec3(double)>& tip, double from, double to,
 }  // namespace
 
 /// A way that is no line and no arc, where no transformation of the machine holds the tip on it.
-void SpaceCompensation::emit_splines(const Command& model, const AxisValues& from,
-                                     const WayOfTip& tip) {
+void Compensation3d::emit_splines(const Command& model, const AxisValues& from,
+                                  const WayOfTip& tip) {
     constexpr double kShortest = 1e-4;
     double begin = 0;
     double step = 1;

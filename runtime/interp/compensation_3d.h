@@ -1,11 +1,11 @@
-// space_compensation.h — compensation of the cutter in space: commands of the place where it
+// compensation_3d.h — compensation of the cutter in space: commands of the place where it
 // touches in, commands of its tip out, a block later (S 5.3, motion.md §8.2, §8.3).
 //
 // Its side touches a contour, or its end a surface whose normals the commands bring along. The tool
 // may turn while it goes along and at corners, and so may a surface. Where they do, the tip's way
 // is no line and no arc: the command says where the cutter touches (path/contact.h), and motion
 // finds the tip at every tick. Without a transformation that holds it there the way is given as
-// splines. What is different on surfaces is in space_compensation_faces.cpp.
+// splines. What is different on surfaces is in compensation_3d_faces.cpp.
 #pragma once
 
 #include <functional>
@@ -22,16 +22,16 @@
 namespace kadr::interp {
 
 /// The cutter as it touches.
-struct SpaceCutter {
+struct Cutter3d {
     path::Contact contact;  // a Side, positive to the right of the contour, or a Face; of what is
                             // touched it knows nothing
     double flank = 0;       // of a Face: between the cutter's side and its axis, rad
 
-    bool is_on_faces() const { return contact.kind == path::ContactKind::Face; }
+    bool is_face_milling() const { return contact.kind == path::ContactKind::Face; }
 };
 
-struct SpaceCompSettings {
-    SpaceCutter cutter;
+struct Comp3dSettings {
+    Cutter3d cutter;
     OrientationLimits orientation_limits;        // without a chain the tool keeps its direction
     path::Vec3 direction = path::Vec3::UnitZ();  // of the tool where the compensation begins
     bool extends_lines = false;  // at a corner around which the cutter goes, until they meet …
@@ -41,14 +41,14 @@ struct SpaceCompSettings {
     int empty_blocks = 3;  // without a way that may stand in a row
 };
 
-class SpaceCompensation {
+class Compensation3d {
   public:
     bool is_on() const { return state_ != State::Off; }
 
     /// Compensation begins with the next line. `here` is where the tip is.
-    void begin(const SpaceCompSettings& settings, const AxisValues& here);
+    void begin(const Comp3dSettings& settings, const AxisValues& here);
     /// From the next block on.
-    void set_settings(const SpaceCompSettings& settings) { settings_ = settings; }
+    void set_settings(const Comp3dSettings& settings) { settings_ = settings; }
     /// The next line leaves the contour.
     void leave();
 
@@ -119,14 +119,14 @@ class SpaceCompensation {
     Fault finish();
     void extend(Side& next, const Corner& corner);
 
-    // space_compensation_faces.cpp
+    // compensation_3d_faces.cpp
     using WayOfTip = std::function<path::Vec3(double share)>;
-    Fault take_face(const path::Contact& face, Side& side) const;
-    Fault check_tilts(Side& side) const;
+    Fault take_surface(const path::Contact& face, Side& side) const;
+    Fault check_inclinations(Side& side) const;
     Fault check_bends(const Side& side) const;
-    double tilt_on(const Side& side, double share) const;
-    double least_tilt(const Side& side, double from, double to) const;
-    Fault join_faces(Side& next);
+    double inclination_on(const Side& side, double share) const;
+    double least_inclination(const Side& side, double from, double to) const;
+    Fault join_surfaces(Side& next);
     Fault join_hollow(Side& next, const Corner& corner);
     void roll(const Side& next, const path::Vec3& from, const path::Vec3& at);
     void roll_part(const path::Contact& contact, const Side& next, const path::Vec3& at);
@@ -157,7 +157,7 @@ class SpaceCompensation {
     CompAlarm alarm(Fault fault, const path::Command& command) const;
 
     State state_ = State::Off;
-    SpaceCompSettings settings_;
+    Comp3dSettings settings_;
     bool cannot_orient_ = false;
     AxisValues here_{};  // programmed, behind what was taken …
     path::Vec3 tool_ = path::Vec3::UnitZ();

@@ -1,4 +1,4 @@
-#include "interp/space_compensation.h"
+#include "interp/compensation_3d.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
-#include "interp/space_compensation_parts.h"
+#include "interp/compensation_3d_parts.h"
 #include "machine/kinematics.h"
 #include "path/curve_of.h"
 #include "path/orient_law.h"
@@ -41,7 +41,7 @@ double angle_about(const Vec3& axis, const Vec3& from, const Vec3& to) {
 
 // ------------------------------------------------------------------------------ on and off
 
-void SpaceCompensation::begin(const SpaceCompSettings& settings, const AxisValues& here) {
+void Compensation3d::begin(const Comp3dSettings& settings, const AxisValues& here) {
     if (state_ == State::Off) shown_ = here;
     settings_ = settings;
     here_ = here;
@@ -52,9 +52,9 @@ void SpaceCompensation::begin(const SpaceCompSettings& settings, const AxisValue
     state_ = State::Starting;
 }
 
-void SpaceCompensation::leave() { state_ = state_ == State::On ? State::Leaving : State::Off; }
+void Compensation3d::leave() { state_ = state_ == State::On ? State::Leaving : State::Off; }
 
-std::optional<CompAlarm> SpaceCompensation::flush() {
+std::optional<CompAlarm> Compensation3d::flush() {
     const Command place = last_ ? last_->command : Command{};
     const Fault fault = finish();
     if (state_ == State::On) state_ = State::Starting;
@@ -62,7 +62,7 @@ std::optional<CompAlarm> SpaceCompensation::flush() {
     return alarm(fault, place);
 }
 
-std::optional<CompAlarm> SpaceCompensation::stop() {
+std::optional<CompAlarm> Compensation3d::stop() {
     std::optional<CompAlarm> alarm = flush();
     state_ = State::Off;
     return alarm;
@@ -70,7 +70,7 @@ std::optional<CompAlarm> SpaceCompensation::stop() {
 
 // ------------------------------------------------------------------------------ commands in
 
-std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
+std::optional<CompAlarm> Compensation3d::end_block(const nc::Block& block) {
     bool has_moved = false;
     for (Command& command : fresh_) {
         const Vec3 before = linear(here_);
@@ -93,23 +93,23 @@ std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
 }
 
 /// Of the tool where a motion ends.
-Vec3 SpaceCompensation::tool_behind(const Command& command) const {
+Vec3 Compensation3d::tool_behind(const Command& command) const {
     return settings_.orientation_limits.chain == nullptr ? settings_.direction : command.direction;
 }
 
-bool SpaceCompensation::changes_orientation(const Command& command) const {
+bool Compensation3d::changes_orientation(const Command& command) const {
     return settings_.orientation_limits.chain != nullptr && path::is_motion(command.op);
 }
 
 /// What is wrong at a corner is told of the side before it.
-CompAlarm SpaceCompensation::alarm(Fault fault, const Command& command) const {
+CompAlarm Compensation3d::alarm(Fault fault, const Command& command) const {
     const bool is_corner = fault == &diag::CompCollision || fault == &diag::CompNoIntersection ||
                            fault == &diag::CompFaceCorner;
     const Command& place = is_corner && last_ ? last_->command : command;
     return {fault, place.source, place.line};
 }
 
-SpaceCompensation::Fault SpaceCompensation::take(Command& command) {
+Compensation3d::Fault Compensation3d::take(Command& command) {
     // What is touched is told of a way beside it, and of none that leads there or stands.
     if (!command.contact.empty() && (state_ != State::On || command.machine_coordinates))
         command.contact.clear();
@@ -129,7 +129,7 @@ SpaceCompensation::Fault SpaceCompensation::take(Command& command) {
     return nullptr;
 }
 
-SpaceCompensation::Fault SpaceCompensation::take_motion(Command& command) {
+Compensation3d::Fault Compensation3d::take_motion(Command& command) {
     if (command.op == Op::Thread || command.op == Op::Probe) return &diag::CompMotion;
     path::Curve way = path::curve_of(command, linear(here_), linear(command.to));
     if (path::length(way) <= kStill) {
@@ -162,7 +162,7 @@ SpaceCompensation::Fault SpaceCompensation::take_motion(Command& command) {
     return nullptr;
 }
 
-SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve way) {
+Compensation3d::Fault Compensation3d::follow(Command& command, path::Curve way) {
     if (command.feed_mode == path::FeedMode::InverseTime && command.op != Op::Rapid) {
         if (!settings_.takes_inverse_time) return &diag::CompInverseTime;
         command.feed *= path::length(way);
@@ -180,9 +180,9 @@ SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve
     if (!command.contact.empty()) face = command.contact.front().contact;
     command.contact.clear();
     side.command = std::move(command);
-    if (settings_.cutter.is_on_faces()) {
+    if (settings_.cutter.is_face_milling()) {
         if (!face) return &diag::CompMotion;
-        if (const Fault fault = take_face(*face, side)) return fault;
+        if (const Fault fault = take_surface(*face, side)) return fault;
     } else if (const Fault fault = check(side)) {
         return fault;
     }
@@ -193,13 +193,13 @@ SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve
 
 /// Whether the cutter can go along what is left of a side; once its corners have cut it, the tool
 /// stands otherwise along it.
-SpaceCompensation::Fault SpaceCompensation::check(Side& side) const {
+Compensation3d::Fault Compensation3d::check(Side& side) const {
     if (side.contact.kind != ContactKind::Face) return check_side(side);
-    if (const Fault fault = check_tilts(side)) return fault;
+    if (const Fault fault = check_inclinations(side)) return fault;
     return check_bends(side);
 }
 
-SpaceCompensation::Fault SpaceCompensation::check_side(const Side& side) const {
+Compensation3d::Fault Compensation3d::check_side(const Side& side) const {
     // Without the machine's transformation nobody holds the tip on another way.
     if (settings_.orientation_limits.chain == nullptr && !keeps_kind(side))
         return &diag::CompMotion;
@@ -214,7 +214,7 @@ SpaceCompensation::Fault SpaceCompensation::check_side(const Side& side) const {
 }
 
 /// Straight to beside the start of the contour; what turns the tool there comes behind that.
-SpaceCompensation::Fault SpaceCompensation::enter(const Side& first) {
+Compensation3d::Fault Compensation3d::enter(const Side& first) {
     Command command = std::move(*approach_);
     approach_.reset();
     const Contact contact = standing(guide_on(first, 0));
@@ -230,8 +230,8 @@ SpaceCompensation::Fault SpaceCompensation::enter(const Side& first) {
     return nullptr;
 }
 
-SpaceCompensation::Fault SpaceCompensation::join(Side& next) {
-    if (next.contact.kind == ContactKind::Face) return join_faces(next);
+Compensation3d::Fault Compensation3d::join(Side& next) {
+    if (next.contact.kind == ContactKind::Face) return join_surfaces(next);
     const path::CurvePoint end = last_->at(1);
     Corner corner{end.position, end.tangent, next.at(0).tangent, last_->to_tool, next.from_tool};
     const auto first = path::beside(corner.first, corner.tool);
@@ -251,7 +251,7 @@ SpaceCompensation::Fault SpaceCompensation::join(Side& next) {
 
 /// Both sides end where the cutter touches both of them as it stands at the corner. A tool that
 /// turns there touches both lines while it does.
-SpaceCompensation::Fault SpaceCompensation::join_inside(Side& next, const Corner& corner) {
+Compensation3d::Fault Compensation3d::join_inside(Side& next, const Corner& corner) {
     const bool turns = (corner.behind - corner.tool).norm() > kSameTool;
     const bool are_lines = last_->is_line() && next.is_line();
     if (turns && !are_lines) return &diag::CompTurnsInside;
@@ -288,7 +288,7 @@ SpaceCompensation::Fault SpaceCompensation::join_inside(Side& next, const Corner
 
 /// Where the tips of both sides meet, seen so. Wherever that is, the first ends and the second
 /// begins with the tool of the corner.
-SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const View& view) const {
+Compensation3d::Fault Compensation3d::meet(Side& a, Side& b, const View& view) const {
     constexpr int kMostSteps = 40;
     constexpr double kStep = 1e-6;
     const auto apart = [&](double end, double begin) -> std::optional<Eigen::Vector2d> {
@@ -326,7 +326,7 @@ SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const View& v
 }
 
 /// Around the corner on an arc, or to where both lines meet if they are extended.
-void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
+void Compensation3d::join_outside(Side& next, const Corner& corner) {
     const bool turns = std::ranges::any_of(
         waiting_, [&](const Command& command) { return changes_orientation(command); });
     const bool are_even = last_->is_line() && next.is_line() && !last_->turns() && !next.turns();
@@ -351,7 +351,7 @@ void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
              settings_.cutter.contact.radius > 0 ? turn : -turn);
 }
 
-void SpaceCompensation::extend(Side& next, const Corner& corner) {
+void Compensation3d::extend(Side& next, const Corner& corner) {
     const double across = std::abs(settings_.cutter.contact.radius * std::tan(corner.turn / 2));
     last_->end = 1 + across / corner.first.cross(corner.tool).norm() / last_->length();
     next.begin = -across / corner.second.cross(corner.tool).norm() / next.length();
@@ -360,7 +360,7 @@ void SpaceCompensation::extend(Side& next, const Corner& corner) {
 }
 
 /// The contour ends here, square to it.
-SpaceCompensation::Fault SpaceCompensation::finish() {
+Compensation3d::Fault Compensation3d::finish() {
     if (approach_) {  // of no contour at all
         const Vec3 to = linear(approach_->to);
         put_way(std::move(*approach_), approach_from_, to);
@@ -381,7 +381,7 @@ SpaceCompensation::Fault SpaceCompensation::finish() {
 
 // ------------------------------------------------------------------------------ geometry
 
-path::CurvePoint SpaceCompensation::Side::at(double share) const {
+path::CurvePoint Compensation3d::Side::at(double share) const {
     const double whole = length();
     path::CurvePoint point = path::evaluate(way, share * whole);
     // A line that is extended.
@@ -392,7 +392,7 @@ path::CurvePoint SpaceCompensation::Side::at(double share) const {
 
 /// Whether the tip's way is of the same kind: of a side a line, or an arc square to a tool that
 /// does not turn; on a surface that does not turn either, any.
-bool SpaceCompensation::keeps_kind(const Side& side) {
+bool Compensation3d::keeps_kind(const Side& side) {
     if (side.turns()) return false;
     if (side.contact.kind == ContactKind::Face) return side.contact.turn == 0;
     const bool is_square_arc =
@@ -401,9 +401,8 @@ bool SpaceCompensation::keeps_kind(const Side& side) {
 }
 
 /// Of the tool at a share of a motion that begins with the axes and the tool so.
-Vec3 SpaceCompensation::tool_along(const Command& command, const AxisValues& from,
-                                   const Vec3& from_tool, const path::Curve& way,
-                                   double share) const {
+Vec3 Compensation3d::tool_along(const Command& command, const AxisValues& from,
+                                const Vec3& from_tool, const path::Curve& way, double share) const {
     if (settings_.orientation_limits.chain == nullptr) return from_tool;
     const double length = std::holds_alternative<path::Point>(way) ? 1 : path::length(way);
     if (command.turning > path::Turning::Axes)
@@ -415,7 +414,7 @@ Vec3 SpaceCompensation::tool_along(const Command& command, const AxisValues& fro
 }
 
 /// At a share of the whole way.
-Vec3 SpaceCompensation::tool_on(const Side& side, double share) const {
+Vec3 Compensation3d::tool_on(const Side& side, double share) const {
     if (side.command.turning > path::Turning::Axes)
         return path::direction_at(turn_on(side), side.way, share * side.length());
     if (!side.turns()) return side.from_tool;
@@ -423,26 +422,26 @@ Vec3 SpaceCompensation::tool_on(const Side& side, double share) const {
 }
 
 /// Of the contour its tangent, of a surface its normal.
-Vec3 SpaceCompensation::guide_on(const Side& side, double share) const {
+Vec3 Compensation3d::guide_on(const Side& side, double share) const {
     if (side.contact.kind == ContactKind::Face) return path::guide_at(side.contact, share);
     return side.at(share).tangent;
 }
 
-std::optional<Vec3> SpaceCompensation::aside_on(const Side& side, double share) const {
+std::optional<Vec3> Compensation3d::aside_on(const Side& side, double share) const {
     return path::tip_or_limit(side.share_of_part(share), [&](double place) {
         const double at = side.share_of_way(place);
         return path::tip_beside(side.contact, guide_on(side, at), tool_on(side, at));
     });
 }
 
-std::optional<Vec3> SpaceCompensation::tip_on(const Side& side, double share) const {
+std::optional<Vec3> Compensation3d::tip_on(const Side& side, double share) const {
     const auto aside = aside_on(side, share);
     if (!aside) return std::nullopt;
     return side.at(share).position + *aside;
 }
 
 /// Where the tip and the other axes are at one of the ends of what is left.
-AxisValues SpaceCompensation::axes_on(const Side& side, double share) const {
+AxisValues Compensation3d::axes_on(const Side& side, double share) const {
     AxisValues axes = share == side.begin ? side.from : side.command.to;
     set_linear(axes, tip_on(side, share).value_or(side.at(share).position));
     return axes;
@@ -451,7 +450,7 @@ AxisValues SpaceCompensation::axes_on(const Side& side, double share) const {
 /// How the tool turns along the way of a side: a block shares its turn out over the way that it has
 /// in the end (S 7.4: u is the path fraction), so that a corner is passed with the tool that the
 /// program gives it. A second point keeps to the ends of the way as it does to those programmed.
-path::Turn SpaceCompensation::turn_on(const Side& side) {
+path::Turn Compensation3d::turn_on(const Side& side) {
     const double length = side.length();
     const double part = side.part() * length;
     path::Turn turn = turn_of(side.command, side.from_tool, part);
@@ -466,7 +465,7 @@ path::Turn SpaceCompensation::turn_on(const Side& side) {
 }
 
 /// What a command says of it for what is left.
-void SpaceCompensation::cut_turn(const Side& side, Command& command) {
+void Compensation3d::cut_turn(const Side& side, Command& command) {
     const double length = side.length();
     const path::Turn turn = turn_on(side);
     command.turn_from = path::part_of(turn, side.begin * length, side.end * length).start;
@@ -474,7 +473,7 @@ void SpaceCompensation::cut_turn(const Side& side, Command& command) {
 }
 
 /// The cutter as it stands at a place of the contour or of the surface.
-Contact SpaceCompensation::standing(const Vec3& guide) const {
+Contact Compensation3d::standing(const Vec3& guide) const {
     Contact contact = settings_.cutter.contact;
     if (contact.kind == ContactKind::Side) contact.kind = ContactKind::Pivot;
     contact.guide = guide;
@@ -485,7 +484,7 @@ Contact SpaceCompensation::standing(const Vec3& guide) const {
 // ------------------------------------------------------------------------------ commands out
 
 /// A way that is only shifted, or an arc about the tool, stays what it is.
-void SpaceCompensation::emit(Side& side) {
+void Compensation3d::emit(Side& side) {
     const AxisValues start = axes_on(side, side.begin);
     if (!is_same_place(start, shown_)) emit_line_to(side.command, start, tool_on(side, side.begin));
     Command command = side.command;
@@ -519,7 +518,7 @@ void SpaceCompensation::emit(Side& side) {
 }
 
 /// What waited at a corner; the guide's turn is shared out among the turns of the tool.
-void SpaceCompensation::emit_waiting(Contact contact, const Vec3& at) {
+void Compensation3d::emit_waiting(Contact contact, const Vec3& at) {
     const double whole = contact.turn;
     double angles = 0;
     Vec3 tool = shown_tool_;
@@ -543,7 +542,7 @@ void SpaceCompensation::emit_waiting(Contact contact, const Vec3& at) {
 }
 
 /// The tool turns about the place that it touches.
-void SpaceCompensation::emit_turn(Command command, Contact contact, const Vec3& at) {
+void Compensation3d::emit_turn(Command command, Contact contact, const Vec3& at) {
     const AxisValues before = shown_;
     const Vec3 tool = shown_tool_;
     const auto aside = [&](double share) {
@@ -568,8 +567,8 @@ void SpaceCompensation::emit_turn(Command command, Contact contact, const Vec3& 
 }
 
 /// About a corner from square to one side to square to the next; at rapid lines that touch the arc.
-void SpaceCompensation::emit_arc(const Command& model, const Vec3& at, const Vec3& from,
-                                 const Vec3& to, double turn) {
+void Compensation3d::emit_arc(const Command& model, const Vec3& at, const Vec3& from,
+                              const Vec3& to, double turn) {
     const Vec3 tool = shown_tool_;
     const double radius = settings_.cutter.contact.radius;
     const Vec3 center = at - settings_.cutter.contact.depth * tool;
@@ -597,7 +596,7 @@ void SpaceCompensation::emit_arc(const Command& model, const Vec3& at, const Vec
     put(std::move(command));
 }
 
-void SpaceCompensation::emit_line_to(const Command& model, const AxisValues& to, const Vec3& tool) {
+void Compensation3d::emit_line_to(const Command& model, const AxisValues& to, const Vec3& tool) {
     Command command = like(model, model.op == Op::Rapid ? Op::Rapid : Op::Line);
     command.to = to;
     command.direction = tool;
@@ -605,7 +604,7 @@ void SpaceCompensation::emit_line_to(const Command& model, const AxisValues& to,
 }
 
 /// A way to the contour or from it, between two places as it is programmed.
-void SpaceCompensation::put_way(Command command, const Vec3& from, const Vec3& to) {
+void Compensation3d::put_way(Command command, const Vec3& from, const Vec3& to) {
     shift_point({from, to, linear(shown_), linear(command.to)}, command);
     shown_tool_ = tool_behind(command);
     const AxisValues begin = std::exchange(shown_, command.to);
@@ -613,7 +612,7 @@ void SpaceCompensation::put_way(Command command, const Vec3& from, const Vec3& t
         cannot_orient_ = true;
 }
 
-void SpaceCompensation::put(Command command) {
+void Compensation3d::put(Command command) {
     if (path::is_motion(command.op)) {
         shown_ = command.to;
         shown_tool_ = tool_behind(command);

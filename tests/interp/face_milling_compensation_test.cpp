@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "interp/face_cutter.h"
+#include "interp/mill_shape.h"
 #include "tests/interp/five_axis_bench.h"
 #include "tests/interp/program_bench.h"
 

@@ -1,11 +1,11 @@
-// space_compensation_parts.h — what both files of SpaceCompensation work with; nobody else.
+// compensation_3d_parts.h — what both files of Compensation3d work with; nobody else.
 #pragma once
 
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-#include "interp/space_compensation.h"
+#include "interp/compensation_3d.h"
 #include "path/linear.h"
 
 namespace kadr::interp {
@@ -35,7 +35,7 @@ inline path::Command like(const path::Command& model, path::Op op) {
 }
 
 /// Where one side ends and the next one begins.
-struct SpaceCompensation::Corner {
+struct Compensation3d::Corner {
     path::Vec3 place;
     path::Vec3 first;  // tangents
     path::Vec3 second;

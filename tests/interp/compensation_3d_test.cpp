@@ -27,7 +27,7 @@ std::vector<path::Command> motions(const std::string& text) {
 
 Vec3 tip(const path::Command& command) { return {command.to[0], command.to[1], command.to[2]}; }
 
-TEST(SpaceCompensation, TheRhombusOfTheOracle) {
+TEST(Compensation3d, TheRhombusOfTheOracle) {
     std::ifstream file(KADR_ROOT "/tests/oracles/cutter_comp.json");
     const nlohmann::json all = nlohmann::json::parse(file)["cases"];
     const auto found = std::find_if(all.begin(), all.end(), [](const nlohmann::json& test) {
@@ -59,7 +59,7 @@ TEST(SpaceCompensation, TheRhombusOfTheOracle) {
 }
 
 /// With the tool upright it is what the plane has: the same way.
-TEST(SpaceCompensation, AnUprightToolGoesAsInThePlane) {
+TEST(Compensation3d, AnUprightToolGoesAsInThePlane) {
     const std::string contour =
         "G1 X10 Y0 F500\nX40\nX40 Y20\nG3 X20 Y40 CR=20\nG1 X0\nY0\nG40 Y-20";
     for (const std::string side : {"G41", "G42"}) {
@@ -74,7 +74,7 @@ TEST(SpaceCompensation, AnUprightToolGoesAsInThePlane) {
     }
 }
 
-TEST(SpaceCompensation, TheDepthMovesTheTipAlongTheTool) {
+TEST(Compensation3d, TheDepthMovesTheTipAlongTheTool) {
     const auto motion =
         motions("G0 X-10 Y-10 Z0\nTRAORI\nCUT3DC ISD=2\nG42 G1 X0 Y0 B3=1 C3=1 F500\nX40\nG40 X60");
     const double s = std::sqrt(0.5);
@@ -84,14 +84,14 @@ TEST(SpaceCompensation, TheDepthMovesTheTipAlongTheTool) {
     EXPECT_LT((tip(motion[motion.size() - 2]) - (Vec3(40, 0, 0) + offset)).norm(), 1e-9);
 }
 
-TEST(SpaceCompensation, AnAllowanceAndItsSignCount) {
+TEST(Compensation3d, AnAllowanceAndItsSignCount) {
     const auto motion =
         motions("G0 X-10 Y-10 Z0\nTRAORI\nCUT3DC OFFN=-4\nG42 G1 X0 Y0 F500\nX40\nG40 X60");
     EXPECT_LT((tip(motion[motion.size() - 2]) - Vec3(40, -1, 0)).norm(), 1e-9);
 }
 
 /// In a corner that closes the tool touches both lines while it turns between them.
-TEST(SpaceCompensation, InACornerThatClosesBothLinesAreTouched) {
+TEST(Compensation3d, InACornerThatClosesBothLinesAreTouched) {
     const auto motion = motions(
         "G0 X-10 Y-10 Z0\nTRAORI\nCUT3DC\nG41 G1 X0 Y0 B3=-0.3 C3=1 F500\nX40\nA3=0.3 C3=1\n"
         "X40 Y40\nG40 Y60 C3=1");
@@ -113,7 +113,7 @@ TEST(SpaceCompensation, InACornerThatClosesBothLinesAreTouched) {
     }
 }
 
-TEST(SpaceCompensation, OutsideLinesMayBeExtended) {
+TEST(Compensation3d, OutsideLinesMayBeExtended) {
     const auto motion =
         motions("G0 X-10 Y-10 Z0\nTRAORI\nCUT3DC G451\nG42 G1 X0 Y0 F500\nX40\nX40 Y40\nG40 Y60");
     ASSERT_GE(motion.size(), 4u);
@@ -121,7 +121,7 @@ TEST(SpaceCompensation, OutsideLinesMayBeExtended) {
 }
 
 /// ORID: first the turn about the corner, then the arc with the tool as it is behind it.
-TEST(SpaceCompensation, TheToolMayTurnBeforeTheArc) {
+TEST(Compensation3d, TheToolMayTurnBeforeTheArc) {
     const auto motion = motions(
         "G0 X-10 Y-10 Z0\nTRAORI\nCUT3DC ORID\nG42 G1 X0 Y0 F500\nX40\nB3=-0.2 C3=1\nX40 Y40\n"
         "G40 Y60");
