@@ -92,7 +92,7 @@ double Executor::run_time() {
     for (const path::Command& command : output_.waiting()) add(command);
     compensation_.look_at_waiting(add);
     comp_3d_.look_at_waiting(add);
-    soft_approach_.look_at_waiting(add);
+    smooth_approach_.look_at_waiting(add);
     corners_.look_at_waiting(add);
     clocks_.latest = std::max(clocks_.latest, clock.seconds());
     clocks_.cutting = std::max(clocks_.cutting, clock.cutting_seconds());

@@ -40,7 +40,7 @@ struct Actions {
     ToolWords tool;
     bool switches_length = false;  // the transformation, as a kind of tool length compensation
     const nc::Invocation* comp_corner = nullptr;
-    const nc::Invocation* soft = nullptr;  // SoftApproach or SoftRetract
+    const nc::Invocation* soft = nullptr;  // SmoothApproach or SmoothRetract
     bool was_rapid = false;                // the modal motion in the block before
     double feed_before = 0;
     bool had_feed = false;
@@ -78,7 +78,7 @@ struct Target {
 };
 
 /// Where a soft approach or retract touches the contour, in the plane of the base system.
-struct SoftPlace {
+struct ApproachPoint {
     path::Vec2 place = path::Vec2::Zero();
     path::Vec2 direction = path::Vec2::Zero();  // of the contour there, unit vector
     path::Vec2 tool = path::Vec2::Zero();       // where the tool comes from or goes to

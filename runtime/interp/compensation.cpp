@@ -128,7 +128,7 @@ std::optional<CompAlarm> Compensation::stop() {
     return alarm;
 }
 
-void Compensation::begin_soft_approach(Command motion) {
+void Compensation::begin_smooth_approach(Command motion) {
     motion = into_plane(std::move(motion));
     lead(motion);
     begin_approach(motion);

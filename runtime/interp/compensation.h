@@ -92,7 +92,7 @@ class Compensation {
     std::optional<CompAlarm> round_corner(const path::Command& motion,
                                           const std::optional<path::Vec2>& direction);
     /// The way to the contour, whose first element comes next; it may be no way at all.
-    void begin_soft_approach(path::Command motion);
+    void begin_smooth_approach(path::Command motion);
 
     /// Where the executor puts a command while compensation is on.
     path::Command& next() { return fresh_.emplace_back(); }

@@ -89,7 +89,7 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
         return;
     }
     // Where a soft approach begins its contour, nothing stands before the corner.
-    if (actions.soft != nullptr || soft_approach_.needs_place()) {
+    if (actions.soft != nullptr || smooth_approach_.needs_place()) {
         if (actions.corner != nullptr) report(diag::CornerNotContour, block);
         return;
     }
@@ -204,7 +204,7 @@ void Executor::settle(const Block& block) {
 }
 
 void Executor::settle_stages(const Block& block, const AxisValues& here, bool is_last) {
-    if (soft_approach_.is_active()) settle_soft(block);
+    if (smooth_approach_.is_active()) settle_approach(block);
     if (is_any_comp_on()) settle_comp(block, here, is_last);
 }
 

@@ -127,7 +127,7 @@ void Executor::execute_next() {
 
 /// Whether commands pass through something that keeps them back; nearly never.
 bool Executor::has_stages() const {
-    return corners_.is_active() || is_any_comp_on() || soft_approach_.is_active();
+    return corners_.is_active() || is_any_comp_on() || smooth_approach_.is_active();
 }
 
 /// The program goes on behind this place, which nobody reads: what waits for its blocks goes as far
@@ -151,9 +151,9 @@ void Executor::end_of_blocks() {
     if (ended_) return;
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
-    if (soft_approach_.is_active()) {
+    if (smooth_approach_.is_active()) {
         const Block at =
-            block_at(soft_approach_.move().slow.source, soft_approach_.move().slow.line);
+            block_at(smooth_approach_.move().slow.source, smooth_approach_.move().slow.line);
         report(diag::SoftNoDirection, at);
         return;
     }
@@ -280,7 +280,7 @@ void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
 Command& Executor::behind_corners() {
     if (keeps_shape()) return shape_->commands.emplace_back();
     if (contour_) return contour_->commands.emplace_back();
-    if (soft_approach_.is_active()) return soft_approach_.next();
+    if (smooth_approach_.is_active()) return smooth_approach_.next();
     if (comp_3d_.is_on()) return comp_3d_.next();
     return compensation_.is_on() ? compensation_.next() : output_.next();
 }

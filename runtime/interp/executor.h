@@ -6,14 +6,15 @@
 // (what controls work out of other words), orienting.cpp, tool_words.cpp and tool_orientation.cpp
 // (the machine's transformation, and how the tool turns under it), tilting.cpp and swivelling.cpp
 // (tilted planes), carrier_words.cpp (tool carriers that are turned), virtual_axes.cpp (faces and
-// cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp
-// (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
-// (machining cycles), patterns.cpp (places at which a cycle is called), panel.cpp and
-// feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a shape that stands in the
-// program), contours.cpp (contours that become tables), splines.cpp, through_splines.cpp,
-// spline_neighbours.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves),
-// arc_threads.cpp (threads along arcs), numbered_spindles.cpp (several spindles), rare_words.cpp
-// and data_input.cpp (rarer words), dangers.cpp (what no control minds and no spindle stands).
+// cylinders), cornering.cpp and compensating.cpp (what the commands pass through),
+// approach_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded corners, compressed
+// lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle is called),
+// panel.cpp and feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a shape that
+// stands in the program), contours.cpp (contours that become tables), splines.cpp,
+// through_splines.cpp, spline_neighbours.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other
+// curves), arc_threads.cpp (threads along arcs), numbered_spindles.cpp (several spindles),
+// rare_words.cpp and data_input.cpp (rarer words), dangers.cpp (what no control minds and no
+// spindle stands).
 #pragma once
 
 #include <array>
@@ -37,8 +38,8 @@
 #include "interp/output.h"
 #include "interp/program_clocks.h"
 #include "interp/shape_run.h"
+#include "interp/smooth_approach.h"
 #include "interp/snapshot.h"
-#include "interp/soft_approach.h"
 #include "interp/spline_said.h"
 #include "interp/state.h"
 #include "interp/through_run.h"
@@ -99,7 +100,7 @@ class Executor {
     std::optional<std::int64_t> axis_number(Axis axis) const;
     bool has_spindle(std::int64_t number) const;  // numbered_spindles.cpp; 0 is the master
     double word_factor(std::int64_t axis) const;
-    bool is_compensated() const { return is_any_comp_on() || soft_approach_.is_active(); }
+    bool is_compensated() const { return is_any_comp_on() || smooth_approach_.is_active(); }
     std::string_view begin_contour();  // contours.cpp
     std::optional<ContourSaid> end_contour();
     bool is_at_place() const;
@@ -569,19 +570,19 @@ class Executor {
     void take_comp_tool(const nc::Block& block, std::int64_t number, CompChange& change);
     void report_comp(const CompAlarm& alarm);
 
-    // soft_moves.cpp
-    void approach_softly(const nc::Block& block, const Actions& actions);
-    void retract_softly(const nc::Block& block, const Actions& actions);
-    std::optional<SoftMove> soft_move_of(const nc::Block& block, const Actions& actions);
+    // approach_moves.cpp
+    void approach_smoothly(const nc::Block& block, const Actions& actions);
+    void retract_smoothly(const nc::Block& block, const Actions& actions);
+    std::optional<ApproachMove> approach_move_of(const nc::Block& block, const Actions& actions);
     double base_level(double programmed) const;
-    std::optional<path::SoftWay> soft_way(const nc::Block& block, const SoftMove& move,
-                                          const SoftPlace& at);
-    std::optional<double> soft_level(const nc::Block& block, const SoftMove& move, double contour,
-                                     double tool);
-    void settle_soft(const nc::Block& block);
-    void put_soft_approach();
+    std::optional<path::ApproachPath> soft_way(const nc::Block& block, const ApproachMove& move,
+                                               const ApproachPoint& at);
+    std::optional<double> approach_level(const nc::Block& block, const ApproachMove& move,
+                                         double contour, double tool);
+    void settle_approach(const nc::Block& block);
+    void put_smooth_approach();
     void put_infeed(path::Command command, AxisValues& here, double level);
-    void put_soft_way(path::Command command, const path::Element& element);
+    void put_approach_path(path::Command command, const path::Element& element);
     path::Vec2 in_plane(const AxisValues& values) const;
     void set_in_plane(AxisValues& values, const path::Vec2& place) const;
 
@@ -871,9 +872,9 @@ class Executor {
     double corner_feed_ = 0;                     // of every corner; 0: that of a neighbour
     Corners corners_{corner_settings(rules_)};
     RadiusCompState comp_;
-    SoftState soft_;
+    ApproachChoice approach_choice_;
     Smoothing smoothing_;
-    SoftApproach soft_approach_;
+    SmoothApproach smooth_approach_;
     /// Where the latest one has met the contour, in the base system.
     struct Approached {
         AxisValues start{};  // P3

@@ -290,9 +290,9 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
             actions.keeps_vector |= invocation.function == Function::CompKeepVector;
             if (invocation.function == Function::CompCornerHere) actions.comp_corner = &invocation;
             break;
-        case Function::SoftApproach:
-        case Function::SoftRetract:
-            if (actions.soft != nullptr || soft_approach_.is_active()) {
+        case Function::SmoothApproach:
+        case Function::SmoothRetract:
+            if (actions.soft != nullptr || smooth_approach_.is_active()) {
                 report(diag::SoftTwice, block, invocation.function);
                 return;
             }
@@ -302,12 +302,12 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
             }
             actions.soft = &invocation;
             break;
-        case Function::SoftRadius:  // beside the approach, in soft_moves.cpp
-        case Function::SoftClearance:
-        case Function::SoftFeed: break;
-        case Function::SoftSide:
-            soft_.side = static_cast<SoftState::Side>(std::clamp<std::int64_t>(
-                count_of(block, invocation, parameter_of<Function::SoftSide>("side")), 0, 3));
+        case Function::ApproachRadius:  // beside the approach, in approach_moves.cpp
+        case Function::ApproachClearance:
+        case Function::ApproachFeed: break;
+        case Function::ApproachSide:
+            approach_choice_.side = static_cast<ApproachChoice::Side>(std::clamp<std::int64_t>(
+                count_of(block, invocation, parameter_of<Function::ApproachSide>("side")), 0, 3));
             break;
         case Function::CompFeed:
             comp_.feed = std::clamp<std::int64_t>(
@@ -341,9 +341,9 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
                            {}});
             }
             break;
-        case Function::SoftSteps:
-            soft_.in_steps =
-                count_of(block, invocation, parameter_of<Function::SoftSteps>("steps")) != 0;
+        case Function::ApproachSteps:
+            approach_choice_.in_steps =
+                count_of(block, invocation, parameter_of<Function::ApproachSteps>("steps")) != 0;
             break;
         case Function::SumOffset: choose_sum_offset(block, invocation, actions); break;
         case Function::PathMoves:

@@ -65,8 +65,9 @@ void Executor::move(const Block& block, const Actions& actions) {
         return;
     }
     if (actions.soft != nullptr) {
-        return actions.soft->function == Function::SoftApproach ? approach_softly(block, actions)
-                                                                : retract_softly(block, actions);
+        return actions.soft->function == Function::SmoothApproach
+                   ? approach_smoothly(block, actions)
+                   : retract_smoothly(block, actions);
     }
     if (actions.reference != nullptr) return refer(block, *actions.reference);
     if (actions.measure != nullptr) return measure_length(block, *actions.measure);

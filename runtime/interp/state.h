@@ -156,7 +156,7 @@ struct RadiusCompState {
 };
 
 /// What the program has chosen for soft approaches and retracts.
-struct SoftState {
+struct ApproachChoice {
     enum class Side : std::uint8_t { OfCutter, Left, Right, OfTool };
     Side side = Side::OfCutter;
     bool in_steps = false;

@@ -284,13 +284,13 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::ContourAngle:
         case Function::CompKeepVector:
         case Function::CompCornerHere:
-        case Function::SoftApproach:
-        case Function::SoftRetract:
-        case Function::SoftRadius:
-        case Function::SoftClearance:
-        case Function::SoftFeed:
-        case Function::SoftSide:
-        case Function::SoftSteps:
+        case Function::SmoothApproach:
+        case Function::SmoothRetract:
+        case Function::ApproachRadius:
+        case Function::ApproachClearance:
+        case Function::ApproachFeed:
+        case Function::ApproachSide:
+        case Function::ApproachSteps:
         case Function::RapidOnce:
         case Function::ReferenceCheck:
         case Function::ReferenceLeave:

@@ -1,4 +1,4 @@
-#include "interp/soft_approach.h"
+#include "interp/smooth_approach.h"
 
 #include <cmath>
 #include <utility>
@@ -11,8 +11,8 @@ using path::Command;
 using path::Op;
 using path::Vec2;
 
-void SoftApproach::begin(const SoftMove& move, path::Plane plane, const AxisValues& from,
-                         const AxisValues& to, bool has_place, bool has_level) {
+void SmoothApproach::begin(const ApproachMove& move, path::Plane plane, const AxisValues& from,
+                           const AxisValues& to, bool has_place, bool has_level) {
     is_active_ = true;
     move_ = move;
     axes_ = path::axes_of(plane);
@@ -25,7 +25,7 @@ void SoftApproach::begin(const SoftMove& move, path::Plane plane, const AxisValu
     held_.clear();
 }
 
-const DiagnosticRow* SoftApproach::end_block(int empty_blocks) {
+const DiagnosticRow* SmoothApproach::end_block(int empty_blocks) {
     bool has_moved = false;
     const DiagnosticRow* fault = nullptr;
     for (Command& command : fresh_) {
@@ -39,7 +39,7 @@ const DiagnosticRow* SoftApproach::end_block(int empty_blocks) {
     return ++empty_blocks_ > empty_blocks ? &diag::SoftEmptyBlocks : nullptr;
 }
 
-const DiagnosticRow* SoftApproach::take(Command& command) {
+const DiagnosticRow* SmoothApproach::take(Command& command) {
     if (!path::is_motion(command.op)) {
         held_.push_back(std::move(command));
         return nullptr;
@@ -73,7 +73,7 @@ const DiagnosticRow* SoftApproach::take(Command& command) {
 }
 
 /// The line behind the approach says where the contour begins, and does not move by itself.
-const DiagnosticRow* SoftApproach::take_place(const Command& command) {
+const DiagnosticRow* SmoothApproach::take_place(const Command& command) {
     const std::size_t normal = index(axes_.normal);
     const bool says_level = std::abs(command.to[normal] - to_[normal]) > path::kSamePoint;
     if (has_level_ && says_level) return &diag::SoftNoPlace;
@@ -83,7 +83,7 @@ const DiagnosticRow* SoftApproach::take_place(const Command& command) {
     return nullptr;
 }
 
-Vec2 SoftApproach::in_plane(const AxisValues& values) const {
+Vec2 SmoothApproach::in_plane(const AxisValues& values) const {
     return {values[index(axes_.first)], values[index(axes_.second)]};
 }
 

@@ -1,5 +1,5 @@
-// soft_moves.cpp — soft approaches and retracts: from the tool's level to the contour's beginning,
-// and back, with the contour's own direction.
+// approach_moves.cpp — soft approaches and retracts: from the tool's level to the contour's
+// beginning, and back, with the contour's own direction.
 //
 // The places have the names of the manual's figures: P0 where the tool comes from, P1 above the
 // beginning of the way, P2 where the fast infeed ends, P3 where the way begins, P4 on the contour.
@@ -11,7 +11,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/executor.h"
-#include "path/soft_way.h"
+#include "path/approach_path.h"
 
 namespace kadr::interp {
 
@@ -30,39 +30,39 @@ namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-path::SoftShape soft_shape_of(double number) {
-    return number == 2   ? path::SoftShape::Quarter
-           : number == 3 ? path::SoftShape::Half
-                         : path::SoftShape::Line;
+path::ApproachShape approach_shape_of(double number) {
+    return number == 2   ? path::ApproachShape::Quarter
+           : number == 3 ? path::ApproachShape::Half
+                         : path::ApproachShape::Line;
 }
 
 }  // namespace
 
 /// The words of the block, and how the tool moves before and behind the slow infeed. Nothing: it
 /// was reported.
-std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions& actions) {
+std::optional<ApproachMove> Executor::approach_move_of(const Block& block, const Actions& actions) {
     if (frames_.is_tilted(modal_.plane)) {
         report(diag::IsoNotSupported, block).arg("a soft approach or retract in a tilted plane");
         return std::nullopt;
     }
-    SoftMove move;
-    move.shape =
-        soft_shape_of(block.argument(*actions.soft, parameter_of<Function::SoftApproach>("shape")));
-    move.choice = soft_;
-    const Invocation* radius = block.find(Function::SoftRadius);
+    ApproachMove move;
+    move.shape = approach_shape_of(
+        block.argument(*actions.soft, parameter_of<Function::SmoothApproach>("shape")));
+    move.choice = approach_choice_;
+    const Invocation* radius = block.find(Function::ApproachRadius);
     if (radius == nullptr) {
         report(diag::SoftSizeWrong, block).arg("there is none");
         return std::nullopt;
     }
-    move.radius = block.argument(*radius, parameter_of<Function::SoftRadius>("radius"));
-    if (const Invocation* said = block.find(Function::SoftClearance)) {
-        constexpr std::size_t kDistance = parameter_of<Function::SoftClearance>("distance");
-        constexpr std::size_t kLevel = parameter_of<Function::SoftClearance>("level");
+    move.radius = block.argument(*radius, parameter_of<Function::ApproachRadius>("radius"));
+    if (const Invocation* said = block.find(Function::ApproachClearance)) {
+        constexpr std::size_t kDistance = parameter_of<Function::ApproachClearance>("distance");
+        constexpr std::size_t kLevel = parameter_of<Function::ApproachClearance>("level");
         if (said->has(kDistance)) move.clearance = std::abs(block.argument(*said, kDistance));
         else move.level = base_level(block.argument(*said, kLevel));
     }
-    if (const Invocation* said = block.find(Function::SoftFeed))
-        move.slow_feed = block.argument(*said, parameter_of<Function::SoftFeed>("feed"));
+    if (const Invocation* said = block.find(Function::ApproachFeed))
+        move.slow_feed = block.argument(*said, parameter_of<Function::ApproachFeed>("feed"));
     if (!require_feed(block, "soft approach or retract")) return std::nullopt;
     const auto motion = [&](bool is_rapid, double feed) {
         Command command;
@@ -77,9 +77,9 @@ std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions
     const bool was_rapid = actions.was_rapid || !actions.had_feed;
     const bool is_rapid = modal_.motion == Function::Rapid;
     move.fast = motion(
-        actions.soft->function == Function::SoftApproach ? was_rapid : is_rapid,
-        actions.soft->function == Function::SoftApproach ? actions.feed_before : modal_.feed);
-    const bool keeps_feed = actions.soft->function == Function::SoftRetract && actions.had_feed;
+        actions.soft->function == Function::SmoothApproach ? was_rapid : is_rapid,
+        actions.soft->function == Function::SmoothApproach ? actions.feed_before : modal_.feed);
+    const bool keeps_feed = actions.soft->function == Function::SmoothRetract && actions.had_feed;
     move.slow = motion(false, keeps_feed ? actions.feed_before : modal_.feed);
     return move;
 }
@@ -94,18 +94,18 @@ double Executor::base_level(double programmed) const {
 
 /// The way as an element of the contour, seen from the place P4 on it; `tool` is where the tool
 /// comes from or goes to. Nothing: it was reported.
-std::optional<path::SoftWay> Executor::soft_way(const Block& block, const SoftMove& move,
-                                                const SoftPlace& at) {
+std::optional<path::ApproachPath> Executor::soft_way(const Block& block, const ApproachMove& move,
+                                                     const ApproachPoint& at) {
     // A line is as long as it takes to keep the cutter DISR away from the contour's end.
     const double offset = compensation_.is_on() ? compensation_.distance() : 0;
-    path::SoftWay way{move.shape, move.radius + std::abs(offset), offset > 0};
-    if (move.shape == path::SoftShape::Line) {
+    path::ApproachPath way{move.shape, move.radius + std::abs(offset), offset > 0};
+    if (move.shape == path::ApproachShape::Line) {
         if (way.size > path::kSamePoint) return way;
         report(diag::SoftSizeWrong, block).arg("the line has no length");
         return std::nullopt;
     }
     switch (move.choice.side) {
-        case SoftState::Side::OfCutter:
+        case ApproachChoice::Side::OfCutter:
             if (offset != 0) break;
             if (!compensation_.is_on() || !comp_.is_on()) {
                 report(diag::SoftNoDirection, block);
@@ -113,12 +113,12 @@ std::optional<path::SoftWay> Executor::soft_way(const Block& block, const SoftMo
             }
             way.is_left = (comp_.side == CompSide::Left) != frames_.is_mirrored(modal_.plane);
             break;
-        case SoftState::Side::Left:
-        case SoftState::Side::Right:
-            way.is_left =
-                (move.choice.side == SoftState::Side::Left) != frames_.is_mirrored(modal_.plane);
+        case ApproachChoice::Side::Left:
+        case ApproachChoice::Side::Right:
+            way.is_left = (move.choice.side == ApproachChoice::Side::Left) !=
+                          frames_.is_mirrored(modal_.plane);
             break;
-        case SoftState::Side::OfTool:
+        case ApproachChoice::Side::OfTool:
             way.is_left = cross(at.direction, at.tool - at.place) > 0;
             break;
     }
@@ -132,8 +132,8 @@ std::optional<path::SoftWay> Executor::soft_way(const Block& block, const SoftMo
 }
 
 /// Where fast and slow infeed meet, in the base system. Nothing: it was reported.
-std::optional<double> Executor::soft_level(const Block& block, const SoftMove& move, double contour,
-                                           double tool) {
+std::optional<double> Executor::approach_level(const Block& block, const ApproachMove& move,
+                                               double contour, double tool) {
     const double sign = tool < contour ? -1 : 1;
     const double level = move.level.value_or(contour + sign * move.clearance);
     const double above = (level - contour) * sign;
@@ -144,8 +144,8 @@ std::optional<double> Executor::soft_level(const Block& block, const SoftMove& m
     return std::nullopt;
 }
 
-void Executor::approach_softly(const Block& block, const Actions& actions) {
-    const std::optional<SoftMove> move = soft_move_of(block, actions);
+void Executor::approach_smoothly(const Block& block, const Actions& actions) {
+    const std::optional<ApproachMove> move = approach_move_of(block, actions);
     if (!move) return;
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (!require_axes(block, targets)) return;
@@ -165,40 +165,40 @@ void Executor::approach_softly(const Block& block, const Actions& actions) {
     }
     if (ended_) return;
     has_moved_ = true;
-    soft_approach_.begin(*move, modal_.plane, position_.base, target.base, (targets & plane) != 0,
-                         (targets & bit(nc::slot_of(axes.normal))) != 0);
+    smooth_approach_.begin(*move, modal_.plane, position_.base, target.base, (targets & plane) != 0,
+                           (targets & bit(nc::slot_of(axes.normal))) != 0);
     arrive(target);
 }
 
 /// What a block has put while an approach waits; when its contour has begun, all goes on.
-void Executor::settle_soft(const Block& block) {
+void Executor::settle_approach(const Block& block) {
     if (alarmed_) return;
-    if (const DiagnosticRow* fault = soft_approach_.end_block(rules_.comp_empty_blocks)) {
+    if (const DiagnosticRow* fault = smooth_approach_.end_block(rules_.comp_empty_blocks)) {
         report(*fault, block);
         return;
     }
-    if (soft_approach_.is_active()) {
+    if (smooth_approach_.is_active()) {
         if (ended_) report(diag::SoftNoDirection, block);
         return;
     }
-    put_soft_approach();
+    put_smooth_approach();
     if (alarmed_) return;
-    for (Command& command : soft_approach_.waiting()) behind_corners() = std::move(command);
-    soft_approach_.waiting().clear();
+    for (Command& command : smooth_approach_.waiting()) behind_corners() = std::move(command);
+    smooth_approach_.waiting().clear();
 }
 
-void Executor::put_soft_approach() {
-    const SoftMove& move = soft_approach_.move();
+void Executor::put_smooth_approach() {
+    const ApproachMove& move = smooth_approach_.move();
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const std::size_t normal = index(axes.normal);
-    const AxisValues& contour = soft_approach_.place();
+    const AxisValues& contour = smooth_approach_.place();
     const Block at = block_at(move.slow.source, move.slow.line);  // messages are about the approach
-    const SoftPlace place{in_plane(contour), soft_approach_.direction(),
-                          in_plane(soft_approach_.from())};
-    const std::optional<path::SoftWay> way = soft_way(at, move, place);
+    const ApproachPoint place{in_plane(contour), smooth_approach_.direction(),
+                              in_plane(smooth_approach_.from())};
+    const std::optional<path::ApproachPath> way = soft_way(at, move, place);
     if (!way) return;
     const std::optional<double> level =
-        soft_level(at, move, contour[normal], soft_approach_.from()[normal]);
+        approach_level(at, move, contour[normal], smooth_approach_.from()[normal]);
     if (!level) return;
     const Element element = path::way_to(place.place, place.direction, *way);
     approached_ = Approached{contour, contour};
@@ -206,12 +206,12 @@ void Executor::put_soft_approach() {
     if (!move.choice.in_steps) approached_->start[normal] = *level;
 
     Command over = move.fast;  // P1
-    over.to = soft_approach_.from();
+    over.to = smooth_approach_.from();
     set_in_plane(over.to, element.from);
     over.moved = static_cast<AxisMask>(bit(axes.first) | bit(axes.second));
     AxisValues start = over.to;  // P3
     if (compensation_.is_on()) {
-        compensation_.begin_soft_approach(std::move(over));
+        compensation_.begin_smooth_approach(std::move(over));
     } else if ((element.from - place.tool).norm() > path::kSamePoint) {
         output_.next() = std::move(over);
     }
@@ -225,7 +225,7 @@ void Executor::put_soft_approach() {
     Command last = move.slow;
     if (!move.choice.in_steps) last.feed = slow_feed;
     last.to = contour;
-    put_soft_way(last, element);
+    put_approach_path(last, element);
 }
 
 /// A move of the tool axis alone, from `here`, which follows it; none if it stands there.
@@ -239,7 +239,7 @@ void Executor::put_infeed(Command command, AxisValues& here, double level) {
 }
 
 /// The way in the plane, with the level of `command.to`.
-void Executor::put_soft_way(Command command, const Element& element) {
+void Executor::put_approach_path(Command command, const Element& element) {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     command.moved = kLinearXYZ;
     set_in_plane(command.to, element.to);
@@ -266,8 +266,8 @@ void Executor::set_in_plane(AxisValues& values, const Vec2& place) const {
     values[index(axes.second)] = place.y();
 }
 
-void Executor::retract_softly(const Block& block, const Actions& actions) {
-    const std::optional<SoftMove> move = soft_move_of(block, actions);
+void Executor::retract_smoothly(const Block& block, const Actions& actions) {
+    const std::optional<ApproachMove> move = approach_move_of(block, actions);
     if (!move) return;
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (!require_axes(block, targets)) return;
@@ -285,18 +285,18 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
         report(diag::SoftNoDirection, block);
         return;
     }
-    if (move->choice.side == SoftState::Side::OfTool && !has_place) {
+    if (move->choice.side == ApproachChoice::Side::OfTool && !has_place) {
         report(diag::SoftNoWay, block);
         return;
     }
-    const SoftPlace place{in_plane(position_.base), came.normalized(), in_plane(target.base)};
-    const std::optional<path::SoftWay> way = soft_way(block, *move, place);
+    const ApproachPoint place{in_plane(position_.base), came.normalized(), in_plane(target.base)};
+    const std::optional<path::ApproachPath> way = soft_way(block, *move, place);
     if (!way) return;
     const bool has_level = (targets & bit(nc::slot_of(axes.normal))) != 0;
     const double contour = position_.base[normal];
     const double tool =
         has_level ? target.base[normal] : move->level.value_or(contour + move->clearance);
-    const std::optional<double> level = soft_level(block, *move, contour, tool);
+    const std::optional<double> level = approach_level(block, *move, contour, tool);
     if (!level || !require_within_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
 
@@ -306,7 +306,7 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
     set_in_plane(here, element.to);
     if (!move->choice.in_steps) here[normal] = *level;
     first.to = here;
-    put_soft_way(first, element);
+    put_approach_path(first, element);
     Command slow = move->slow;
     slow.feed = move->slow_feed.value_or(slow.feed);
     put_infeed(slow, here, *level);      // P2

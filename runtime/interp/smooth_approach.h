@@ -1,8 +1,8 @@
-// soft_approach.h — a soft approach waits for its contour: commands in, and out again behind the
+// smooth_approach.h — a soft approach waits for its contour: commands in, and out again behind the
 // way to the contour, once the contour's direction is known.
 //
 // Here is what the program has asked for and what of that is known by now; the moves that it
-// becomes are made by the executor (soft_moves.cpp).
+// becomes are made by the executor (approach_moves.cpp).
 #pragma once
 
 #include <optional>
@@ -10,26 +10,26 @@
 
 #include "base/diagnostic.h"
 #include "interp/state.h"
+#include "path/approach_path.h"
 #include "path/command.h"
 #include "path/contour.h"
 #include "path/frame.h"
-#include "path/soft_way.h"
 
 namespace kadr::interp {
 
 /// What the words of a block say of a soft approach or retract. Lengths mm.
-struct SoftMove {
-    path::SoftShape shape = path::SoftShape::Line;
+struct ApproachMove {
+    path::ApproachShape shape = path::ApproachShape::Line;
     double radius = 0;                // DISR
     double clearance = 0;             // above the level of the contour
     std::optional<double> level;      // … or as a coordinate in the base system
     std::optional<double> slow_feed;  // of the slow infeed
-    SoftState choice;
+    ApproachChoice choice;
     path::Command fast;  // as the block before moves: op, feed, place
     path::Command slow;  // as this block moves
 };
 
-class SoftApproach {
+class SmoothApproach {
   public:
     bool is_active() const { return is_active_; }
     /// Whether the next line says where the contour begins.
@@ -38,7 +38,7 @@ class SoftApproach {
     /// `from` is where the tool is, `to` where the block takes it; both in the base system.
     ///
     /// has_place, has_level  whether the block says the place in the plane, and along its normal
-    void begin(const SoftMove& move, path::Plane plane, const AxisValues& from,
+    void begin(const ApproachMove& move, path::Plane plane, const AxisValues& from,
                const AxisValues& to, bool has_place, bool has_level);
 
     /// Where the executor puts a command while an approach waits.
@@ -47,7 +47,7 @@ class SoftApproach {
     /// approach is not active any more, and `waiting()` begins behind it.
     const DiagnosticRow* end_block(int empty_blocks);
 
-    const SoftMove& move() const { return move_; }
+    const ApproachMove& move() const { return move_; }
     const AxisValues& from() const { return from_; }
     /// Where the contour begins, and its direction there.
     const AxisValues& place() const { return to_; }
@@ -68,7 +68,7 @@ class SoftApproach {
     bool is_active_ = false;
     bool has_place_ = false;
     bool has_level_ = false;
-    SoftMove move_;
+    ApproachMove move_;
     path::PlaneAxes axes_;
     AxisValues from_{};
     AxisValues to_{};

@@ -1,0 +1,24 @@
+// approach_path.h — the ways in which a soft approach meets a contour, and a soft retract leaves
+// it: lines and arcs that have the contour's direction where they touch it.
+#pragma once
+
+#include <cstdint>
+
+#include "path/contour.h"
+
+namespace kadr::path {
+
+enum class ApproachShape : std::uint8_t { Line, Quarter, Half };  // of a circle
+
+struct ApproachPath {
+    ApproachShape shape = ApproachShape::Line;
+    double size = 0;      // mm: length of the line, radius of the arc, > 0
+    bool is_left = true;  // of the arc: the side of the contour, seen in its direction
+};
+
+/// The way that ends at a place in a direction, a unit vector.
+Element way_to(const Vec2& place, const Vec2& direction, const ApproachPath& way);
+/// The way that begins there.
+Element way_from(const Vec2& place, const Vec2& direction, const ApproachPath& way);
+
+}  // namespace kadr::path
