@@ -23,7 +23,7 @@ void CommandList::write(const path::Command& command) {
     if (macro::Program::is_in_main_text(command.line)) {
         listing_.append(command, source_of(command), line_);
     } else {
-        const LinePlace place = execution_.place_of(command.line);
+        const TextLocation place = execution_.place_of(command.line);
         called_ = command;
         called_.line = place.line;
         listing_.append(called_, place.file + ':' + std::to_string(place.line), line_);

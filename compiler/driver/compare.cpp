@@ -22,7 +22,7 @@ namespace kadr::driver {
 
 namespace {
 
-using motion::ComparedPlace;
+using motion::ComparedPoint;
 using motion::Comparison;
 using motion::Parting;
 
@@ -64,7 +64,7 @@ class Side {
     }
     std::string place(std::uint32_t line) const {
         if (macro::Program::is_in_main_text(line)) return text_name() + ':' + std::to_string(line);
-        const LinePlace called = execution_->place_of(line);
+        const TextLocation called = execution_->place_of(line);
         return std::filesystem::path(called.file).filename().string() + ':' +
                std::to_string(called.line);
     }
@@ -140,7 +140,7 @@ std::string comparison_text(const Comparison& result, const std::array<Side*, 2>
         put(out, "  {:<20}{:<34}{:>12}{:>12.1f} mm\n", side->text_name(), side->control(),
             duration_text(side->totals().time), side->totals().length);
     }
-    const auto tell = [&](const ComparedPlace& place) {
+    const auto tell = [&](const ComparedPoint& place) {
         const bool by_spindle = result.parting == Parting::Spindle;
         const auto behind = [&](const motion::Spindle& spindle) {
             return by_spindle ? "   " + spindle_text(spindle) : std::string();
@@ -166,7 +166,7 @@ std::string comparison_text(const Comparison& result, const std::array<Side*, 2>
     return out;
 }
 
-void put_place(std::string& out, const char* name, const ComparedPlace& place,
+void put_place(std::string& out, const char* name, const ComparedPoint& place,
                const std::array<Side*, 2>& sides) {
     const std::array<std::uint32_t, 2> lines = {place.first_line, place.second_line};
     const std::array<path::Vec3, 2> points = {place.first, place.second};

@@ -30,7 +30,7 @@ class CycleMessages final : public DiagnosticSink {
     /// The cycle that runs from here on.
     struct Caller {
         std::string cycle;
-        std::optional<LinePlace> place;
+        std::optional<TextLocation> place;
     };
     void follow(const Caller& caller) { caller_ = &caller; }
     void follow_nobody() { caller_ = nullptr; }

@@ -385,7 +385,7 @@ void Execution::connect(DiagnosticSink& sink) {
         .probe = probe ? &*probe : nullptr,
         .touches = aside_.touches,
         .in_step = aside_.watch != nullptr || aside_.in_step,
-        .is_allowed = [this](const DiagnosticRow& row, const LinePlace& place) {
+        .is_allowed = [this](const DiagnosticRow& row, const TextLocation& place) {
             Diagnostic warning;
             warning.row = &row;
             warning.severity = Severity::Warning;
@@ -466,10 +466,10 @@ std::uint64_t Execution::statement_lines() const {
     return generated_ ? generated_->statement_lines() : 0;
 }
 
-LinePlace Execution::place_of(std::uint32_t line) const { return reader_->place(line); }
+TextLocation Execution::place_of(std::uint32_t line) const { return reader_->place(line); }
 
 /// A line with its text, at the word of the axis if it has one.
-LinePlace Execution::shown_place(std::uint32_t line, std::optional<Axis> axis) const {
+TextLocation Execution::shown_place(std::uint32_t line, std::optional<Axis> axis) const {
     std::optional<nc::Slot> slot;
     if (axis) slot = static_cast<nc::Slot>(index(*axis));
     return reader_->shown_place(line, slot);
@@ -477,8 +477,8 @@ LinePlace Execution::shown_place(std::uint32_t line, std::optional<Axis> axis) c
 
 void Execution::place_messages(motion::PlannerOptions& options) {
     reader_->keep_lines(std::max(kShownLines, 2 * options.lookahead));
-    options.place_of = [this](const motion::AskedPlace& asked) {
-        motion::ShownPlace shown{shown_place(asked.line, asked.axis), {}};
+    options.place_of = [this](const motion::CommandLocation& asked) {
+        motion::ShownLocation shown{shown_place(asked.line, asked.axis), {}};
         // The source of generated text is a statement, which StatementNotes tells.
         if (!generated_) shown.calls = reader_->calls(asked.source);
         return shown;

@@ -121,7 +121,7 @@ class Execution final : public Stream<path::Command> {
     /// The statement behind a command, invalid for ISO-7bit text.
     SourceRange statement(SourceId source) const;
     /// A line (Command::line) as its file and its number there.
-    LinePlace place_of(std::uint32_t line) const;
+    TextLocation place_of(std::uint32_t line) const;
     /// Lets messages of the motion show the lines that they are about and the calls that led to
     /// them. Before the first command is pulled.
     void place_messages(motion::PlannerOptions& options);
@@ -144,7 +144,7 @@ class Execution final : public Stream<path::Command> {
     /// Says it if the time is over, and is late from then on.
     void check_time();
     void read_on(bool is_reached);
-    LinePlace shown_place(std::uint32_t line, std::optional<Axis> axis) const;
+    TextLocation shown_place(std::uint32_t line, std::optional<Axis> axis) const;
 
     Session& session_;
     Aside aside_;

@@ -10,7 +10,7 @@
 #include "driver/file_text.h"
 #include "driver/generated_text.h"
 #include "driver/output.h"
-#include "driver/places.h"
+#include "driver/output_names.h"
 
 namespace kadr::driver {
 

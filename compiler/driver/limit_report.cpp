@@ -89,8 +89,8 @@ void LimitReport::add(const motion::Segment& segment) {
 }
 
 LimitShare& LimitReport::share_at(std::uint32_t line, SourceId source) {
-    WorkPlace place = places_.find(line, source);
-    std::string key = WorkPlaces::key_of(place);
+    ProgramLocation place = places_.find(line, source);
+    std::string key = ProgramLocations::key_of(place);
     return rows_.try_emplace(std::move(key), Row{std::move(place), {}}).first->second.share;
 }
 

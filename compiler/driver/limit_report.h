@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "driver/output.h"
-#include "driver/work_places.h"
+#include "driver/program_locations.h"
 #include "motion/segment.h"
 #include "motion/speed_loss.h"
 #include "path/command.h"
@@ -45,7 +45,7 @@ class LimitReport {
 
   private:
     struct Row {
-        WorkPlace place;
+        ProgramLocation place;
         LimitShare share;
     };
     /// From a time on, s.
@@ -62,7 +62,7 @@ class LimitReport {
     std::string report(const std::string& source) const;
     std::string table() const;
 
-    WorkPlaces places_;
+    ProgramLocations places_;
     bool has_pulses_;
     LimitShare all_;
     std::unordered_map<std::string, Row> rows_;

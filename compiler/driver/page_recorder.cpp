@@ -29,7 +29,7 @@ void PageRecorder::follow(const Execution& execution) {
     texts_.append(texts_.index_of(name, true), session_.sources().text(program->file));
 }
 
-PagePlace PageRecorder::source_place(SourceId source) {
+PageLocation PageRecorder::source_place(SourceId source) {
     const SourceRange range = execution_->statement(source);
     if (!range.file.is_valid()) return {};
     const Sources& sources = session_.sources();
@@ -45,7 +45,7 @@ void PageRecorder::add(const motion::Segment& segment) {
         has_block_ = true;
         line_ = segment.line;
         statement_ = segment.source;
-        const LinePlace place = execution_->place_of(segment.line);
+        const TextLocation place = execution_->place_of(segment.line);
         block_.source = source_place(segment.source);
         block_.iso = {texts_.index_of(place.file, false), place.line};
     }

@@ -16,10 +16,10 @@
 namespace kadr::driver {
 
 /// A place in one of the texts of a page; line 0: nowhere.
-struct PagePlace {
+struct PageLocation {
     std::int32_t text = -1;  // index into the page's texts
     std::uint32_t line = 0;  // from 1
-    friend bool operator==(const PagePlace&, const PagePlace&) = default;
+    friend bool operator==(const PageLocation&, const PageLocation&) = default;
 };
 
 /// From this moment on, until the next one.
@@ -27,8 +27,8 @@ struct PageBlock {
     double time = 0;  // s
     motion::SegmentKind kind = motion::SegmentKind::Rapid;
     std::uint32_t tool = 0;  // index into PageTrace::tools
-    PagePlace iso;           // of the ISO-7bit text
-    PagePlace source;        // of the Kadr program, if there is one
+    PageLocation iso;        // of the ISO-7bit text
+    PageLocation source;     // of the Kadr program, if there is one
 
     bool is_same(const PageBlock& other) const {
         return kind == other.kind && tool == other.tool && iso == other.iso &&

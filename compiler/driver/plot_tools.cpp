@@ -38,8 +38,8 @@ void PlotTools::add(const machine::Chain& chain, const motion::Segment& segment)
     const auto parts = static_cast<int>(std::ceil(std::min(wanted, kParts)));
     for (int i = 0; i <= parts; ++i) {
         const double distance = length * i / parts;
-        const motion::Placed placed =
-            motion::placed_at(chain, segment, distance, path::position(segment.curve, distance));
+        const motion::ToolPose placed =
+            motion::pose_at(chain, segment, distance, path::position(segment.curve, distance));
         append({placed.tip, placed.tool});
     }
 }

@@ -127,14 +127,14 @@ void put_cycles(std::string& out, const std::vector<CycleShare>& cycles) {
 }
 
 /// Where most of the time goes; a statement without a name of its own is known by its place.
-void put_longest(std::string& out, const std::vector<PlaceShare>& longest, double time) {
+void put_longest(std::string& out, const std::vector<LocationShare>& longest, double time) {
     constexpr std::size_t kShown = 5;
     if (longest.size() < 2 || !(time > 0)) return;
     std::size_t width = 0;
-    for (const PlaceShare& row : std::span(longest).first(std::min(kShown, longest.size())))
+    for (const LocationShare& row : std::span(longest).first(std::min(kShown, longest.size())))
         width = std::max(width, row.place.size());
     out += "\n  longest\n";
-    for (const PlaceShare& row : std::span(longest).first(std::min(kShown, longest.size()))) {
+    for (const LocationShare& row : std::span(longest).first(std::min(kShown, longest.size()))) {
         put(out, "  {:<{}}  {:>16}{:4.0f} %  {}\n", row.place, width, duration_text(row.share.time),
             100 * row.share.time / time, row.text);
     }
@@ -160,7 +160,7 @@ void put_work(std::string& out, const RunFigures& figures) {
     }
     out += "],\"longest\":[";
     for (std::size_t i = 0; i < figures.longest.size(); ++i) {
-        const PlaceShare& row = figures.longest[i];
+        const LocationShare& row = figures.longest[i];
         out += (i > 0 ? ",{\"at\":" : "{\"at\":") + json_string(row.place);
         if (!row.text.empty()) out += ",\"text\":" + json_string(row.text);
         put_share(out, row.share);

@@ -26,8 +26,8 @@ struct RunFigures {
     std::string alarm;  // the first one; empty: none
     motion::Totals totals;
     std::vector<ToolShare> tools;
-    std::vector<CycleShare> cycles;   // the longest first
-    std::vector<PlaceShare> longest;  // statements, the longest first
+    std::vector<CycleShare> cycles;      // the longest first
+    std::vector<LocationShare> longest;  // statements, the longest first
 };
 
 /// A table with units, times as hours, minutes and seconds; ends with a line end.

@@ -52,7 +52,7 @@ void WorkTimes::take_tool(std::int64_t tool) {
 WorkShare& WorkTimes::share_of(const motion::Segment& segment) {
     const bool is_same = segment.line == last_line_ && segment.source == last_source_;
     if (last_ != nullptr && is_same) return last_->share;
-    WorkPlace place = places_.find(segment.line, segment.source);
+    ProgramLocation place = places_.find(segment.line, segment.source);
     const std::uint64_t key = key_of(place);
     last_ = &rows_.try_emplace(key, Row{std::move(place), {}}).first->second;
     last_line_ = segment.line;
@@ -61,7 +61,7 @@ WorkShare& WorkTimes::share_of(const motion::Segment& segment) {
 }
 
 /// Lines of the main text have their number; statements file and offset; others are counted.
-std::uint64_t WorkTimes::key_of(const WorkPlace& place) {
+std::uint64_t WorkTimes::key_of(const ProgramLocation& place) {
     constexpr std::uint64_t kCalled = std::uint64_t{1} << 63;
     const SourceRange& statement = place.statement;
     if (statement.file.is_valid())
@@ -98,7 +98,7 @@ std::vector<CycleShare> WorkTimes::cycles() const {
     return all;
 }
 
-std::vector<PlaceShare> WorkTimes::longest(std::size_t most) const {
+std::vector<LocationShare> WorkTimes::longest(std::size_t most) const {
     std::vector<const Row*> rows;
     for (const auto& [key, row] : rows_) {
         if (row.share.time > 0) rows.push_back(&row);
@@ -110,12 +110,12 @@ std::vector<PlaceShare> WorkTimes::longest(std::size_t most) const {
     };
     const auto end = rows.begin() + static_cast<std::ptrdiff_t>(count);
     std::partial_sort(rows.begin(), end, rows.end(), is_before);
-    std::vector<PlaceShare> all;
+    std::vector<LocationShare> all;
     for (auto row = rows.begin(); row != end; ++row) all.push_back(shown(**row));
     return all;
 }
 
-PlaceShare WorkTimes::shown(const Row& row) const {
+LocationShare WorkTimes::shown(const Row& row) const {
     return {places_.name_of(row.place), places_.text_of(row.place), row.share};
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "driver/execution.h"
+#include "driver/program_locations.h"
 #include "driver/session.h"
-#include "driver/work_places.h"
 #include "motion/segment.h"
 
 namespace kadr::driver {
@@ -30,7 +30,7 @@ struct CycleShare {
     WorkShare share;
 };
 
-struct PlaceShare {
+struct LocationShare {
     std::string place;  // "flange.kadr:41"; of ISO-7bit text file and line
     std::string text;   // the statement, its first line; empty for ISO-7bit text
     WorkShare share;
@@ -54,22 +54,22 @@ class WorkTimes {
     /// not theirs. The longest first.
     std::vector<CycleShare> cycles() const;
     /// The longest first.
-    std::vector<PlaceShare> longest(std::size_t most) const;
+    std::vector<LocationShare> longest(std::size_t most) const;
 
   private:
     struct Row {
-        WorkPlace place;
+        ProgramLocation place;
         WorkShare share;
     };
 
     WorkShare& share_of(const motion::Segment& segment);
-    std::uint64_t key_of(const WorkPlace& place);
+    std::uint64_t key_of(const ProgramLocation& place);
     void take_tool(std::int64_t tool);
     void forget_least();
-    PlaceShare shown(const Row& row) const;
+    LocationShare shown(const Row& row) const;
 
     const Execution& execution_;
-    WorkPlaces places_;
+    ProgramLocations places_;
     std::vector<ToolShare> tools_ = {{}};
     std::size_t tool_at_ = 0;
     std::vector<WorkShare> cycles_;  // by Segment::cycle

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kMmPerMeter = 1000;
 constexpr nc::SlotMask kPointSlots = 7;  // X, Y, Z
-constexpr std::uint32_t kOfCycles = sema::custom::kCyclePlace | sema::custom::kPlaces;
+constexpr std::uint32_t kOfCycles = sema::custom::kCyclePosition | sema::custom::kPlaces;
 
 }  // namespace
 
@@ -94,7 +94,7 @@ Done Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
     }
     if (plan.planes != nc::kAllPlanes && !require_plane_of_source(plan, at)) [[unlikely]]
         return kFailed;
-    if (is_between_places() && !require_between_places(plan, instruction, at)) [[unlikely]]
+    if (is_between_positions() && !require_between_positions(plan, instruction, at)) [[unlikely]]
         return kFailed;
     if (!plan.functions.empty() || modal.tcp != ModalState::Tcp::Off) {
         const ToolTaken said = take_tool(plan, instruction, at);
@@ -116,11 +116,11 @@ Done Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
         say_diameter_alone(source, at, instruction.c);
     }
-    if (modal.is_place_due) [[unlikely]]
-        say_place(plan, instruction, at);
+    if (modal.is_position_due) [[unlikely]]
+        write_position(plan, instruction, at);
     if (modal.unplaced != 0 && instruction.b == 0 && is_whole_circle(plan)) [[unlikely]] {
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-        if (!say_places(source, at, instruction.c)) return kFailed;
+        if (!write_positions(source, at, instruction.c)) return kFailed;
     }
     const std::size_t in_batch = batch_count;
     if (fill_plan(plan, instruction, registers, at)) {
@@ -466,7 +466,7 @@ std::int64_t Expander::State::spindle_code() const {
 Done Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
                                 std::uint32_t at) {
     if (!recordings.empty()) return refuse_in_contour("a text", at);
-    if (is_between_places() && instruction.b == 1) return refuse_beside_cycle("raw text", at);
+    if (is_between_positions() && instruction.b == 1) return refuse_beside_cycle("raw text", at);
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     // A copy: making blocks does not move texts, but nothing should depend on that.
     const std::string text = heap.text(registers[instruction.a].integer);

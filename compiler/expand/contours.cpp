@@ -588,7 +588,7 @@ Done Expander::State::follow_start(const Instruction& instruction, Slot* registe
 
 Done Expander::State::follow_contour(const Instruction& instruction, const Slot* registers,
                                      std::uint32_t where) {
-    if (is_between_places()) return refuse_beside_cycle("a contour", where);
+    if (is_between_positions()) return refuse_beside_cycle("a contour", where);
     const Slot* arguments = registers + instruction.a;
     const auto contour = followed(arguments, where);
     if (!contour) return kFailed;

@@ -96,7 +96,7 @@ std::optional<path::CurveSample> Expander::State::curve_point(const Instruction&
 }
 
 Done Expander::State::start_curve(const Instruction& instruction, std::uint32_t where) {
-    if (is_between_places()) return refuse_beside_cycle("a curve", where);
+    if (is_between_positions()) return refuse_beside_cycle("a curve", where);
     const Slot* options_of = stack.data() + frames.back().base + instruction.a;
     const double tolerance = options_of[at(CurveSlot::Tolerance)].number;
     if (!(tolerance >= kLeastTolerance) || !is_sane(tolerance)) {

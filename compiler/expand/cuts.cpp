@@ -191,7 +191,8 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     // On a lathe, and in another plane, Z is not the way into the workpiece.
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !modal.is_diameter;
     if (!is_mill || modal[Group::Spindle] != Function::SpindleStop || block.skip >= 0) return;
-    if (block.find(nc::Fact::AtMachinePlace) != nullptr || block.find(Function::Probe) != nullptr)
+    if (block.find(nc::Fact::AtMachinePosition) != nullptr ||
+        block.find(Function::Probe) != nullptr)
         return;
     const nc::SlotMask word = bit(nc::Slot::Z);
     const bool is_known = (modal.known >> kZ & 1u) != 0;

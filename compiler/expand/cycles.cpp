@@ -53,8 +53,8 @@ Done Expander::State::refuse_beside_cycle(std::string_view what, std::uint32_t a
     return kFailed;
 }
 
-Done Expander::State::require_between_places(const sema::Plan& plan, const Instruction& instruction,
-                                             std::uint32_t at) {
+Done Expander::State::require_between_positions(const sema::Plan& plan,
+                                                const Instruction& instruction, std::uint32_t at) {
     for (const nc::Invocation& invocation : plan.functions) {
         if (nc::has_fact(invocation.function, nc::Fact::CycleApart))
             return refuse_beside_cycle('`' + std::string(nc::info(invocation.function).name) + '`',
@@ -70,7 +70,7 @@ Done Expander::State::require_between_places(const sema::Plan& plan, const Instr
 }
 
 Done Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint32_t at) {
-    const bool begins = (plan.customs & custom::kCyclePlace) != 0;
+    const bool begins = (plan.customs & custom::kCyclePosition) != 0;
     const bool ends = plan.motion != Function::None || has(plan, Function::CycleOff);
     if (ends) said_cycle.taps_rigidly = false;
     const bool is_called =

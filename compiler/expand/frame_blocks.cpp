@@ -126,12 +126,12 @@ Done Expander::State::refuse_frame(control::FrameFault why, std::uint32_t at) {
 
 /// The writer needs to know where the tool is in the new frame: for arcs, for F of helices, and
 /// where the control has no words for coordinates and distances beside each other.
-void Expander::State::say_place(const sema::Plan& plan, const Instruction& instruction,
-                                std::uint32_t at) {
+void Expander::State::write_position(const sema::Plan& plan, const Instruction& instruction,
+                                     std::uint32_t at) {
     const nc::SlotMask known = modal.known & nc::kTargetSlots;
     const bool moves = plan.given != 0 || !plan.fillings.empty();
     if (!moves || !recordings.empty()) return;
-    modal.is_place_due = false;
+    modal.is_position_due = false;
     if (known == 0) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);

@@ -384,7 +384,7 @@ void Expander::State::say_offset(const sema::Plan& plan, const Instruction& inst
         std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
             if (invocation.function == Function::ReferenceReturn && !has_return) return false;
             return invocation.function == Function::WorkOffset ||
-                   nc::has_fact(invocation.function, nc::Fact::AtMachinePlace);
+                   nc::has_fact(invocation.function, nc::Fact::AtMachinePosition);
         });
     if (!moves || is_elsewhere) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
@@ -451,17 +451,17 @@ Done Expander::State::check_move(const Block& block, std::uint32_t at) {
 Done Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool source_travels = (plan.customs & custom::kIncrementTravels) != 0;
     const bool target_travels = target.rules().incremental_frame == nc::IncrementalFrame::Traversed;
-    const bool wants_place = (modal.unplaced & block.given) != 0 &&
-                             target.rules().place_behind_rotation &&
-                             block.find(Function::Cycle) == nullptr;
-    if (!source_travels && !target_travels && !wants_place) return kDone;
-    if (block.find(nc::Fact::AtMachinePlace) != nullptr) return kDone;
+    const bool wants_position = (modal.unplaced & block.given) != 0 &&
+                                target.rules().place_behind_rotation &&
+                                block.find(Function::Cycle) == nullptr;
+    if (!source_travels && !target_travels && !wants_position) return kDone;
+    if (block.find(nc::Fact::AtMachinePosition) != nullptr) return kDone;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if ((block.given & bit) == 0 || !is_increment(block, bit)) continue;
         const bool is_lost = (modal.lost_drift >> i & 1u) != 0;
         const bool is_known = (modal.known >> i & 1u) != 0;
-        const bool needs_place = wants_place && (modal.unplaced & bit) != 0;
+        const bool needs_place = wants_position && (modal.unplaced & bit) != 0;
         if (source_travels && target_travels) {
             modal.position[i] -= modal.drift[i];
             if (is_lost) modal.known &= static_cast<AxisMask>(~bit);
@@ -480,7 +480,7 @@ Done Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std
         if (is_known) become_place(block, i);
         else block.values[i] += modal.drift[i];
     }
-    return !wants_place ? kDone : name_places(block, at);
+    return !wants_position ? kDone : name_positions(block, at);
 }
 
 bool Expander::State::is_increment(const Block& block, nc::SlotMask axis) const {
@@ -500,7 +500,7 @@ void Expander::State::become_place(Block& block, std::size_t axis) const {
 /// that it turns: what the control takes for an axis that is not named depends on a parameter.
 ///
 /// source       F 3.7 G68, G69; No.11600#5 AX1
-Done Expander::State::name_places(Block& block, std::uint32_t at) {
+Done Expander::State::name_positions(Block& block, std::uint32_t at) {
     const bool is_modal = modal[Group::Distance] == Function::Incremental;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
@@ -548,12 +548,12 @@ bool Expander::State::is_whole_circle(const sema::Plan& plan) const {
 
 /// What names no axis as the first motion behind a rotation, a full circle or a cycle, gets a block
 /// before it that does: to where the tool stands already.
-Done Expander::State::say_places(SourceId source, std::uint32_t at, unsigned depth) {
+Done Expander::State::write_positions(SourceId source, std::uint32_t at, unsigned depth) {
     if (!target.rules().place_behind_rotation || !recordings.empty()) return kDone;
     if (!require_room(at)) return kFailed;
     Block& block = next_block(source);
     block.motion = Function::Rapid;
-    if (!name_places(block, at)) {
+    if (!name_positions(block, at)) {
         drop_block(block);
         return kFailed;
     }

@@ -72,7 +72,7 @@ void ModalState::set_frame(const control::ProgramFrame& next, SourceId source) {
     const bool may_be_diameter =
         (*this)[Group::Diameter] == Function::None && (*this)[Group::Plane] == Function::PlaneZx;
     if (may_be_diameter && next.differs(frame, 0)) known &= static_cast<AxisMask>(~bit(Axis::X));
-    is_place_due = true;
+    is_position_due = true;
     // A control that has its rotation innermost says it again behind every other change.
     const bool turns = next.angle_deg != 0 || frame.angle_deg != 0;
     if (turns && next != frame) unplaced |= (next.angle_deg != 0 ? next : frame).plane_mask();

@@ -50,7 +50,7 @@ struct ModalState {
     AxisValues drift{};
     AxisMask has_drift = 0;         // of which axes it is not 0
     AxisMask lost_drift = 0;        // … and of which it is not known
-    bool is_place_due = false;      // the frame has changed since a block was made
+    bool is_position_due = false;   // the frame has changed since a block was made
     AxisMask unplaced = 0;          // of which no place was named since a rotation began or ended
     bool owes_incremental = false;  // the text is under absolute dimensions for one block
     bool is_diameter = false;       // words of X

@@ -107,7 +107,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         return CycleOutcome::Failed;
     }
     if (!options.native_cycles || modal.tcp == ModalState::Tcp::Length) return CycleOutcome::Moves;
-    if (is_between_places() && frame.return_to > 0)
+    if (is_between_positions() && frame.return_to > 0)
         return failed(refuse_beside_cycle("another cycle", frame.return_to - 1));
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
@@ -154,7 +154,8 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
     const Instruction& call = code.instructions[at];
     const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
     if (modal.diameter_due != Function::None) say_diameter_alone(source, at, frames.size() - 1);
-    if (modal.unplaced != 0 && !say_places(source, at, static_cast<unsigned>(frames.size() - 1)))
+    if (modal.unplaced != 0 &&
+        !write_positions(source, at, static_cast<unsigned>(frames.size() - 1)))
         return CycleOutcome::Failed;
     if (modal.restate != 0) say_again_alone(source, at, frames.size() - 1);
     if (modal.spindle_in_doubt && !turns_spindle(parameters, given, values) &&

@@ -254,9 +254,9 @@ struct Expander::State {
     Done complete_center(nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
     bool is_increment(const nc::Block& block, nc::SlotMask axis) const;
     void become_place(nc::Block& block, std::size_t axis) const;
-    Done name_places(nc::Block& block, std::uint32_t at);
+    Done name_positions(nc::Block& block, std::uint32_t at);
     bool is_whole_circle(const sema::Plan& plan) const;
-    Done say_places(SourceId source, std::uint32_t at, unsigned depth);
+    Done write_positions(SourceId source, std::uint32_t at, unsigned depth);
     void return_to_increments(nc::Block& block);
     void say_reference(nc::Block& block);
     void go_over_place(SourceId source);
@@ -267,12 +267,12 @@ struct Expander::State {
     Done take_edge_as_length(nc::Block& block, nc::Invocation& edge, std::uint32_t at);
 
     // ---- cycles.cpp: cycles as the control of the input dialect has them
-    bool is_between_places() const {
+    bool is_between_positions() const {
         return said_cycle.is_active && !said_cycle.is_running && recordings.empty();
     }
     Done refuse_beside_cycle(std::string_view what, std::uint32_t at);
-    Done require_between_places(const sema::Plan& plan, const Instruction& instruction,
-                                std::uint32_t at);
+    Done require_between_positions(const sema::Plan& plan, const Instruction& instruction,
+                                   std::uint32_t at);
     /// A block of a source that has cycles, with all its words: a place, or the end of the mode.
     Done take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     void take_levels(nc::Block& block);
@@ -349,7 +349,8 @@ struct Expander::State {
 
     // ---- frame_blocks.cpp
     Done change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    void say_place(const sema::Plan& plan, const sema::Instruction& instruction, std::uint32_t at);
+    void write_position(const sema::Plan& plan, const sema::Instruction& instruction,
+                        std::uint32_t at);
     void scale_frame_x(nc::Block& block, double factor) const;
     Done refuse_frame(control::FrameFault why, std::uint32_t at);
     void write_frame(const control::ProgramFrame& next, SourceId source, std::uint32_t at,

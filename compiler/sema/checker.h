@@ -3,7 +3,7 @@
 // The chapters: check.cpp (the road through a program), declarations.cpp (files, types, functions),
 // scope.cpp (names), expressions.cpp, values.cpp, convert.cpp (units and dimensions),
 // optionals.cpp, composites.cpp (points, structs, arrays), operators.cpp, conditions.cpp,
-// places.cpp (what can be assigned), calls.cpp, builtins.cpp, text.cpp (strings), statements.cpp,
+// lvalues.cpp (what can be assigned), calls.cpp, builtins.cpp, text.cpp (strings), statements.cpp,
 // loops.cpp, blocks.cpp (NC blocks), contours.cpp, curves.cpp, with.cpp, tests.cpp, preserves.cpp,
 // origins.cpp. For the room sema only.
 #pragma once
@@ -267,7 +267,7 @@ class Checker {
     static Origin origin_of_literal(double number, std::string_view literal);
     Origin origin_of_result(syntax::Operator op, const Value& left, const Value& right) const;
     void warn_of_origin(const Value& value, Type target, const SourceRange& range);
-    // places.cpp
+    // lvalues.cpp
     std::optional<Place> place(syntax::ExprId id);
     bool is_read(syntax::ExprId id) const;
     std::optional<Place> name_place(syntax::ExprId id);

@@ -238,8 +238,9 @@ inline constexpr std::uint32_t kFeedDeleted = 2048;   // another kind of feed de
 // An increment counts from the coordinate that was programmed last, and so travels a change of the
 // frame as well.
 inline constexpr std::uint32_t kIncrementTravels = 4096;
-inline constexpr std::uint32_t kMirrorAxes = 8192;    // the mirrors of some axes end
-inline constexpr std::uint32_t kCyclePlace = 16384;   // the cycle of the block begins at its place
+inline constexpr std::uint32_t kMirrorAxes = 8192;  // the mirrors of some axes end
+inline constexpr std::uint32_t kCyclePosition =
+    16384;                                            // the cycle of the block begins at its place
 inline constexpr std::uint32_t kPlaces = 32768;       // while a cycle is modal, a place of it
 inline constexpr std::uint32_t kCoreOffsets = 65536;  // `G43 H1` and `D1` of the common core
 inline constexpr std::uint32_t kRepeats = 131072;     // `K5`: the cycle that is modal, so often

@@ -115,7 +115,7 @@ class TableReader {
 
     DiagnosticBuilder report(const DiagnosticRow& row, std::uint32_t column, std::size_t length) {
         failed_ = failed_ || row.severity != Severity::Warning;
-        LinePlace at;
+        TextLocation at;
         at.file = file_;
         at.line = std::max<std::uint32_t>(line_, 1);
         at.column = column;

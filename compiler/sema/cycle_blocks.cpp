@@ -138,7 +138,7 @@ std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& 
         return true;
     });
     plan.functions.erase(found);
-    plan.customs |= custom::kCyclePlace;
+    plan.customs |= custom::kCyclePosition;
     if (plan.motion != nc::Function::None) {
         report(diag::BlockWordConflict, range)
             .arg(cycle.word)

@@ -69,9 +69,9 @@ class PictureReader {
     }
 
     /// The place of a word that was just read; among bytes the line ends with it.
-    LinePlace place_of(std::string_view word) const {
+    TextLocation place_of(std::string_view word) const {
         const std::size_t begin = at_ - word.size();
-        LinePlace place;
+        TextLocation place;
         place.file = file_;
         const std::string_view before = text_.substr(0, begin);
         place.line = static_cast<std::uint32_t>(std::ranges::count(before, '\n')) + 1;

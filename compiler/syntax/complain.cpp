@@ -4,11 +4,11 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
-#include "syntax/complaint_place.h"
 #include "syntax/habits.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
 #include "syntax/parse.h"
+#include "syntax/parser_position.h"
 #include "syntax/token_kinds.h"
 #include "syntax/words.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "syntax/complaint_place.h"
 #include "syntax/habits.h"
 #include "syntax/keyword.h"
 #include "syntax/parse.h"
+#include "syntax/parser_position.h"
 #include "syntax/token_kinds.h"
 #include "syntax/words.h"
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "base/assert.h"
-#include "syntax/complaint_place.h"
 #include "syntax/parse.h"
+#include "syntax/parser_position.h"
 #include "syntax/token_kinds.h"
 
 namespace kadr::syntax {

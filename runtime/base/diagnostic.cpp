@@ -82,7 +82,7 @@ DiagnosticBuilder& DiagnosticBuilder::arg(double value) {
 
 DiagnosticBuilder& DiagnosticBuilder::arg(std::int64_t value) { return arg(std::to_string(value)); }
 
-DiagnosticBuilder& DiagnosticBuilder::at(LinePlace place) {
+DiagnosticBuilder& DiagnosticBuilder::at(TextLocation place) {
     diagnostic_.line = std::move(place);
     return *this;
 }
@@ -97,7 +97,7 @@ DiagnosticBuilder& DiagnosticBuilder::note(std::string text) {
     return *this;
 }
 
-DiagnosticBuilder& DiagnosticBuilder::note(LinePlace place, std::string text) {
+DiagnosticBuilder& DiagnosticBuilder::note(TextLocation place, std::string text) {
     diagnostic_.notes.push_back({{}, std::move(place), std::move(text)});
     return *this;
 }
@@ -132,7 +132,7 @@ DiagnosticBuilder DiagnosticSink::report(const DiagnosticRow& row) {
     return report(row, SourceRange{});
 }
 
-DiagnosticBuilder DiagnosticSink::report(const DiagnosticRow& row, LinePlace place) {
+DiagnosticBuilder DiagnosticSink::report(const DiagnosticRow& row, TextLocation place) {
     Diagnostic diagnostic;
     diagnostic.row = &row;
     diagnostic.severity = row.severity;

@@ -39,7 +39,7 @@ const DiagnosticRow* find_diagnostic(std::string_view code);
 
 /// A place in a text that is read as a stream and not kept, as ISO-7bit text is: the line comes
 /// along, because nobody can look it up later.
-struct LinePlace {
+struct TextLocation {
     std::string file;
     std::uint32_t line = 0;    // from 1
     std::uint32_t column = 1;  // from 1, in characters
@@ -50,7 +50,7 @@ struct LinePlace {
 struct Diagnostic {
     struct Note {
         SourceRange range;  // may be invalid: a note without a place
-        std::optional<LinePlace> line;
+        std::optional<TextLocation> line;
         std::string text;
     };
     struct Fix {
@@ -61,8 +61,8 @@ struct Diagnostic {
 
     const DiagnosticRow* row = nullptr;
     Severity severity = Severity::Error;
-    SourceRange range;              // where, in a kept text
-    std::optional<LinePlace> line;  // where, in a streamed text; wins over `range`
+    SourceRange range;                 // where, in a kept text
+    std::optional<TextLocation> line;  // where, in a streamed text; wins over `range`
     std::vector<std::string> arguments;
     std::vector<Note> notes;
     std::vector<Fix> fixes;
@@ -94,10 +94,10 @@ class DiagnosticBuilder {
     DiagnosticBuilder& arg(std::int64_t value);
     DiagnosticBuilder& arg(int value) { return arg(static_cast<std::int64_t>(value)); }
     DiagnosticBuilder& arg(std::size_t value) { return arg(static_cast<std::int64_t>(value)); }
-    DiagnosticBuilder& at(LinePlace place);
+    DiagnosticBuilder& at(TextLocation place);
     DiagnosticBuilder& note(const SourceRange& range, std::string text);
     DiagnosticBuilder& note(std::string text);
-    DiagnosticBuilder& note(LinePlace place, std::string text);
+    DiagnosticBuilder& note(TextLocation place, std::string text);
     DiagnosticBuilder& fix(const SourceRange& range, std::string replacement, std::string text);
     DiagnosticBuilder& fix(std::string text);
     DiagnosticBuilder& alarm(std::string number, std::string text);
@@ -115,7 +115,7 @@ class DiagnosticSink {
 
     DiagnosticBuilder report(const DiagnosticRow& row, const SourceRange& range);
     DiagnosticBuilder report(const DiagnosticRow& row);
-    DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
+    DiagnosticBuilder report(const DiagnosticRow& row, TextLocation place);
 };
 
 /// A sink that keeps everything, for tests and for rooms that look before they speak.

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMostText = 5000;  // bytes of an argument, a note or a fix that are shown
 constexpr std::size_t kShownLine = 160;  // bytes of a long line that are shown around the caret
 
-LinePlace resolve(const SourceRange& range, const Sources& sources) {
-    LinePlace place;
+TextLocation resolve(const SourceRange& range, const Sources& sources) {
+    TextLocation place;
     if (!range.file.is_valid()) return place;
     const LineColumn at = sources.locate(range.file, range.begin);
     place.file = sources.name(range.file);
@@ -29,7 +29,7 @@ LinePlace resolve(const SourceRange& range, const Sources& sources) {
     return place;
 }
 
-LinePlace place_of(const Diagnostic& diagnostic, const Sources& sources) {
+TextLocation place_of(const Diagnostic& diagnostic, const Sources& sources) {
     return diagnostic.line ? *diagnostic.line : resolve(diagnostic.range, sources);
 }
 
@@ -90,7 +90,7 @@ void append_shown(std::string& out, std::string_view text) {
     }
 }
 
-void append_line(std::string& out, const LinePlace& place, std::string_view color) {
+void append_line(std::string& out, const TextLocation& place, std::string_view color) {
     if (place.line == 0 || place.text.empty()) return;
     std::string_view text = place.text;
     std::size_t before = byte_of_character(text, place.column - 1);
@@ -120,7 +120,7 @@ void append_line(std::string& out, const LinePlace& place, std::string_view colo
     out += '\n';
 }
 
-void append_place(std::string& out, const LinePlace& place) {
+void append_place(std::string& out, const TextLocation& place) {
     if (place.file.empty()) return;
     out += printable(place.file);
     if (place.line > 0) {
@@ -151,7 +151,7 @@ std::string mended_line(const Diagnostic::Fix& fix, const Sources& sources) {
 
 std::string render_text(const Diagnostic& diagnostic, const Sources& sources,
                         const RenderOptions& options) {
-    const LinePlace place = place_of(diagnostic, sources);
+    const TextLocation place = place_of(diagnostic, sources);
     const std::string_view color = options.color ? severity_color(diagnostic.severity) : "";
     const std::string_view reset = options.color ? "\033[0m" : "";
     std::string out;
@@ -163,7 +163,7 @@ std::string render_text(const Diagnostic& diagnostic, const Sources& sources,
     out += ": " + printable(message_of(diagnostic)) + '\n';
     append_line(out, place, color);
     for (const Diagnostic::Note& note : diagnostic.notes) {
-        const LinePlace at = note.line ? *note.line : resolve(note.range, sources);
+        const TextLocation at = note.line ? *note.line : resolve(note.range, sources);
         append_place(out, at);
         out += (at.file.empty() ? "  note: " : "note: ") +
                printable(shortened(note.text, kMostText)) + '\n';
@@ -218,7 +218,7 @@ void append_end(std::string& out, std::uint32_t line, std::uint32_t column) {
     out += ",\"end_column\":" + std::to_string(column);
 }
 
-void append_begin(std::string& out, const LinePlace& place) {
+void append_begin(std::string& out, const TextLocation& place) {
     out += "\"file\":" + json_string(place.file);
     if (place.line == 0) return;
     out += ",\"line\":" + std::to_string(place.line);
@@ -226,9 +226,9 @@ void append_begin(std::string& out, const LinePlace& place) {
 }
 
 /// What is marked: of a place where something is missing, the character behind it.
-void append_position(std::string& out, const std::optional<LinePlace>& line,
+void append_position(std::string& out, const std::optional<TextLocation>& line,
                      const SourceRange& range, const Sources& sources) {
-    const LinePlace place = line ? *line : resolve(range, sources);
+    const TextLocation place = line ? *line : resolve(range, sources);
     append_begin(out, place);
     if (place.line == 0) return;
     if (!line && range.end > range.begin) {

@@ -219,8 +219,9 @@ DiagnosticBuilder report_malformed(const SourceRange& place, const Sources& sour
     if (first == std::string_view::npos || text[first] == '<')
         return sink.report(diag::XmlMalformed, place);
     const LineColumn at = sources.locate(place.file, place.begin);
-    return sink.report(diag::XmlMalformed,
-                       LinePlace{std::string(sources.name(place.file)), at.line, at.column, 1, {}});
+    return sink.report(
+        diag::XmlMalformed,
+        TextLocation{std::string(sources.name(place.file)), at.line, at.column, 1, {}});
 }
 
 const XmlRule* find_rule(const XmlShape& shape, std::string_view element) {

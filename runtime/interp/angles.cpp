@@ -124,7 +124,7 @@ const Block* Executor::with_angle(const Block& block, const nc::Invocation& angl
     const SlotMask words =
         block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));
     const Target said = target_of(block, words);
-    const Vec2 from = place_in_plane();
+    const Vec2 from = position_in_plane();
     const Vec2 to{said.here[index(plane.first)], said.here[index(plane.second)]};
     const Vec2 along = direction_of(block.argument(angle, kAngle));
     const bool has_first = block.has(nc::slot_of(plane.first));

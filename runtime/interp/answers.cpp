@@ -386,7 +386,7 @@ ControlAccess::Write Executor::set_text(Quantity quantity, std::int64_t index,
                                         std::string_view text) {
     if (is_of_carrier(quantity)) return set_carrier_text(quantity, index, text);
     if (quantity != Quantity::ToolNameOf) return ControlAccess::Write::Refused;
-    if (index < 1 || index > rules_.tool_offsets) return ControlAccess::Write::NoPlace;
+    if (index < 1 || index > rules_.tool_offsets) return ControlAccess::Write::NoSuchEntry;
     tool_names_.set(index, text);
     return ControlAccess::Write::Done;
 }

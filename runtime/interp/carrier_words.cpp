@@ -214,7 +214,7 @@ Write Executor::set_carrier(Quantity quantity, std::int64_t first, std::int64_t 
         carriers_.clear();
         return Write::Done;
     }
-    if (!is_carrier_number(first)) return Write::NoPlace;
+    if (!is_carrier_number(first)) return Write::NoSuchEntry;
     CarrierData& data = carriers_.at(first);
     if (quantity == Quantity::CarrierDatum) {
         data.values.at(datum) = value;
@@ -233,7 +233,7 @@ std::optional<std::string> Executor::carrier_text(Quantity quantity, std::int64_
 }
 
 Write Executor::set_carrier_text(Quantity quantity, std::int64_t number, std::string_view text) {
-    if (!is_carrier_number(number)) return Write::NoPlace;
+    if (!is_carrier_number(number)) return Write::NoSuchEntry;
     CarrierData& data = carriers_.at(number);
     (quantity == Quantity::CarrierKind ? data.kind : data.names[name_place(quantity)]) = text;
     return Write::Done;

@@ -140,7 +140,7 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
     if (corners_.waits_elsewhere(wish.lie)) leave_corners(diag::CornerNotContour);
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     wish.size *= frames_.total().direction(path::unit(plane.first)).norm();
-    const CornerPlace place{block.source, block.line};
+    const CornerSource place{block.source, block.line};
     if (!rules_.corner_in_own_block || wish.is_modal)
         return corners_.wish(wish, position_.base, place);
     if (const DiagnosticRow* why = corners_.wish_behind(wish, place)) report(*why, block);

@@ -59,23 +59,23 @@ void keep_speed(Command& command, double share) {
 
 }  // namespace
 
-void Corners::wish(const CornerWish& wish, const AxisValues& here, const CornerPlace& place) {
+void Corners::wish(const CornerWish& wish, const AxisValues& here, const CornerSource& place) {
     if (!is_active_) {
         lie_ = wish.lie;
         at_ = here;
         turn(lie_.transpose(), at_);
     }
-    block_place_ = place;
+    block_source_ = place;
     is_active_ = true;
     wish_ = wish;
 }
 
-const DiagnosticRow* Corners::wish_behind(const CornerWish& wish, const CornerPlace& place) {
+const DiagnosticRow* Corners::wish_behind(const CornerWish& wish, const CornerSource& place) {
     if (!waits_ || !held_wish_.is_modal) return &diag::CornerWithoutMotion;
     const bool is_rapid = held_.front().command.op == Op::Rapid;
     if (settings_.is_strict && is_rapid) return &diag::CornerNotContour;
     held_wish_ = wish;
-    place_ = block_place_ = place;
+    place_ = block_source_ = place;
     empty_blocks_ = 0;
     return nullptr;
 }
@@ -88,8 +88,8 @@ void Corners::change(const CompChange& change) {
     item.change = change;
 }
 
-std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const CornerPlace& place) {
-    block_place_ = place;
+std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const CornerSource& place) {
+    block_source_ = place;
     const std::size_t motions = motions_;
     const bool waited = waits_;
     for (Item& item : fresh_) {
@@ -120,7 +120,7 @@ std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const Co
 std::optional<CornerMessage> Corners::leave(const DiagnosticRow& why) {
     const bool is_own = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
     const bool is_said = (waits_ && !held_wish_.is_modal) || is_own;
-    if (!waits_) place_ = block_place_;
+    if (!waits_) place_ = block_source_;
     const CornerMessage message = end_with(why);
     if (!is_said) return std::nullopt;
     return message;
@@ -201,7 +201,7 @@ Corners::Fault Corners::take_other_motion(Item& item) {
     const bool is_thread = item.command.op == Op::Thread;
     const bool is_own = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
     const bool is_said = (waits_ && !held_wish_.is_modal) || is_own;
-    if (!waits_) place_ = block_place_;
+    if (!waits_) place_ = block_source_;
     if (is_said) return is_thread ? &diag::CornerInThread : &diag::CornerNotContour;
     at_ = item.command.to;
     tool_ = item.command.direction;
@@ -234,7 +234,7 @@ Corners::Fault Corners::take_motion(Item& item) {
         settled_.push_back(std::move(item));
         return nullptr;
     }
-    place_ = block_place_;
+    place_ = block_source_;
     if (settings_.is_strict && item.command.op == Op::Rapid && !wish_.is_open)
         return &diag::CornerNotContour;
     wait(std::move(item), from);

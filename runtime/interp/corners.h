@@ -41,14 +41,14 @@ struct CornerSettings {
 };
 
 /// Where a message about a corner points to.
-struct CornerPlace {
+struct CornerSource {
     SourceId source;
     std::uint32_t line = 0;
 };
 
 struct CornerMessage {
     const DiagnosticRow* row = nullptr;
-    CornerPlace place;
+    CornerSource place;
     double made = 0;  // CornerReduced: what was made, and what was wanted
     double wanted = 0;
 };
@@ -85,8 +85,8 @@ class Corners {
         Kind kind = Kind::Command;
         path::Command command;
         CompChange change;
-        AxisValues here{};  // EndOfBlock: where the tool is behind the block
-        CornerPlace place;  // EndOfBlock: the block
+        AxisValues here{};   // EndOfBlock: where the tool is behind the block
+        CornerSource place;  // EndOfBlock: the block
     };
 
     explicit Corners(const CornerSettings& settings) : settings_(settings) {}
@@ -96,17 +96,17 @@ class Corners {
     /// Whether a corner waits in a plane that lies otherwise.
     bool waits_elsewhere(const path::Mat3& lie) const { return is_active_ && lie != lie_; }
     /// The block that begins now wants a corner. `here` is where the tool is.
-    void wish(const CornerWish& wish, const AxisValues& here, const CornerPlace& place);
+    void wish(const CornerWish& wish, const AxisValues& here, const CornerSource& place);
 
     /// The block that begins now wants a corner at the end of the motion before it. Null: it will
     /// be made as any other; else why there can be none.
-    const DiagnosticRow* wish_behind(const CornerWish& wish, const CornerPlace& place);
+    const DiagnosticRow* wish_behind(const CornerWish& wish, const CornerSource& place);
 
     /// Where the executor puts a command while corners are active.
     path::Command& next();
     void change(const CompChange& change);
     /// Takes what a block has put. `here` is where the tool is behind it.
-    std::optional<CornerMessage> end_block(const AxisValues& here, const CornerPlace& place);
+    std::optional<CornerMessage> end_block(const AxisValues& here, const CornerSource& place);
     /// Nothing follows that could be the other side of a corner; `why` is said if one waits that
     /// was wished for.
     std::optional<CornerMessage> leave(const DiagnosticRow& why);
@@ -160,8 +160,8 @@ class Corners {
     bool waits_ = false;  // the first of `held_` is the motion before the corner
     CornerWish wish_;     // of the block that is being taken
     CornerWish held_wish_;
-    CornerPlace place_;                      // of the block that wished
-    CornerPlace block_place_;                // of the block that is being taken
+    CornerSource place_;                     // of the block that wished
+    CornerSource block_source_;              // of the block that is being taken
     AxisValues held_from_{};                 // start of the motion that waits
     AxisValues at_{};                        // end of the latest motion …
     path::Vec3 tool_ = path::Vec3::UnitZ();  // … and how the tool stands there

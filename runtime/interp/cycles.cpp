@@ -470,7 +470,7 @@ void Executor::forget_ends() {
 }
 
 /// Whether a modal cycle acts among whose places no other motion stands.
-bool Executor::is_among_places() const {
+bool Executor::is_among_positions() const {
     const ModalCycle& modal = cycles_said_.modal;
     return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle].parameters, "x");
 }

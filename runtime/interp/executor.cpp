@@ -31,7 +31,7 @@ constexpr std::size_t kProgramBatch = 64;
 // ------------------------------------------------------------------------------ the run
 
 Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
-                   Stream<Block>& blocks, const nc::BlockPlaces* places, CycleExpander* cycles,
+                   Stream<Block>& blocks, const nc::BlockLocations* places, CycleExpander* cycles,
                    const InterpreterOptions& options, DiagnosticSink& sink)
     : dialect_(dialect),
       machine_(machine),
@@ -102,7 +102,7 @@ void Executor::execute_next() {
         }
         return;
     }
-    if (!patterns_.empty() && !patterns_.back().is_held) return go_to_next_place();
+    if (!patterns_.empty() && !patterns_.back().is_held) return go_to_next_position();
     const Block* block = program_.next();
     if (block == nullptr) return end_of_blocks();
     if (places_ != nullptr && places_->is_behind_fault(*block)) {
@@ -174,7 +174,7 @@ void Executor::end_of_blocks() {
     const bool is_alarm = rules_.missing_end == nc::MissingEnd::Alarm;
     Block nowhere{};
     nowhere.line = places_ != nullptr ? static_cast<std::uint32_t>(places_->lines()) : 0;
-    LinePlace place = places_ != nullptr ? places_->place(nowhere) : LinePlace{};
+    TextLocation place = places_ != nullptr ? places_->place(nowhere) : TextLocation{};
     report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(place));
 }
 
@@ -217,7 +217,7 @@ void Executor::run(const Block& block) {
     if (wishes_corners()) wish_corner(block, kNone);
     const bool has_others =
         polar_.is_on || polar_.is_by_points || (block.given & nc::kPolarSlots) != 0;
-    const Block* places = has_others ? with_places(block) : &block;
+    const Block* places = has_others ? with_positions(block) : &block;
     if (places == nullptr) return;
     move(*places, kNone);
     if (cycles_said_.behind_motions) call_behind_motion(*places);
@@ -241,7 +241,7 @@ void Executor::run_functions(const Block& said) {
     if (ended_) return;
     const bool was_in_cycle = cycle_.blocks.has_value();
     if (is_without_frames(actions) && !take_frames_off(block)) return;
-    const Block* places = with_places(block);
+    const Block* places = with_positions(block);
     if (places != nullptr && actions.angle != nullptr) places = with_angle(*places, *actions.angle);
     if (places == nullptr) return;
     move_with_own_feed(*places, actions);
@@ -337,8 +337,8 @@ void Executor::move_to(Block& at, SourceId source, std::uint32_t line) const {
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block) {
-    LinePlace place =
-        places_ != nullptr ? places_->place(block) : LinePlace{{}, block.line, 1, 1, {}};
+    TextLocation place =
+        places_ != nullptr ? places_->place(block) : TextLocation{{}, block.line, 1, 1, {}};
     DiagnosticBuilder builder = report(row, std::move(place));
     if (block.is_of_cycle())
         builder.note("inside the cycle `" + std::string(block.context->cycle) + "`");
@@ -396,7 +396,7 @@ std::string_view argument_in(std::string_view call, std::size_t argument) {
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Function function,
                                    std::size_t argument) {
     if (places_ == nullptr || block.is_of_cycle()) return report(row, block);
-    LinePlace place = places_->place(block, function);
+    TextLocation place = places_->place(block, function);
     const std::string call = characters(place.text, place.column - 1, place.length);
     const std::string_view said = argument_in(call, argument);
     const auto before = static_cast<std::size_t>(said.data() - call.data());
@@ -410,7 +410,7 @@ std::string Executor::word_of(const Block& block, Function function) const {
     const std::string name(nc::info(function).name);
     const bool is_said = block.motion == function || block.find(function) != nullptr;
     if (places_ == nullptr || block.is_of_cycle() || !is_said) return name;
-    const LinePlace place = places_->place(block, function);
+    const TextLocation place = places_->place(block, function);
     const std::string word = characters(place.text, place.column - 1, place.length);
     return word.empty() ? name : word;
 }
@@ -427,11 +427,11 @@ std::string Executor::spelling_of(Function function) const {
 /// Adds where the program of the block was called.
 DiagnosticBuilder Executor::note_calls(DiagnosticBuilder builder, const Block& block) const {
     if (places_ == nullptr) return builder;
-    for (LinePlace& place : places_->calls(block)) builder.note(std::move(place), "called here");
+    for (TextLocation& place : places_->calls(block)) builder.note(std::move(place), "called here");
     return builder;
 }
 
-DiagnosticBuilder Executor::report(const DiagnosticRow& row, LinePlace place) {
+DiagnosticBuilder Executor::report(const DiagnosticRow& row, TextLocation place) {
     if (row.severity == Severity::Alarm) ended_ = alarmed_ = true;
     DiagnosticBuilder builder = sink_->report(row, std::move(place));
     if (std::optional<nc::AlarmText> alarm = dialect_.alarm(row)) {

@@ -66,7 +66,7 @@ constexpr CornerSettings corner_settings(const nc::Rules& rules) {
 class Executor {
   public:
     Executor(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
-             const nc::BlockPlaces* places, CycleExpander* cycles,
+             const nc::BlockLocations* places, CycleExpander* cycles,
              const InterpreterOptions& options, DiagnosticSink& sink);
 
     std::size_t pull(std::span<path::Command> out);
@@ -103,8 +103,8 @@ class Executor {
     bool is_compensated() const { return is_any_comp_on() || smooth_approach_.is_active(); }
     std::string_view begin_contour();  // contours.cpp
     std::optional<ContourSaid> end_contour();
-    bool is_at_place() const;
-    void leave_place();
+    bool is_at_pattern_position() const;
+    void leave_pattern_position();
     void leave_pattern();
 
   private:
@@ -470,7 +470,7 @@ class Executor {
     // virtual_axes.cpp: faces, cylinders and inclined slides
     void begin_virtual(const nc::Block& block, const nc::Invocation& invocation);
     void end_virtual(const nc::Block& block);
-    void take_virtual_place(const path::Vec3& place);
+    void take_virtual_position(const path::Vec3& place);
     double virtual_angle() const;
     std::optional<path::VirtualAxes> wanted_virtual(const nc::Block& block,
                                                     const nc::Invocation& invocation);
@@ -507,15 +507,15 @@ class Executor {
 
     // polar.cpp
     void set_pole(const nc::Block& block, const nc::Invocation& invocation);
-    path::Vec2 place_in_plane() const;
+    path::Vec2 position_in_plane() const;
     void switch_polar(bool is_on);
-    const nc::Block* with_places(const nc::Block& block);
+    const nc::Block* with_positions(const nc::Block& block);
     const nc::Block* with_polar_point(const nc::Block& block, const nc::Invocation& point);
     Done take_pole(const nc::Block& block);
     const nc::Block* with_polar_slots(const nc::Block& block);
     const nc::Block* with_polar_axes(const nc::Block& block);
     bool is_distance(const nc::Block& block, nc::Slot slot) const;
-    void set_polar_place(const nc::Block& block);
+    void set_polar_position(const nc::Block& block);
     void set_place(nc::Block& block, Axis axis, double value) const;
 
     // angles.cpp
@@ -733,7 +733,7 @@ class Executor {
     Done require_words_of_cycle(const nc::Block& block, const Actions& actions);
     void complete_surroundings(ModalCycle& call, bool calls_program) const;
     void begin_pattern(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> places);
-    void go_to_next_place();
+    void go_to_next_position();
     void finish_pattern();
     bool calls_program_at(const nc::Block& block) const;
     void return_to_level();
@@ -741,7 +741,7 @@ class Executor {
     void complete_ends(ModalCycle& call) const;
     void end_where_tool_stands(ModalCycle& call) const;
     void forget_ends();
-    bool is_among_places() const;
+    bool is_among_positions() const;
     Done require_no_cycle(const nc::Block& block, const Actions& actions);
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
@@ -785,7 +785,7 @@ class Executor {
     /// … or at an argument of the call that said it.
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
                              nc::Function function, std::size_t argument);
-    DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
+    DiagnosticBuilder report(const DiagnosticRow& row, TextLocation place);
     /// A function as the text of the block says it; by the vocabulary where no text does.
     std::string word_of(const nc::Block& block, nc::Function function) const;
     /// A function as the control spells it, whether a block has said it or not; by the vocabulary
@@ -805,7 +805,7 @@ class Executor {
     const bool is_lathe_;           // the machine is one, or the control is a lathe's
     ToolOffsets tool_offsets_;
     ToolNames tool_names_;
-    const nc::BlockPlaces* places_;
+    const nc::BlockLocations* places_;
     CycleExpander* cycles_;
     InterpreterOptions options_;
     DiagnosticSink* sink_;
@@ -816,7 +816,7 @@ class Executor {
     ProgramClocks clocks_;
     std::optional<Probed> probed_;
     std::vector<bool> touches_done_;                    // of options_.touches: the block has probed
-    std::optional<control::ControlFrame> probe_place_;  // of the surfaces that the probe meets
+    std::optional<control::ControlFrame> probe_frame_;  // of the surfaces that the probe meets
     double probe_kept_ = 0;                             // a coordinate that was measured
     std::uint64_t block_count_ = 0;
     bool ended_ = false;

@@ -78,13 +78,13 @@ Write Executor::set_frame(Quantity quantity, std::int64_t number,
                           const control::ControlFrame& frame, bool acts_at_once) {
     finish_open_spline();
     if (quantity == Quantity::SettableFrame) {
-        if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
+        if (number < 0 || number > rules_.work_offsets) return Write::NoSuchEntry;
         work_offset_at(number) = frame;
         work_offset_changed(number, acts_at_once);
         return Write::Done;
     }
     if (is_numbered_base(quantity)) {
-        if (!has_base_frame(number)) return Write::NoPlace;
+        if (!has_base_frame(number)) return Write::NoSuchEntry;
         if (waits_for_call(quantity)) {
             numbered(stored_bases_.frames, quantity, number) = frame;
             std::uint16_t& fresh =

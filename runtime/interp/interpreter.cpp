@@ -29,7 +29,7 @@ struct Interpreter::State {
 };
 
 Interpreter::Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
-                         Stream<nc::Block>& blocks, const nc::BlockPlaces* places,
+                         Stream<nc::Block>& blocks, const nc::BlockLocations* places,
                          CycleExpander* cycles, const InterpreterOptions& options,
                          DiagnosticSink& sink)
     : state_(new State{Executor(dialect, machine, blocks, places, cycles, options, sink)}) {}
@@ -69,8 +69,10 @@ bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.i
 bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
 std::string_view Interpreter::begin_contour() { return state_->executor.begin_contour(); }
 std::optional<ContourSaid> Interpreter::end_contour() { return state_->executor.end_contour(); }
-bool Interpreter::is_at_place() const { return state_->executor.is_at_place(); }
-void Interpreter::leave_place() { state_->executor.leave_place(); }
+bool Interpreter::is_at_pattern_position() const {
+    return state_->executor.is_at_pattern_position();
+}
+void Interpreter::leave_pattern_position() { state_->executor.leave_pattern_position(); }
 void Interpreter::leave_pattern() { state_->executor.leave_pattern(); }
 void Interpreter::keep_frames() { state_->executor.keep_frames(); }
 void Interpreter::restore_frames(bool is_wanted) { state_->executor.restore_frames(is_wanted); }

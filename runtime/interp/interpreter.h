@@ -49,7 +49,7 @@ struct CycleCall {
     double speed = 0;                                     // of the spindle, rpm
     path::SpindleMode spindle = path::SpindleMode::Stop;  // Cw and Ccw: it turns
     SourceId source;
-    std::optional<LinePlace> place;     // of the block that calls it; nothing: nobody knows
+    std::optional<TextLocation> place;  // of the block that calls it; nothing: nobody knows
     const CycleShape* shape = nullptr;  // of a cycle that takes one
     bool x_is_diameter = true;          // X of the position, and of the words that act
 };
@@ -95,7 +95,7 @@ struct InterpreterOptions {
     bool in_step = false;  // no block is read before the one in front of it is executed
     /// Whether a comment silences a warning at its place, so that it is not said once and for all
     /// there. Empty: none does.
-    std::function<bool(const DiagnosticRow& row, const LinePlace& place)> is_allowed = {};
+    std::function<bool(const DiagnosticRow& row, const TextLocation& place)> is_allowed = {};
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.
@@ -110,7 +110,7 @@ class Interpreter final : public Stream<path::Command>, public ControlAccess {
     /// All references outlive the interpreter. `place_of` gives the place of a block for messages.
     /// `cycles` may be null: a cycle call is then an alarm.
     Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
-                Stream<nc::Block>& blocks, const nc::BlockPlaces* places, CycleExpander* cycles,
+                Stream<nc::Block>& blocks, const nc::BlockLocations* places, CycleExpander* cycles,
                 const InterpreterOptions& options, DiagnosticSink& sink);
     ~Interpreter() override;
 
@@ -144,8 +144,8 @@ class Interpreter final : public Stream<path::Command>, public ControlAccess {
     bool is_compensated() const override;
     std::string_view begin_contour() override;
     std::optional<ContourSaid> end_contour() override;
-    bool is_at_place() const override;
-    void leave_place() override;
+    bool is_at_pattern_position() const override;
+    void leave_pattern_position() override;
     void leave_pattern() override;
     void keep_frames() override;
     void restore_frames(bool is_wanted) override;

@@ -38,7 +38,7 @@ path::Curve straight_way(const Vec3& from, const Vec3& to) {
 /// an end in X and Z the way to a machine coordinate is a motion of its own.
 Done Executor::require_no_cycle(const Block& block, const Actions& actions) {
     if (!cycles_said_.modal.is_active && actions.cycle == nullptr) return kDone;
-    if (actions.cycle == nullptr && !actions.probes && !is_among_places()) {
+    if (actions.cycle == nullptr && !actions.probes && !is_among_positions()) {
         forget_ends();
         return kDone;
     }

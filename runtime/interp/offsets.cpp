@@ -49,7 +49,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
     switch (quantity) {
         case Quantity::WorkOffset: {
             const auto axis = axis_of(second);
-            return axis ? set_work_offset(first, *axis, value, acts_at_once) : Write::NoPlace;
+            return axis ? set_work_offset(first, *axis, value, acts_at_once) : Write::NoSuchEntry;
         }
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
@@ -73,12 +73,12 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::EdgeNumberOf: {
             const std::int64_t before = tool_offsets_.number_of(first, second);
             const auto number = static_cast<std::int64_t>(std::floor(value));
-            if (!tool_offsets_.give_number(first, second, number)) return Write::NoPlace;
+            if (!tool_offsets_.give_number(first, second, number)) return Write::NoSuchEntry;
             if (tool_.current == first && tool_.edge == before) tool_.edge = number;
             return Write::Done;
         }
         case Quantity::ToolDatum:
-            return set_tool_datum(first, second, value) ? Write::Done : Write::NoPlace;
+            return set_tool_datum(first, second, value) ? Write::Done : Write::NoSuchEntry;
         case Quantity::ActiveToolDatum: return set_active_datum(first, value);
         case Quantity::CarrierDatum:
         case Quantity::CarrierAxis: return set_carrier(quantity, first, second, value);
@@ -104,7 +104,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
 /// told with the next block.
 Write Executor::set_edge_speed(double value) {
     const double radius = tool_offsets_.radius(tool_.edge_number()) + extra_.radius;
-    if (!(radius > 0) || !(value > 0)) return Write::NoPlace;
+    if (!(radius > 0) || !(value > 0)) return Write::NoSuchEntry;
     constexpr double kMmPerM = 1000;
     spindle_.speed = kMmPerM * value / (2 * std::numbers::pi * radius);
     owes_speed_ = true;
@@ -112,7 +112,7 @@ Write Executor::set_edge_speed(double value) {
 }
 
 Write Executor::set_work_offset(std::int64_t number, Axis axis, double value, bool acts_at_once) {
-    if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
+    if (number < 0 || number > rules_.work_offsets) return Write::NoSuchEntry;
     finish_open_spline();
     work_offset_at(number).shift[index(axis)] = value;
     work_offset_changed(number, acts_at_once);
@@ -126,13 +126,13 @@ bool Executor::has_edge(std::int64_t tool, std::int64_t edge) const {
 
 Write Executor::set_edge_offset(Quantity quantity, std::int64_t tool, std::int64_t edge,
                                 double value) {
-    if (!has_edge(tool, edge)) return Write::NoPlace;
+    if (!has_edge(tool, edge)) return Write::NoSuchEntry;
     const std::int64_t number = ToolOffsets::of_edge(tool, edge);
     return set_tool_offset(*tool_offsets_.column_of(quantity, number), number, value);
 }
 
 Write Executor::set_tool_offset(ToolOffsets::Column column, std::int64_t number, double value) {
-    if (number < 1 || ToolOffsets::tool_of(number) > rules_.tool_offsets) return Write::NoPlace;
+    if (number < 1 || ToolOffsets::tool_of(number) > rules_.tool_offsets) return Write::NoSuchEntry;
     const double mm_per_unit = units_ == Units::Inch ? kMmPerInch / 10 : 1;
     constexpr double kRounding = 1e-9;  // of a value that was worked out in inches
     if (rules_.most_tool_offset > 0 &&
@@ -159,7 +159,8 @@ Write Executor::set_active_datum(std::int64_t datum, double value) {
     const std::int64_t number = tool_.edge_number();
     if (const auto column = ToolOffsets::column_of_datum(datum))
         return set_tool_offset(*column, number, value);
-    if (number < 1 || datum < 1 || datum > ToolOffsets::kMostNumberedDatum) return Write::NoPlace;
+    if (number < 1 || datum < 1 || datum > ToolOffsets::kMostNumberedDatum)
+        return Write::NoSuchEntry;
     tool_offsets_.set_datum(number, datum, value);
     return Write::Done;
 }
@@ -167,10 +168,10 @@ Write Executor::set_active_datum(std::int64_t datum, double value) {
 /// Acts with the next motion; S 5.1. Whether the two kinds of lengths end each other is not told
 /// (unsure).
 Write Executor::set_extra(Quantity quantity, std::int64_t first, double value) {
-    if (quantity == Quantity::ExtraLength && (first < 1 || first > 3)) return Write::NoPlace;
+    if (quantity == Quantity::ExtraLength && (first < 1 || first > 3)) return Write::NoSuchEntry;
     if (quantity == Quantity::ExtraAlong) {
         const auto axis = axis_of(first);
-        if (!axis || index(*axis) > 2) return Write::NoPlace;
+        if (!axis || index(*axis) > 2) return Write::NoSuchEntry;
         extra_.lengths.setZero();
         extra_.along[static_cast<Eigen::Index>(index(*axis))] = value;
     } else if (quantity != Quantity::ExtraRadius) {
@@ -267,7 +268,7 @@ void Executor::put_tool_offset(const Block& block, const Invocation& invocation,
                                ToolOffsets::Column column, double value) {
     const std::int64_t number = std::llround(block.argument(invocation, kOffsetNumber));
     switch (set_tool_offset(column, number, value)) {
-        case Write::NoPlace:
+        case Write::NoSuchEntry:
             report(diag::OffsetDataNumber, block, invocation.function).arg(number);
             return;
         case Write::TooLarge:

@@ -94,7 +94,7 @@ AxisValues Executor::machine_axes() const { return machine_axes_at(position_.bas
 AxisValues Executor::machine_axes_at(const AxisValues& base) const {
     AxisValues axes = base;
     if (virtual_.axes.is_on()) {
-        const Vec3 real = path::real_place(virtual_.axes, linear(axes));
+        const Vec3 real = path::real_position(virtual_.axes, linear(axes));
         for (std::size_t k = 0; k < 3; ++k) axes[k] = real[static_cast<Eigen::Index>(k)];
     }
     for (std::size_t k = 0; k < kAxes; ++k) axes[k] += length_shift_[k];

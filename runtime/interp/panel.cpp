@@ -86,7 +86,7 @@ void Executor::set_override(const Block& block, const Invocation& invocation) {
 
 Write Executor::suppress_panel(double value) {
     constexpr double kAll = kHold + kOverride + kExactStop;
-    if (!(value >= 0 && value <= kAll)) return Write::NoPlace;
+    if (!(value >= 0 && value <= kAll)) return Write::NoSuchEntry;
     const int bits = static_cast<int>(value);
     panel_.has_hold = (bits & kHold) == 0;
     panel_.has_override = (bits & kOverride) == 0;

@@ -27,7 +27,7 @@ void Executor::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> 
     modal_.motion = Function::Rapid;
 }
 
-void Executor::go_to_next_place() {
+void Executor::go_to_next_position() {
     PatternRun& pattern = patterns_.back();
     const Block* const place = pattern.places.next();
     if (place == nullptr) return finish_pattern();
@@ -55,12 +55,14 @@ void Executor::finish_pattern() {
 
 /// Whether the program of the text is called at the places of this block, and not a cycle.
 bool Executor::calls_program_at(const Block& block) const {
-    return places_ != nullptr && places_->calls_at_places(block);
+    return places_ != nullptr && places_->calls_at_positions(block);
 }
 
-bool Executor::is_at_place() const { return !patterns_.empty() && patterns_.back().is_held; }
+bool Executor::is_at_pattern_position() const {
+    return !patterns_.empty() && patterns_.back().is_held;
+}
 
-void Executor::leave_place() { patterns_.back().is_held = false; }
+void Executor::leave_pattern_position() { patterns_.back().is_held = false; }
 
 void Executor::leave_pattern() {
     if (!patterns_.empty()) finish_pattern();

@@ -62,7 +62,7 @@ void Executor::set_pole(const Block& block, const Invocation& invocation) {
         place = {word(plane.first), word(plane.second)};
     }
     const double from = block.argument(invocation, parameter_of<Function::Pole>("from"));
-    if (from == kHere) place += place_in_plane();
+    if (from == kHere) place += position_in_plane();
     if (from == kPole) place += polar_.pole;
     polar_.pole = place;
     polar_.angle_deg = 0;
@@ -71,7 +71,7 @@ void Executor::set_pole(const Block& block, const Invocation& invocation) {
     center_[index(plane.second)] = place.y();
 }
 
-path::Vec2 Executor::place_in_plane() const {
+path::Vec2 Executor::position_in_plane() const {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     return {position_.here[index(plane.first)], position_.here[index(plane.second)]};
 }
@@ -80,7 +80,7 @@ path::Vec2 Executor::place_in_plane() const {
 /// those of the place where the tool is.
 void Executor::switch_polar(bool is_on) {
     if (is_on && !polar_.is_on) {
-        const path::Vec2 here = place_in_plane();
+        const path::Vec2 here = position_in_plane();
         polar_.pole = path::Vec2::Zero();
         polar_.radius = here.norm();
         polar_.angle_deg = deg_from_rad(std::atan2(here.y(), here.x()));
@@ -91,7 +91,7 @@ void Executor::switch_polar(bool is_on) {
 
 /// The block with places instead of polar coordinates; the block itself if it has none. Null: it
 /// was reported.
-const Block* Executor::with_places(const Block& block) {
+const Block* Executor::with_positions(const Block& block) {
     if (said_in_polar_ && !block.is_of_cycle()) said_in_polar_.reset();
     if (!block.is_of_cycle()) {
         if (const Invocation* point = block.find(Function::PolarPoint))
@@ -106,7 +106,7 @@ const Block* Executor::with_places(const Block& block) {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const SlotMask words =
         block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));
-    const bool is_place = block.find(nc::Fact::AtMachinePlace) != nullptr;
+    const bool is_place = block.find(nc::Fact::AtMachinePosition) != nullptr;
     if (words == 0 || is_place) return &block;
     said_in_polar_ = block;
     return with_polar_axes(block);
@@ -168,7 +168,7 @@ Done Executor::take_pole(const Block& block) {
         }
         polar_.pole = {*first, *second};
     }
-    const path::Vec2 arm = place_in_plane() - polar_.pole;
+    const path::Vec2 arm = position_in_plane() - polar_.pole;
     polar_.radius = arm.norm();
     if (arm.norm() > path::kSamePoint)
         polar_.angle_deg = deg_from_rad(std::atan2(arm.y(), arm.x()));
@@ -200,7 +200,7 @@ const Block* Executor::with_polar_slots(const Block& block) {
         polar_.angle_deg =
             is_distance(block, Slot::PolarAngle) ? polar_.angle_deg + angle_deg : angle_deg;
     }
-    set_polar_place(block);
+    set_polar_position(block);
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     if (!is_arc(motion)) return &cartesian_;
     // The pole is the centre of the arc.
@@ -229,7 +229,7 @@ const Block* Executor::with_polar_axes(const Block& block) {
     const Slot radius = nc::slot_of(plane.first);
     const Slot angle = nc::slot_of(plane.second);
     if (block.has(radius)) {
-        polar_.pole = is_distance(block, radius) ? place_in_plane() : path::Vec2::Zero();
+        polar_.pole = is_distance(block, radius) ? position_in_plane() : path::Vec2::Zero();
         polar_.radius = block.at(radius);
     }
     if (block.has(angle)) {
@@ -238,7 +238,7 @@ const Block* Executor::with_polar_axes(const Block& block) {
             units_ == Units::Inch ? block.at(angle) / kMmPerInch : block.at(angle);
         polar_.angle_deg = is_distance(block, angle) ? polar_.angle_deg + angle_deg : angle_deg;
     }
-    set_polar_place(block);
+    set_polar_position(block);
     return &cartesian_;
 }
 
@@ -249,7 +249,7 @@ bool Executor::is_distance(const Block& block, Slot slot) const {
 }
 
 /// `cartesian_` is the block with the place that the polar coordinates have come to.
-void Executor::set_polar_place(const Block& block) {
+void Executor::set_polar_position(const Block& block) {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const double angle = rad_from_deg(polar_.angle_deg);
     const path::Vec2 place =

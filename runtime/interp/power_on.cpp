@@ -28,7 +28,7 @@ bool is_ruled(const nc::Dialect& dialect, Group group) {
 void Executor::power_on() {
     Unheard nobody;
     DiagnosticSink* const sink = std::exchange(sink_, &nobody);
-    const nc::BlockPlaces* const places = std::exchange(places_, nullptr);
+    const nc::BlockLocations* const places = std::exchange(places_, nullptr);
     const nc::DialectTables& tables = dialect_.tables();
     for (std::size_t i = 0; i < tables.power_on.size(); ++i) {
         const auto group = static_cast<Group>(i);

@@ -112,9 +112,9 @@ std::vector<ProbeTouch> Executor::touches_ahead() const {
 std::optional<double> Executor::touch_of_scene(const Target& target, bool springs_back) {
     const machine::ProbeScene& scene = *options_.probe;
     // A part stays where it is, whatever becomes of the offset that tells its nominal place.
-    if (!probe_place_) {
-        probe_place_ = control::ControlFrame();
-        if (scene.offset > 0) probe_place_ = chain(frames_.base(), work_offset_at(scene.offset));
+    if (!probe_frame_) {
+        probe_frame_ = control::ControlFrame();
+        if (scene.offset > 0) probe_frame_ = chain(frames_.base(), work_offset_at(scene.offset));
     }
     const bool has_edge = tool_.source == Tool::Source::Edge;
     const machine::ToolData* const tool = machine_.find_tool(tool_.current);
@@ -126,7 +126,7 @@ std::optional<double> Executor::touch_of_scene(const Target& target, bool spring
     if (!scene.is_center_told) to_center[static_cast<Eigen::Index>(index(tool_.axis))] = radius;
     const auto local = [&](const AxisValues& base) -> Vec3 {
         const Vec3 center = Vec3(base[0], base[1], base[2]) + to_center;
-        return inverse(*probe_place_).whole()(center) - scene.error;
+        return inverse(*probe_frame_).whole()(center) - scene.error;
     };
     const Vec3 from = local(position_.base);
     const Vec3 to = local(target.base);

@@ -160,7 +160,7 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
         }
         return;
     }
-    if (is_among_places()) {
+    if (is_among_positions()) {
         report(diag::ReferenceInCycle, block, invocation.function);
         return;
     }

@@ -22,7 +22,8 @@ using path::Vec3;
 void RunClock::follow_virtual(const path::VirtualAxes& axes) {
     if (axes == axes_) return;
     const double rotary = rad_from_deg(at_[index(axes.rotary)]);
-    const Vec3 place = path::virtual_place(axes, path::real_place(axes_, linear(at_)), rotary);
+    const Vec3 place =
+        path::virtual_position(axes, path::real_position(axes_, linear(at_)), rotary);
     for (std::size_t i = 0; i < 3; ++i) at_[i] = place[static_cast<Eigen::Index>(i)];
     axes_ = axes;
 }

@@ -112,7 +112,7 @@ std::optional<Vec3> Executor::way_into_arc(const Block& block, Target target) {
 
 /// Whether the block changes where places are: its direction is not known before it is executed.
 bool Executor::frames_change_in(const Block& block) const {
-    return block.find(nc::Fact::MovesPlaces) != nullptr;
+    return block.find(nc::Fact::MovesPositions) != nullptr;
 }
 
 }  // namespace kadr::interp

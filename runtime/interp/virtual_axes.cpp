@@ -138,10 +138,10 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
     virtual_.by_rotary = rules_.virtual_by_rotary && axes->turns();
     virtual_.plane_before = modal_.plane;
     if (virtual_.by_rotary) say_virtual_plane(modal_.plane);
-    rotary_.tip = path::virtual_place(*axes, linear(position_.base), virtual_angle());
+    rotary_.tip = path::virtual_position(*axes, linear(position_.base), virtual_angle());
     rotary_.at = virtual_angle();
     follow_from_here();
-    take_virtual_place(rotary_.tip);
+    take_virtual_position(rotary_.tip);
 }
 
 void Executor::end_virtual(const Block& block) {
@@ -159,11 +159,11 @@ void Executor::end_virtual(const Block& block) {
         modal_.plane = was.plane_before;
         if (was.is_turned_over) modal_.motion = turned_over(modal_.motion);
     }
-    take_virtual_place(path::real_place(was.axes, linear(position_.base)));
+    take_virtual_position(path::real_position(was.axes, linear(position_.base)));
 }
 
 /// The axes stand; their places get other coordinates.
-void Executor::take_virtual_place(const Vec3& place) {
+void Executor::take_virtual_position(const Vec3& place) {
     set_linear(position_.base, place);
     position_.here = position_.programmed = frames_.from_base(position_.base);
     came_from_ = place;

@@ -340,7 +340,7 @@ class MachineBuilder {
 
     /// A tool is known by its first edge.
     void check_edges() {
-        for (const EdgePlace& place : further_edges_) {
+        for (const EdgeLocation& place : further_edges_) {
             if (first_edges_.contains(place.tool)) continue;
             sink_.report(diag::MachineEdgeAlone, place.range).arg(place.tool).arg(place.edge);
         }
@@ -505,12 +505,12 @@ class MachineBuilder {
     MachineTold told_;
     SourceRange laser_place_;
     /// A further edge of a tool, and where the file says it.
-    struct EdgePlace {
+    struct EdgeLocation {
         std::int64_t tool = 0;
         std::int64_t edge = 0;
         SourceRange range;
     };
-    std::vector<EdgePlace> further_edges_;
+    std::vector<EdgeLocation> further_edges_;
     std::set<std::int64_t> first_edges_;  // tools that have one
     const XmlElement* kinematics_ = nullptr;
     Drives drives_;

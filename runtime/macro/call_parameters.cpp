@@ -145,7 +145,7 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
 /// The parameter is the caller's variable: of the same type, an array of the same dimensions.
 Outcome CallParameters::bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
                                        const GivenValue& given_value, nc::Symbol symbol) {
-    const ControlVariables::VariablePlace& place = given_value.place;
+    const ControlVariables::VariableRef& place = given_value.place;
     const nc::Span span = given_value.is_given      ? given_value.span
                           : line.line.calls.empty() ? nc::Span{0, 1}
                                                     : line.line.calls[0].span;
@@ -172,9 +172,9 @@ Outcome CallParameters::bind_reference(CompiledLine& line, const nc::ProcedurePa
 /// For who looks on: the parameter has the value of the caller's variable, and what the variable
 /// was before the call is told when it returns.
 void CallParameters::note_reference(const nc::Symbol& symbol,
-                                    const ControlVariables::VariablePlace& place) {
+                                    const ControlVariables::VariableRef& place) {
     if (!run_.variables.notes_changes() || symbol.dimensions > 0) return;
-    ControlVariables::VariablePlace named = place;
+    ControlVariables::VariableRef named = place;
     if (place.symbol == nullptr && place.store == &run_.frame->level->locals)
         named.symbol = declared_at(*run_.frame->level, place.slot);
     ControlVariable before = run_.variables.shown_at(named);

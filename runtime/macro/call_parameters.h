@@ -25,7 +25,7 @@ class CallParameters {
     Outcome bind_parameter(CompiledLine& line, const PreparedCall& call, std::size_t index);
     Outcome bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
                            const GivenValue& given, nc::Symbol symbol);
-    void note_reference(const nc::Symbol& symbol, const ControlVariables::VariablePlace& place);
+    void note_reference(const nc::Symbol& symbol, const ControlVariables::VariableRef& place);
 
     ProgramBase& run_;
     std::vector<ReturnedVariable> references_;  // of the call that is prepared

@@ -23,8 +23,8 @@ class ContourStatements {
   private:
     /// A contour that is being read, and what takes it.
     struct OpenContour {
-        ControlVariables::VariablePlace table;
-        ControlVariables::VariablePlace undercuts;
+        ControlVariables::VariableRef table;
+        ControlVariables::VariableRef undercuts;
         ContourCut cut;
         bool is_coded = false;
         std::size_t depth = 0;  // of the program that has begun it, whose variables they are

@@ -220,10 +220,10 @@ void fill_shape(ContourRow& cells, const ContourElement& element, bool is_face) 
 }
 
 /// The rows of a chain, each with the numbers of the ones before and behind it.
-void fill_chain(const Chain& chain, bool is_face, std::vector<PlacedRow<ContourRow>>& out) {
+void fill_chain(const Chain& chain, bool is_face, std::vector<RowAtNumber<ContourRow>>& out) {
     const std::vector<Chain::Piece>& pieces = chain.pieces();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        PlacedRow<ContourRow> row{static_cast<std::size_t>(pieces[i].row), {}};
+        RowAtNumber<ContourRow> row{static_cast<std::size_t>(pieces[i].row), {}};
         if (i > 0) row.cells[0] = static_cast<double>(pieces[i - 1].row);
         if (i + 1 < pieces.size()) row.cells[1] = static_cast<double>(pieces[i + 1].row);
         fill_shape(row.cells, pieces[i].element, is_face);
@@ -254,19 +254,19 @@ Result<PreparedContour, ContourFault> prepared_contour(std::span<const ContourEl
 
     PreparedContour out;
     out.undercuts = forwards.undercuts();
-    PlacedRow<ContourRow> head;
+    RowAtNumber<ContourRow> head;
     head.cells[0] = static_cast<double>(forwards.pieces().back().row);
     head.cells[1] = static_cast<double>(counts - 1);
     fill_shape(head.cells, elements[0], cut.is_face);
     out.rows.push_back(head);
     fill_chain(forwards, cut.is_face, out.rows);
-    PlacedRow<ContourRow> totals{static_cast<std::size_t>(counts), {}};
+    RowAtNumber<ContourRow> totals{static_cast<std::size_t>(counts), {}};
     totals.cells[0] = forwards.undercuts();
     totals.cells[1] = backwards.undercuts();
     out.rows.push_back(totals);
     if (!cut.both_ways) return out;
     fill_chain(backwards, cut.is_face, out.rows);
-    PlacedRow<ContourRow> tail{static_cast<std::size_t>(last), {}};
+    RowAtNumber<ContourRow> tail{static_cast<std::size_t>(last), {}};
     tail.cells[0] = static_cast<double>(backwards.next_row() + 1);
     tail.cells[1] = static_cast<double>(backwards.pieces().front().row);
     fill_shape(tail.cells, reversed(elements[0]), cut.is_face);
@@ -274,12 +274,12 @@ Result<PreparedContour, ContourFault> prepared_contour(std::span<const ContourEl
     return out;
 }
 
-Result<std::vector<PlacedRow<CodedRow>>, ContourFault> coded_contour(
+Result<std::vector<RowAtNumber<CodedRow>>, ContourFault> coded_contour(
     std::span<const ContourElement> elements, std::size_t rows) {
     if (elements.empty()) return ContourFault::TooFew;
     if (std::ranges::any_of(elements, is_full_circle)) return ContourFault::FullCircle;
     if (elements.size() + 1 > rows) return ContourFault::TableTooSmall;
-    std::vector<PlacedRow<CodedRow>> out;
+    std::vector<RowAtNumber<CodedRow>> out;
     const ContourElement& first = elements.front();
     out.push_back({0,
                    {10.0 * first.modes.units, first.shape.from.x(), first.shape.from.y(), 0, 0,

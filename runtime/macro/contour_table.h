@@ -60,14 +60,14 @@ using CodedRow = std::array<double, kCodedColumns>;
 
 /// A row with its place in the table.
 template <typename Row>
-struct PlacedRow {
+struct RowAtNumber {
     std::size_t place = 0;
     Row cells{};
 };
 
 struct PreparedContour {
-    std::vector<PlacedRow<ContourRow>> rows;  // those that the contour fills, others stay
-    int undercuts = 0;                        // forwards
+    std::vector<RowAtNumber<ContourRow>> rows;  // those that the contour fills, others stay
+    int undercuts = 0;                          // forwards
 };
 
 /// The chained table of a contour. Row 0 is the way to its first point. Each element has the row of
@@ -88,7 +88,7 @@ Result<PreparedContour, ContourFault> prepared_contour(std::span<const ContourEl
 /// begins.
 ///
 /// source  S 8.4 CONTDCON: columns and example table
-Result<std::vector<PlacedRow<CodedRow>>, ContourFault> coded_contour(
+Result<std::vector<RowAtNumber<CodedRow>>, ContourFault> coded_contour(
     std::span<const ContourElement> elements, std::size_t rows);
 
 /// What a row of a chained table says; nothing: its code is none, or its arc has no radius.

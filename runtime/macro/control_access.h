@@ -24,9 +24,9 @@ class ControlAccess {
     /// What became of a quantity that was to be set.
     enum class Write : std::uint8_t {
         Done,
-        NoPlace,   // there is no such offset or axis
-        TooLarge,  // the control does not take this value
-        Refused,   // nobody can set this quantity
+        NoSuchEntry,  // there is no such offset or axis
+        TooLarge,     // the control does not take this value
+        Refused,      // nobody can set this quantity
     };
     /// How long the program has run, s, as far as it is known now; an open spline stays open.
     virtual double elapsed() = 0;
@@ -65,9 +65,9 @@ class ControlAccess {
     /// Ends that: the control is where it was. Nothing: what is wrong was reported.
     virtual std::optional<ContourSaid> end_contour() = 0;
     /// Whether the tool stands at a place of a pattern, where a program is to be called.
-    virtual bool is_at_place() const = 0;
+    virtual bool is_at_pattern_position() const = 0;
     /// Behind the block that is next the tool goes on to the next place.
-    virtual void leave_place() = 0;
+    virtual void leave_pattern_position() = 0;
     /// … to none: the program goes elsewhere.
     virtual void leave_pattern() = 0;
 };

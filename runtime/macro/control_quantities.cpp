@@ -229,7 +229,7 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
     switch (state_->set_quantity(quantity, indices.first, indices.second, number,
                                  language_.rules.offsets_act_at_once)) {
         case ControlAccess::Write::Done: return {};
-        case ControlAccess::Write::NoPlace:
+        case ControlAccess::Write::NoSuchEntry:
             if (quantity == Quantity::EdgeSpeed) return {&diag::ToothFeedNoTool, {}};
             return {&diag::VariableNumber, {"of this offset"}};
         case ControlAccess::Write::TooLarge: {
@@ -250,7 +250,7 @@ ControlVariables::Fault ControlVariables::store_frame(Quantity quantity, std::in
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
     switch (state_->set_frame(quantity, number, frame, language_.rules.offsets_act_at_once)) {
         case ControlAccess::Write::Done: return {};
-        case ControlAccess::Write::NoPlace: return {&diag::VariableNumber, {"of this offset"}};
+        case ControlAccess::Write::NoSuchEntry: return {&diag::VariableNumber, {"of this offset"}};
         case ControlAccess::Write::TooLarge:
         case ControlAccess::Write::Refused: break;
     }

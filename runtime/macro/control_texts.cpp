@@ -31,7 +31,7 @@ ControlVariables::Fault ControlVariables::store_text(Quantity quantity, std::int
     if (written.empty() && quantity == Quantity::ToolNameOf) return {&diag::ToolNameEmpty, {}};
     switch (state_->set_text(quantity, index, written)) {
         case ControlAccess::Write::Done: return {};
-        case ControlAccess::Write::NoPlace: return {&diag::VariableNumber, {"of this tool"}};
+        case ControlAccess::Write::NoSuchEntry: return {&diag::VariableNumber, {"of this tool"}};
         case ControlAccess::Write::TooLarge:
         case ControlAccess::Write::Refused: break;
     }

@@ -60,8 +60,8 @@ void ControlVariables::bind(Level& level, nc::Symbol symbol, Store& store) {
     level.stores.push_back(&store);
 }
 
-ControlVariables::VariablePlace ControlVariables::place_of(const Instruction& load,
-                                                           std::span<const std::int64_t> indices) {
+ControlVariables::VariableRef ControlVariables::place_of(const Instruction& load,
+                                                         std::span<const std::int64_t> indices) {
     switch (load.kind) {
         case Instruction::Kind::Global: return {&globals_, load.index, load.type, nullptr};
         case Instruction::Kind::Local: return {&level_->locals, load.index, load.type, nullptr};

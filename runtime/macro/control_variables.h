@@ -103,15 +103,15 @@ class ControlVariables final : public Variables {
     /// What a variable that all programs have may hold.
     void limit(const std::string& name, const Limits& limits) { limits_[name] = limits; }
     /// The place of a variable, for a parameter that stands for it.
-    struct VariablePlace {
+    struct VariableRef {
         Store* store = nullptr;  // null: it holds nothing that a program could write
         std::uint32_t slot = 0;
         nc::ValueType type = nc::ValueType::Real;
         const nc::Symbol* symbol = nullptr;  // if it was declared
     };
-    VariablePlace place_of(const nc::Instruction& load, std::span<const std::int64_t> indices);
+    VariableRef place_of(const nc::Instruction& load, std::span<const std::int64_t> indices);
     /// Sets an element from there on, of a variable that takes numbers.
-    void set_number(const VariablePlace& place, std::uint32_t element, double number);
+    void set_number(const VariableRef& place, std::uint32_t element, double number);
     /// The parameter of `level` stands for a variable elsewhere; `symbol.slot` counts there.
     static void bind(Level& level, nc::Symbol symbol, Store& store);
 
@@ -139,7 +139,7 @@ class ControlVariables final : public Variables {
     bool notes_changes() const { return changes_ != nullptr; }
     /// Without `before`: it had no value under this name.
     void note_change(std::optional<ControlVariable> before, ControlVariable after);
-    ControlVariable shown_at(const VariablePlace& place) const {
+    ControlVariable shown_at(const VariableRef& place) const {
         return shown_in(*place.store, place.slot, place.symbol);
     }
     /// Whether it is no variable that holds something, but the control's own state.

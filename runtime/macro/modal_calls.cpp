@@ -89,7 +89,7 @@ void ModalCalls::call_behind(const Block& block, std::string_view text_of_line,
     if (active == nullptr || run_.is_left_out(block)) return;
     const bool is_pattern = run_.interpreter != nullptr && block.find(Function::Cycle) != nullptr &&
                             goes_to_places(run_.dialect.cycles()[block.cycle]);
-    if (is_pattern) return call_at_places(block, *active, text_of_line, number);
+    if (is_pattern) return call_at_positions(block, *active, text_of_line, number);
     if (!moves(block) || !is_path) return;
     due_ = *active;
     due_->site = std::make_shared<nc::CallSite>(

@@ -40,11 +40,11 @@ class ModalCalls {
     /// At a place of a pattern: the call, or on to the next place.
     Outcome go_on_at_places(nc::Block& out);
     /// A return that goes elsewhere leaves the places that are left.
-    void leave_places(Frame& of);
+    void leave_pattern_positions(Frame& of);
 
   private:
-    void call_at_places(const nc::Block& block, const PreparedCall& active, std::string_view text,
-                        std::uint64_t number);
+    void call_at_positions(const nc::Block& block, const PreparedCall& active,
+                           std::string_view text, std::uint64_t number);
 
     ProgramRun& run_;
     std::vector<std::shared_ptr<PreparedCall>> calls_;

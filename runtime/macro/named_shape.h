@@ -25,7 +25,7 @@ inline bool names_contour(const nc::CycleInfo& cycle) {
 }
 
 /// Where such a contour stands, `kind` of its call.
-enum class ContourPlace : std::uint8_t {
+enum class ContourSource : std::uint8_t {
     Program = 0,        // the text is its name
     Named = 1,          // between the labels that editors put around a contour of this name
     Labels = 2,         // the text is the two labels, in the program that runs

@@ -28,37 +28,37 @@ void Program::show_to(LineWatch* watch, std::vector<VariableChange>* changes) {
     state_->variables.note_changes(changes);
 }
 std::size_t Program::pull(std::span<Block> out) { return state_->pull(out); }
-LinePlace Program::place(const Block& block) const { return state_->kept.place(block); }
-LinePlace Program::place(const Block& block, nc::Slot slot) const {
+TextLocation Program::place(const Block& block) const { return state_->kept.place(block); }
+TextLocation Program::place(const Block& block, nc::Slot slot) const {
     return state_->kept.place(block, slot);
 }
-LinePlace Program::place(const Block& block, Function function) const {
+TextLocation Program::place(const Block& block, Function function) const {
     return state_->kept.place(block, function);
 }
-std::vector<LinePlace> Program::calls(const Block& block) const {
+std::vector<TextLocation> Program::calls(const Block& block) const {
     return state_->kept.calls(block);
 }
-LinePlace Program::place(std::uint32_t line) const {
+TextLocation Program::place(std::uint32_t line) const {
     const ProgramUnits::Line found = state_->units.line_of(line);
-    LinePlace place;
+    TextLocation place;
     place.file = found.text->name;
     place.line = static_cast<std::uint32_t>(found.number);
     return place;
 }
 void Program::keep_lines(std::size_t lines) { state_->kept.keep_earlier(lines); }
-LinePlace Program::shown_place(std::uint32_t line, std::optional<nc::Slot> slot) const {
+TextLocation Program::shown_place(std::uint32_t line, std::optional<nc::Slot> slot) const {
     Block block{};
     block.line = line;
-    LinePlace found = slot ? state_->kept.place(block, *slot) : state_->kept.place(block);
+    TextLocation found = slot ? state_->kept.place(block, *slot) : state_->kept.place(block);
     return found.text.empty() ? place(line) : found;
 }
-std::vector<LinePlace> Program::calls(SourceId source) const {
+std::vector<TextLocation> Program::calls(SourceId source) const {
     return nc::places_of(state_->recent_calls.find(source));
 }
 bool Program::failed() const { return state_->phase.has_visible_fault; }
 bool Program::stopped() const { return state_->phase.was_stopped; }
-bool Program::calls_at_places(const Block& block) const {
-    const std::optional<CallsAtPlaces>& calls = state_->frame->at_places;
+bool Program::calls_at_positions(const Block& block) const {
+    const std::optional<CallsAtPositions>& calls = state_->frame->at_positions;
     return calls && calls->line == block.line;
 }
 bool Program::is_behind_fault(const Block& block) const {

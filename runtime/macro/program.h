@@ -81,7 +81,7 @@ struct VariableChange {
 
 struct ActiveCode;  // code_list.h
 
-class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
+class Program final : public Stream<nc::Block>, public nc::BlockLocations {
   public:
     /// `name` is shown in messages. All references outlive the program.
     Program(const nc::Dialect& dialect, nc::TextSource& text, std::string name,
@@ -106,23 +106,23 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
 
     std::size_t pull(std::span<nc::Block> out) override;
 
-    LinePlace place(const nc::Block& block) const override;
-    LinePlace place(const nc::Block& block, nc::Slot slot) const override;
-    LinePlace place(const nc::Block& block, nc::Function function) const override;
-    std::vector<LinePlace> calls(const nc::Block& block) const override;
+    TextLocation place(const nc::Block& block) const override;
+    TextLocation place(const nc::Block& block, nc::Slot slot) const override;
+    TextLocation place(const nc::Block& block, nc::Function function) const override;
+    std::vector<TextLocation> calls(const nc::Block& block) const override;
     /// Where a line of a block (Block::line) stands: its file and its number there.
-    LinePlace place(std::uint32_t line) const;
+    TextLocation place(std::uint32_t line) const;
     /// The same with its text and the word that set the slot, else the first one, while the line is
     /// among the latest (ProgramOptions::kept_lines); without them for an older one.
-    LinePlace shown_place(std::uint32_t line, std::optional<nc::Slot> slot) const;
+    TextLocation shown_place(std::uint32_t line, std::optional<nc::Slot> slot) const;
     /// The calls that have led to a block with this Block::source, the nearest first. A block of a
     /// program that was called has the number of the call there, any other has none.
-    std::vector<LinePlace> calls(SourceId source) const;
+    std::vector<TextLocation> calls(SourceId source) const;
     /// Whether such a line is one of the text that was begun with; it then is its number.
     static bool is_in_main_text(std::uint32_t line) { return line < (std::uint32_t{1} << 31); }
     bool failed() const override;
     bool stopped() const override;
-    bool calls_at_places(const nc::Block& block) const override;
+    bool calls_at_positions(const nc::Block& block) const override;
     bool is_behind_fault(const nc::Block& block) const override;
     std::uint64_t lines() const override;
     /// Whether a line could not be read, or an alarm came up, even if nobody has come to it yet.

@@ -38,7 +38,7 @@ ProgramBase::ProgramBase(const nc::Dialect& dialect_, nc::TextSource& main, std:
         missing_inputs_.push_back({missing, meaning, evaluator.place()});
     });
     lines.add_notes([this](DiagnosticBuilder& message) {
-        for (LinePlace& call : nc::places_of(frame->site.get()))
+        for (TextLocation& call : nc::places_of(frame->site.get()))
             message.note(std::move(call), "called here");
     });
 }

@@ -39,9 +39,9 @@ struct OpenRepeat {
 struct GivenValue {
     bool is_given = false;
     Value value;
-    std::string text;                       // of a text
-    control::ControlFrame frame;            // of a frame
-    ControlVariables::VariablePlace place;  // of a variable alone
+    std::string text;                     // of a text
+    control::ControlFrame frame;          // of a frame
+    ControlVariables::VariableRef place;  // of a variable alone
     bool is_array = false;
     nc::Span span;
 };
@@ -64,12 +64,12 @@ struct PreparedCall {
 
 /// A variable of the caller for which a parameter stands.
 struct ReturnedVariable {
-    ControlVariables::VariablePlace place;
+    ControlVariables::VariableRef place;
     ControlVariable before;  // the call
 };
 
 /// A modal call that is made at the places of a pattern.
-struct CallsAtPlaces {
+struct CallsAtPositions {
     PreparedCall call;
     std::uint32_t line = 0;    // Block::line of the pattern
     std::uint64_t number = 0;  // … in its text
@@ -103,9 +103,9 @@ struct Frame {
     bool is_in_code_call = false;           // codes that call programs mean what they are here
     bool is_external = false;
     TextMacros macros;
-    std::optional<CallsAtPlaces> at_places;     // while the tool goes from place to place
-    std::vector<ReturnedVariable> references;   // noted if somebody looks on
-    std::size_t modal_limit = ~std::size_t{0};  // modal calls below this one act here
+    std::optional<CallsAtPositions> at_positions;  // while the tool goes from place to place
+    std::vector<ReturnedVariable> references;      // noted if somebody looks on
+    std::size_t modal_limit = ~std::size_t{0};     // modal calls below this one act here
     // How it ends.
     bool is_returning = false;
     bool leaves_all_passes = false;

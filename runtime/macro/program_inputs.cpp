@@ -151,7 +151,7 @@ void MachineInputs::tell_wrong(const std::string& text, const std::vector<Diagno
         heard, [](const Diagnostic& each) { return each.severity != Severity::Warning; });
     if (fault == heard.end()) return;
     const std::string name(name_in_front(text, run_.language.index_open));
-    const LinePlace place =
+    const TextLocation place =
         fault->line.value_or(run_.lines.place(text, run_.frame->here.line, {0, 1}));
     const bool is_named = text.find('=') != std::string::npos && !name.empty();
     const bool is_unknown = is_named && !run_.variables.type_of(name);

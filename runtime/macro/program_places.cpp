@@ -16,7 +16,7 @@ namespace {
 
 /// Between the places the interpreter moves at rapid and counts from the origin; the other codes
 /// are those from before the pattern.
-nc::ModalFunctions modal_between_places(const CallsAtPlaces& calls) {
+nc::ModalFunctions modal_between_places(const CallsAtPositions& calls) {
     nc::ModalFunctions out = calls.modal_before;
     out[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
     out[static_cast<std::size_t>(Group::Distance)] = Function::Absolute;
@@ -26,9 +26,9 @@ nc::ModalFunctions modal_between_places(const CallsAtPlaces& calls) {
 }  // namespace
 
 /// The modal call is made at the places of this block's pattern.
-void ModalCalls::call_at_places(const Block& block, const PreparedCall& active,
-                                std::string_view text_of_line, std::uint64_t number) {
-    CallsAtPlaces& calls = run_.frame->at_places.emplace();
+void ModalCalls::call_at_positions(const Block& block, const PreparedCall& active,
+                                   std::string_view text_of_line, std::uint64_t number) {
+    CallsAtPositions& calls = run_.frame->at_positions.emplace();
     calls.call = active;
     calls.call.site = std::make_shared<nc::CallSite>(
         nc::CallSite{run_.lines.place(text_of_line, number, {0, 1}), run_.frame->site});
@@ -44,33 +44,34 @@ void ModalCalls::call_at_places(const Block& block, const PreparedCall& active,
 /// those act again that acted before the pattern.
 Outcome ModalCalls::go_on_at_places(Block& out) {
     if (run_.counts.given > 0) return Outcome::Wait;
-    CallsAtPlaces& calls = *run_.frame->at_places;
-    const bool is_at_place = run_.interpreter->is_at_place();
-    if (is_at_place && !calls.has_called) {
+    CallsAtPositions& calls = *run_.frame->at_positions;
+    const bool is_at_pattern_position = run_.interpreter->is_at_pattern_position();
+    if (is_at_pattern_position && !calls.has_called) {
         calls.has_called = true;
         due_ = calls.call;
         return begin_due();
     }
-    run_.lines.restore(is_at_place ? modal_between_places(calls) : calls.modal_before, out);
+    run_.lines.restore(is_at_pattern_position ? modal_between_places(calls) : calls.modal_before,
+                       out);
     const bool says_something = out.function_count > 0 || out.motion != Function::None;
     out.line = calls.line;
     run_.kept.add(out.line, calls.number, calls.call.site->place.text, &run_.text().name,
                   run_.frame->site);
     if (run_.frame->site) run_.name_call(out);
-    if (is_at_place) {
+    if (is_at_pattern_position) {
         calls.has_called = false;
-        run_.interpreter->leave_place();
+        run_.interpreter->leave_pattern_position();
         if (!says_something) out.kind = Block::Kind::Comment;
         return Outcome::Block;
     }
-    run_.frame->at_places.reset();
+    run_.frame->at_positions.reset();
     return says_something ? Outcome::Block : Outcome::Nothing;
 }
 
 /// A return that goes elsewhere leaves the places that are left.
-void ModalCalls::leave_places(Frame& of) {
-    if (!of.at_places) return;
-    of.at_places.reset();
+void ModalCalls::leave_pattern_positions(Frame& of) {
+    if (!of.at_positions) return;
+    of.at_positions.reset();
     run_.interpreter->leave_pattern();
 }
 

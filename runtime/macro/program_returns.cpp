@@ -185,7 +185,7 @@ Outcome Returns::finish(Block& out) {
             run_.end();
             return run_.fail(nowhere, diag::ContourUnfinished, {});
         }
-        run_.modal_calls.leave_places(*left);
+        run_.modal_calls.leave_pattern_positions(*left);
         run_.call_parameters.note_returned(*left);
         if (left->is_definition) run_.definitions.leave(*left);
         if (left->inputs != nullptr && run_.frames.back()->inputs == nullptr)
@@ -202,7 +202,7 @@ Outcome Returns::finish(Block& out) {
     }
     if (target) {
         run_.note_turn();
-        run_.modal_calls.leave_places(*run_.frame);
+        run_.modal_calls.leave_pattern_positions(*run_.frame);
         run_.jumps.leave_open(target->line);
         run_.frame->here = target->line;
         run_.frame->next_line = nullptr;

@@ -60,7 +60,7 @@ std::size_t ProgramRun::pull(std::span<Block> out) {
                                                         : step(block);
         if (done == Outcome::Block) ++counts.given;
         // The interpreter goes to a place before the program does there what it does.
-        if (frame->at_places && counts.given > 0) return counts.given;
+        if (frame->at_positions && counts.given > 0) return counts.given;
         variables.set_in_step(counts.given == 0);
         if (done == Outcome::Wait) return counts.given;
         if (lines.failed() && !had_fault) {
@@ -154,7 +154,7 @@ bool ProgramRun::show(std::string_view text) {
 Outcome ProgramRun::step(Block& out) {
     if (writes.has_data() && counts.given == 0) writes.tell_data();
     if (modal_calls.has_due()) return modal_calls.begin_due();
-    if (frame->at_places && !phase.is_only_checking) return modal_calls.go_on_at_places(out);
+    if (frame->at_positions && !phase.is_only_checking) return modal_calls.go_on_at_places(out);
     if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
     if (frame->is_returning) return returns.finish(out);
     if (skipped_end_ && frame->here.offset >= *skipped_end_) {

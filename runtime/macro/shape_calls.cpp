@@ -116,10 +116,10 @@ ShapeCalls::NamedContour ShapeCalls::contour_of(const Block& block) const {
         contour = *named_;
     } else {
         contour.parts = parts_of(block.text);
-        contour.kind = static_cast<std::int64_t>(contour.parts.size() == 2 ? ContourPlace::Labels
-                                                                           : ContourPlace::Program);
+        contour.kind = static_cast<std::int64_t>(
+            contour.parts.size() == 2 ? ContourSource::Labels : ContourSource::Program);
     }
-    if (contour.kind == static_cast<std::int64_t>(ContourPlace::Named) && !contour.parts.empty()) {
+    if (contour.kind == static_cast<std::int64_t>(ContourSource::Named) && !contour.parts.empty()) {
         const std::string name = contour.parts[0];
         contour.parts = {std::string(kContourBegin) + name, std::string(kContourEnd) + name};
     }
@@ -137,13 +137,13 @@ void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of
         run_.end();
     };
     NamedContour contour = contour_of(block);
-    const auto kind = static_cast<ContourPlace>(contour.kind);
+    const auto kind = static_cast<ContourSource>(contour.kind);
     PreparedCall call;
     call.is_shape = true;
     call.site = std::make_shared<nc::CallSite>(
         nc::CallSite{run_.lines.place(text_of_line, place.line.line, whole), run_.frame->site});
     call.unit = run_.frame->unit;
-    if (kind == ContourPlace::Program || kind == ContourPlace::ProgramLabels) {
+    if (kind == ContourSource::Program || kind == ContourSource::ProgramLabels) {
         const std::string said = contour.parts.empty() ? std::string() : contour.parts[0];
         const std::string name =
             nc::program_of_path(run_.language.calls, said, run_.tables.notation.ignores_case);
@@ -156,7 +156,7 @@ void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of
                 quoted(name.empty() ? said : nc::shown_program(run_.language.calls, name)));
         if (!contour.parts.empty()) contour.parts.erase(contour.parts.begin());
     }
-    if (kind == ContourPlace::Program) {
+    if (kind == ContourSource::Program) {
         run_.modal_calls.make_due(std::move(call));
         return;
     }

@@ -62,7 +62,7 @@ Outcome ValueStatements::fit_text(CompiledLine& line, const ControlStatement& st
 
 /// `SET(1,,3)`, `REP(0)`, `REP(0,3)`: for elements of an array, or for variables with numbers.
 Outcome ValueStatements::assign_list(CompiledLine& line, const ControlStatement& statement) {
-    ListPlace place;
+    ListTarget place;
     Outcome done = list_place(line, statement.variable, place);
     if (!goes_on(done)) return done;
     std::size_t count = statement.list.size();
@@ -101,7 +101,7 @@ Outcome ValueStatements::fill_count(CompiledLine& line, std::span<const nc::Expr
 
 /// Where the values of a list go: from this element on, or from the variable of this number on.
 Outcome ValueStatements::list_place(CompiledLine& line, const nc::Reference& reference,
-                                    ListPlace& out) {
+                                    ListTarget& out) {
     using Kind = nc::Instruction::Kind;
     out.load = reference.load;
     out.name = line.text.substr(reference.span.begin, reference.span.end - reference.span.begin);
@@ -141,7 +141,7 @@ Outcome ValueStatements::list_place(CompiledLine& line, const nc::Reference& ref
     return Outcome::Nothing;
 }
 
-ControlVariables::Fault ValueStatements::store_at(const ListPlace& place, std::uint32_t i,
+ControlVariables::Fault ValueStatements::store_at(const ListTarget& place, std::uint32_t i,
                                                   const Value& value) {
     const Content content = run_.evaluator.content(value);
     if (place.load.kind == nc::Instruction::Kind::Element) {
@@ -268,7 +268,7 @@ Outcome ValueStatements::raise(CompiledLine& line, const Span& span, double numb
                          {run_.evaluator.written(Value::real(number))});
     if (run_.counts.given > 0) return Outcome::Wait;
     const std::string shown = std::to_string(std::llround(rounded) + rules.alarm_base);
-    const LinePlace place = run_.lines.place(line.text, line.place.line.line, span);
+    const TextLocation place = run_.lines.place(line.text, line.place.line.line, span);
     const auto own = run_.dialect.alarm(diag::ProgramAlarm);
     DiagnosticBuilder message = run_.sink.report(diag::ProgramAlarm, place);
     message.arg(shown).alarm((own ? own->number : std::string()) + shown, text);

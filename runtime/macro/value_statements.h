@@ -9,7 +9,7 @@ namespace kadr::macro {
 class ProgramBase;
 
 /// Where the values of a list go.
-struct ListPlace {
+struct ListTarget {
     nc::Instruction load;     // Element, Global
     std::string name;         // for messages
     std::uint32_t first = 0;  // slot of the first one
@@ -38,8 +38,8 @@ class ValueStatements {
     Outcome assign_list(CompiledLine& line, const nc::ControlStatement& statement);
     Outcome fill_count(CompiledLine& line, std::span<const nc::Expression> said, std::size_t most,
                        std::size_t& out);
-    Outcome list_place(CompiledLine& line, const nc::Reference& reference, ListPlace& out);
-    ControlVariables::Fault store_at(const ListPlace& place, std::uint32_t i, const Value& value);
+    Outcome list_place(CompiledLine& line, const nc::Reference& reference, ListTarget& out);
+    ControlVariables::Fault store_at(const ListTarget& place, std::uint32_t i, const Value& value);
     Outcome limit(CompiledLine& line, const nc::ControlStatement& statement);
     Outcome stop_with_message(std::string_view text, nc::Block& out);
 

@@ -54,8 +54,7 @@ void ControlVariables::note_change(std::optional<ControlVariable> before, Contro
     changes_->push_back({std::move(*before), std::move(after)});
 }
 
-void ControlVariables::set_number(const VariablePlace& place, std::uint32_t element,
-                                  double number) {
+void ControlVariables::set_number(const VariableRef& place, std::uint32_t element, double number) {
     const std::uint32_t slot = place.slot + element;
     const bool is_local = place.symbol == nullptr && place.store == &level_->locals;
     const nc::Symbol* symbol = is_local ? declared_at(*level_, slot) : place.symbol;

@@ -107,7 +107,7 @@ class Walker {
         return segment().contact.kind != path::ContactKind::Tip || segment().goes_straight();
     }
     Vec3 tip_at(double along) const {
-        return placed_at(chain_, segment(), along, path::position(segment().curve, along)).tip;
+        return pose_at(chain_, segment(), along, path::position(segment().curve, along)).tip;
     }
     /// By the path.
     Vec3 slope_of_tip() const {
@@ -167,7 +167,7 @@ class Walk {
     }
 
   private:
-    ComparedPlace place() const {
+    ComparedPoint place() const {
         const auto at = [](const Walker& walker) {
             return walker.is_over() ? walker.end() : walker.here().position;
         };
@@ -198,7 +198,7 @@ class Walk {
     /// How long a thread waits for the mark of the spindle hangs on all that came before: any time
     /// up to a turn is the same wait. No other one is.
     void meet_threads() {
-        const ComparedPlace here = place();
+        const ComparedPoint here = place();
         bool is_mark = true;
         for (Walker* walker : {&first_, &second_}) {
             if (walker->segment().kind != SegmentKind::Wait) continue;

@@ -15,7 +15,7 @@
 namespace kadr::motion {
 
 /// A place in both motions at the same time.
-struct ComparedPlace {
+struct ComparedPoint {
     path::Vec3 first = path::Vec3::Zero();  // of the tool tip, mm
     path::Vec3 second = path::Vec3::Zero();
     std::uint32_t first_line = 0;  // of the texts
@@ -42,11 +42,11 @@ enum class Parting : std::uint8_t {
 struct Comparison {
     std::uint64_t stretches = 0;     // of motion without a stop or a change of its kind
     double greatest_distance = 0;    // mm, of one tip from the way of the other, or of two ends
-    ComparedPlace widest;            // … there
+    ComparedPoint widest;            // … there
     double greatest_feed_share = 0;  // of the difference of the feeds, of the greater one
-    ComparedPlace fastest;           // … there
+    ComparedPoint fastest;           // … there
     std::optional<Parting> parting;  // they go different ways from here on
-    ComparedPlace parted;
+    ComparedPoint parted;
     Spindle first_spindle;  // where they part by it
     Spindle second_spindle;
 };

@@ -39,10 +39,10 @@ enum class PathFault : std::uint8_t {
 
 struct PathDeviation {
     PathFault fault = PathFault::Tip;
-    double distance = 0;  // by which it is off
-    double allowed = 0;   // the tolerance in force
-    double time = 0;      // s, of the setpoint
-    AskedPlace motion;    // of which it is off
+    double distance = 0;     // by which it is off
+    double allowed = 0;      // the tolerance in force
+    double time = 0;         // s, of the setpoint
+    CommandLocation motion;  // of which it is off
 };
 
 class PathCheck {

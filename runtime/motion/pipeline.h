@@ -92,7 +92,7 @@ struct PlannerOptions {
     std::array<double, kAxes>
         velocity_jump{};  // per machine axis, mm/s or rad/s, beside full ramps; 0: the machine's
     bool stop_at_alarm = true;  // false: report and go on with a sensible value
-    PlaceOf place_of;           // for messages; may be empty
+    LocateCommand place_of;     // for messages; may be empty
 };
 
 /// Plans commands into segments with look-ahead. Memory is bounded by the look-ahead, whatever the

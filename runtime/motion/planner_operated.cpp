@@ -130,7 +130,8 @@ Done Planner::State::wait(Segment& segment) {
     start.acceleration = 0;
     if (std::isinf(panel.next_time())) {
         const bool is_rapid = std::isfinite(pieces.front().rapid_asked);
-        report(sink, diag::StandsForEver, AskedPlace{next.line, next.source, {}}, options.place_of)
+        report(sink, diag::StandsForEver, CommandLocation{next.line, next.source, {}},
+               options.place_of)
             .arg(panel.is_held() ? "feed hold"
                  : is_rapid      ? "a rapid override of 0 %"
                                  : "a feed override of 0 %")

@@ -90,8 +90,7 @@ Vec3 tip_of_span(const path::Curve& curve, double u) {
 
 Vec3 tip_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk, double place) {
     const path::Curve& curve = motion.way.curve;
-    if (touches(motion))
-        return placed_at(chain, motion.way, place, path::position(curve, place)).tip;
+    if (touches(motion)) return pose_at(chain, motion.way, place, path::position(curve, place)).tip;
     switch (walk) {
         case Walk::Circle: return path::position_at_angle(std::get<path::Helix>(curve), place);
         case Walk::Span: return tip_of_span(curve, place);
@@ -230,8 +229,8 @@ double on_turn(const Chain& chain, const ProgrammedMotion& motion, const Standin
     return by_steps(with_slope(direction, motion.length), tool.tool, search);
 }
 
-double place_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
-                const StandingTool& tool, const Search& search) {
+double parameter_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+                    const StandingTool& tool, const Search& search) {
     const path::Curve& curve = motion.way.curve;
     switch (walk) {
         case Walk::Circle: return on_circle(std::get<path::Helix>(curve), tool.tip, search);
@@ -389,10 +388,10 @@ double place_behind(const ProgrammedMotion& motion, Walk walk, const Reach& reac
 Nearness nearest_on_branch(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
                            const StandingTool& tool, Search branch) {
     const Nearness near =
-        judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, branch));
+        judged(chain, motion, walk, tool, parameter_on(chain, motion, walk, tool, branch));
     if (near.distance <= motion.tolerance) return near;
     branch.guess = nearest_look(chain, motion, walk, tool, branch);
-    return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, branch));
+    return judged(chain, motion, walk, tool, parameter_on(chain, motion, walk, tool, branch));
 }
 
 /// … on the first of the parts between turns on which the tip can be.
@@ -425,7 +424,7 @@ StandingTool standing_tool(const machine::Machine& machine, const Chain& chain,
     LogicalAxes axes;
     axes.fill(std::numeric_limits<double>::quiet_NaN());
     const Vec3 missing =
-        (way.virtual_axes.is_on() ? path::real_place(way.virtual_axes, setpoint.tip)
+        (way.virtual_axes.is_on() ? path::real_position(way.virtual_axes, setpoint.tip)
                                   : setpoint.tip) +
         way.carrier;
     for (std::size_t i = 0; i < 3; ++i) axes[i] = missing[static_cast<Eigen::Index>(i)];
@@ -436,7 +435,7 @@ StandingTool standing_tool(const machine::Machine& machine, const Chain& chain,
     const Vec3 carried = Vec3(axes[0], axes[1], axes[2]) - way.carrier;
     if (way.virtual_axes.is_on()) {
         const double angle = way.virtual_axes.turns() ? axes[index(way.virtual_axes.rotary)] : 0;
-        standing.tip = path::virtual_place(way.virtual_axes, carried, angle);
+        standing.tip = path::virtual_position(way.virtual_axes, carried, angle);
     } else if (way.is_transformed()) {
         for (double& follower : standing.followers)
             if (std::isnan(follower)) follower = 0;
@@ -459,7 +458,7 @@ Nearness nearest_on(const Chain& chain, const ProgrammedMotion& motion, const St
     if (!motion.turns.empty()) return nearest_on_branches(chain, motion, walk, tool, reach);
     const Search search{reach.from, lower_bound_of(motion, walk, reach.from),
                         end_place(motion, walk)};
-    return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, search));
+    return judged(chain, motion, walk, tool, parameter_on(chain, motion, walk, tool, search));
 }
 
 Nearness nearest_from_behind(const Chain& chain, const ProgrammedMotion& motion,
@@ -467,7 +466,7 @@ Nearness nearest_from_behind(const Chain& chain, const ProgrammedMotion& motion,
     const Walk walk = walk_of(motion);
     const double upper = std::min(end_place(motion, walk), place_behind(motion, walk, reach));
     const Search search{upper, lower_bound_of(motion, walk, reach.from), upper};
-    return judged(chain, motion, walk, tool, place_on(chain, motion, walk, tool, search));
+    return judged(chain, motion, walk, tool, parameter_on(chain, motion, walk, tool, search));
 }
 
 Nearness nearest_on_rest(const Chain& chain, const ProgrammedMotion& motion,
@@ -477,7 +476,7 @@ Nearness nearest_on_rest(const Chain& chain, const ProgrammedMotion& motion,
     const double upper = std::min(end_place(motion, walk), place_behind(motion, walk, reach));
     Search search{reach.from, lower, upper};
     search.guess = nearest_look(chain, motion, walk, tool, search);
-    const double place = place_on(chain, motion, walk, tool, search);
+    const double place = parameter_on(chain, motion, walk, tool, search);
     const Nearness near = judged(chain, motion, walk, tool, place);
     if (near.distance <= motion.tolerance) return near;
     if (walk != Walk::Length && walk != Walk::Span) return near;
@@ -507,7 +506,7 @@ void find_turns(ProgrammedMotion& motion) {
         // What is behind a turn is a curve of its own, which may have others.
         path::Parametric rest = *parametric;
         double begin = 0;
-        while (const auto u = path::slow_place(rest)) {
+        while (const auto u = path::slow_parameter(rest)) {
             begin += path::length_to(rest, *u);
             motion.turns.push_back(begin);
             rest = path::split(rest, *u).second;

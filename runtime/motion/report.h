@@ -16,24 +16,24 @@
 namespace kadr::motion {
 
 /// Of what a message tells.
-struct AskedPlace {
+struct CommandLocation {
     std::uint32_t line = 0;    // Command::line
     SourceId source;           // Command::source
     std::optional<Axis> axis;  // whose word shows it best, if the line has one
 };
 
-struct ShownPlace {
-    LinePlace line;
-    std::vector<LinePlace> calls;  // that have led to the line, the nearest first
+struct ShownLocation {
+    TextLocation line;
+    std::vector<TextLocation> calls;  // that have led to the line, the nearest first
 };
 
-using PlaceOf = std::function<ShownPlace(const AskedPlace&)>;
+using LocateCommand = std::function<ShownLocation(const CommandLocation&)>;
 
 /// Begins a message. `place_of` may be empty: then there is nothing but the line's number.
-DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row, const AskedPlace& place,
-                         const PlaceOf& place_of);
+DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row,
+                         const CommandLocation& place, const LocateCommand& place_of);
 /// The same about a command.
 DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row,
-                         const path::Command& command, const PlaceOf& place_of);
+                         const path::Command& command, const LocateCommand& place_of);
 
 }  // namespace kadr::motion

@@ -124,7 +124,7 @@ inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip,
 /// it.
 void Sampler::State::place_transformed(const Segment& segment, double distance,
                                        Setpoint& out) const {
-    const Placed placed = placed_at(*chain, segment, distance, out.tip);
+    const ToolPose placed = pose_at(*chain, segment, distance, out.tip);
     out.tip = placed.tip;
     out.tool = placed.tool;
     std::size_t column = 0;

@@ -82,7 +82,7 @@ Ways ways_of(const Parametric& curve) {
 /// Where a curve turns back it ends and another begins: on neither side is anything sharp then.
 template <typename Bent>
 std::pair<Bent, Bent> halves(const Bent& curve, bool is_sharp) {
-    const auto turn = is_sharp ? path::slow_place(curve) : std::nullopt;
+    const auto turn = is_sharp ? path::slow_parameter(curve) : std::nullopt;
     return path::split(curve, turn.value_or(0.5));
 }
 

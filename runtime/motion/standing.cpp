@@ -73,7 +73,7 @@ Standing::Standing(const machine::Machine& machine) {
 /// Where X, Y and Z of the machine stand there.
 Vec3 Standing::carrier_at(const Target& target) const {
     const auto& [tip, followers] = target;
-    if (virtual_.is_on()) return path::real_place(virtual_, tip) + held_;
+    if (virtual_.is_on()) return path::real_position(virtual_, tip) + held_;
     if (!is_transformed_) return tip + held_;
     const machine::ChainPosition position{
         Vec3::Zero(), {followers[3], followers[4], followers[5]}, joints_of(*chain_, followers)};
@@ -83,7 +83,7 @@ Vec3 Standing::carrier_at(const Target& target) const {
 void Standing::put_carrier(const Vec3& carrier) {
     const Vec3 carried = carrier - held_;
     if (virtual_.is_on()) {
-        tip_ = path::virtual_place(virtual_, carried, virtual_angle());
+        tip_ = path::virtual_position(virtual_, carried, virtual_angle());
         return;
     }
     if (!is_transformed_) {

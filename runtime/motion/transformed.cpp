@@ -145,14 +145,14 @@ Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, co
 
 /// On a face or a cylinder the tool stands as it does, and a rotary axis follows the path. Where it
 /// turns alone, in the centre of a face, it is a follower like any other.
-Placed virtual_near(const Segment& piece, double distance, const Vec3& tip,
-                    const LogicalAxes& near) {
-    Placed placed;
+ToolPose virtual_near(const Segment& piece, double distance, const Vec3& tip,
+                      const LogicalAxes& near) {
+    ToolPose placed;
     placed.tip = tip;
     placed.tool = piece.tool;
     LogicalAxes& axes = placed.axes;
     std::ranges::copy(followers_at(piece, distance), axes.begin() + 3);
-    const Vec3 real = path::real_place(piece.virtual_axes, tip) + piece.carrier;
+    const Vec3 real = path::real_position(piece.virtual_axes, tip) + piece.carrier;
     for (std::size_t i = 0; i < 3; ++i) axes[i] = real[at(i)];
     const std::size_t rotary = index(piece.virtual_axes.rotary);
     const bool turns_alone = piece.follower_rate[rotary - 3] != 0;
@@ -190,9 +190,9 @@ Vec3 tip_beside(const Chain& chain, const Segment& piece, double distance, const
 }
 
 /// From point to point the axes say where the tip is.
-Placed placed_straight(const Chain& chain, const Segment& piece, double distance,
+ToolPose pose_straight(const Chain& chain, const Segment& piece, double distance,
                        const Vec3& place) {
-    Placed placed;
+    ToolPose placed;
     const Vec3 linear = place + piece.carrier;
     for (std::size_t i = 0; i < 3; ++i) placed.axes[i] = linear[at(i)];
     const auto followers = followers_at(piece, distance);
@@ -202,12 +202,12 @@ Placed placed_straight(const Chain& chain, const Segment& piece, double distance
     return placed;
 }
 
-/// placed_at() with the joints going on from where they stand in `near`.
-Placed placed_near(const Chain& chain, const Segment& piece, double distance, const Vec3& place,
+/// pose_at() with the joints going on from where they stand in `near`.
+ToolPose pose_near(const Chain& chain, const Segment& piece, double distance, const Vec3& place,
                    const LogicalAxes& near) {
-    if (piece.goes_straight()) return placed_straight(chain, piece, distance, place);
+    if (piece.goes_straight()) return pose_straight(chain, piece, distance, place);
     if (piece.virtual_axes.is_on()) return virtual_near(piece, distance, place, near);
-    Placed placed;
+    ToolPose placed;
     auto followers = followers_at(piece, distance);
     if (gives_direction(piece.turn)) {
         std::array<double, kFollowers> from{};
@@ -232,7 +232,7 @@ Placed placed_near(const Chain& chain, const Segment& piece, double distance, co
 
 LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
                       const LogicalAxes& near) {
-    return placed_near(chain, piece, distance, path::position(piece.curve, distance), near).axes;
+    return pose_near(chain, piece, distance, path::position(piece.curve, distance), near).axes;
 }
 
 LogicalAxes start_of(const Segment& piece) {
@@ -241,8 +241,8 @@ LogicalAxes start_of(const Segment& piece) {
     return axes;
 }
 
-Placed placed_at(const Chain& chain, const Segment& piece, double distance, const Vec3& place) {
-    return placed_near(chain, piece, distance, place, start_of(piece));
+ToolPose pose_at(const Chain& chain, const Segment& piece, double distance, const Vec3& place) {
+    return pose_near(chain, piece, distance, place, start_of(piece));
 }
 
 LogicalAxes axes_at(const Chain& chain, const Segment& piece, double distance) {
@@ -258,7 +258,7 @@ std::vector<Segment> tip_lines(const Chain& chain, const Segment& piece) {
     const double count = std::clamp(std::ceil(turned / kTurn), 1.0, 1000.0);
     std::vector<Segment> lines;
     const auto tip = [&](double distance) {
-        return placed_at(chain, piece, distance, path::position(piece.curve, distance)).tip;
+        return pose_at(chain, piece, distance, path::position(piece.curve, distance)).tip;
     };
     Vec3 from = tip(0);
     for (double i = 0; i < count; ++i) {

@@ -38,7 +38,7 @@ LogicalAxes axes_at(const machine::Chain& chain, const Segment& piece, double di
 
 /// … and where the tip is: on its path, or beside it where the cutter touches there; and the
 /// direction of the tool, from tip to holder. In the workpiece system.
-struct Placed {
+struct ToolPose {
     LogicalAxes axes{};
     path::Vec3 tip = path::Vec3::Zero();
     path::Vec3 tool = path::Vec3::UnitZ();
@@ -50,7 +50,7 @@ LogicalAxes axes_near(const machine::Chain& chain, const Segment& piece, double 
 LogicalAxes start_of(const Segment& piece);
 
 /// place  of the curve of the piece at that distance; the piece may also be one from point to point
-Placed placed_at(const machine::Chain& chain, const Segment& piece, double distance,
+ToolPose pose_at(const machine::Chain& chain, const Segment& piece, double distance,
                  const path::Vec3& place);
 
 /// The way of the tip from point to point as lines, for those who draw and measure it: one for

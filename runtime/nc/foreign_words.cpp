@@ -193,7 +193,7 @@ bool is_value(std::string_view line, std::size_t at) {
 }  // namespace
 
 std::string_view instead_of_foreign(const DialectTables& tables, std::string_view line,
-                                    const Span& fault, const ForeignPlace& place) {
+                                    const Span& fault, const ForeignLocation& place) {
     if (tables.foreign.empty()) return {};
     if (place.in_cycle && fault.begin < line.size() && !begins_code(tables, line[fault.begin])) {
         const std::size_t end = end_of_word(line, fault.begin);

@@ -13,7 +13,7 @@
 namespace kadr::nc {
 
 /// How a fault has come up.
-struct ForeignPlace {
+struct ForeignLocation {
     bool in_cycle = false;     // a cycle acts, or the line calls one: its words come first
     bool is_executed = false;  // the line could be read: only the word at the fault counts
 };
@@ -22,6 +22,6 @@ struct ForeignPlace {
 /// line that this control does not have, else of a word directly in front of the fault. Empty where
 /// the dialect knows of none; stays valid as long as the tables.
 std::string_view instead_of_foreign(const DialectTables& tables, std::string_view line,
-                                    const Span& fault, const ForeignPlace& place);
+                                    const Span& fault, const ForeignLocation& place);
 
 }  // namespace kadr::nc

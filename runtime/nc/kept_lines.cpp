@@ -36,8 +36,8 @@ Span find_word(const DialectTables& tables, std::string_view line, IsWanted is_w
 
 }  // namespace
 
-std::vector<LinePlace> places_of(const CallSite* nearest) {
-    std::vector<LinePlace> places;
+std::vector<TextLocation> places_of(const CallSite* nearest) {
+    std::vector<TextLocation> places;
     for (const CallSite* call = nearest; call != nullptr; call = call->from.get())
         places.push_back(call->place);
     return places;
@@ -90,7 +90,7 @@ KeptLines::Found KeptLines::find_earlier(std::uint32_t id) const {
 }
 
 template <typename IsWanted>
-LinePlace KeptLines::place_word(const Block& block, IsWanted is_wanted) const {
+TextLocation KeptLines::place_word(const Block& block, IsWanted is_wanted) const {
     const Found kept = find(block.line);
     if (kept.line == nullptr) return reader_.place({}, block.line, {});
     const std::string& file = kept.line->file != nullptr ? *kept.line->file : reader_.text().name;
@@ -98,23 +98,23 @@ LinePlace KeptLines::place_word(const Block& block, IsWanted is_wanted) const {
                              find_word(reader_.tables(), kept.text, is_wanted));
 }
 
-std::vector<LinePlace> KeptLines::calls(const Block& block) const {
+std::vector<TextLocation> KeptLines::calls(const Block& block) const {
     const Found kept = find(block.line);
-    return kept.line == nullptr ? std::vector<LinePlace>() : places_of(kept.line->calls.get());
+    return kept.line == nullptr ? std::vector<TextLocation>() : places_of(kept.line->calls.get());
 }
 
-LinePlace KeptLines::place(const Block& block) const {
+TextLocation KeptLines::place(const Block& block) const {
     return place_word(block, [](const GivenWord&) { return true; });
 }
 
-LinePlace KeptLines::place(const Block& block, Slot slot) const {
+TextLocation KeptLines::place(const Block& block, Slot slot) const {
     const DialectTables& tables = reader_.tables();
     return place_word(block, [&](const GivenWord& word) {
         return tables.addresses[word.address].slot == static_cast<int>(slot);
     });
 }
 
-LinePlace KeptLines::place(const Block& block, Function function) const {
+TextLocation KeptLines::place(const Block& block, Function function) const {
     const DialectTables& tables = reader_.tables();
     return place_word(block, [&](const GivenWord& word) {
         const Address& head = tables.addresses[word.address];

@@ -13,12 +13,12 @@ namespace kadr::nc {
 
 /// A block that has called the program of a line, and where that was called from.
 struct CallSite {
-    LinePlace place;
+    TextLocation place;
     std::shared_ptr<const CallSite> from;
 };
 
 /// A call and those that have led to it, the nearest first; none if null.
-std::vector<LinePlace> places_of(const CallSite* nearest);
+std::vector<TextLocation> places_of(const CallSite* nearest);
 
 class KeptLines {
   public:
@@ -40,12 +40,12 @@ class KeptLines {
         now_.text += line;
     }
     /// The calls that have led to the block, the nearest first.
-    std::vector<LinePlace> calls(const Block& block) const;
+    std::vector<TextLocation> calls(const Block& block) const;
     /// The line of the block and its first word, the word that set the slot, the one that said the
     /// function. Without a text if the line is forgotten.
-    LinePlace place(const Block& block) const;
-    LinePlace place(const Block& block, Slot slot) const;
-    LinePlace place(const Block& block, Function function) const;
+    TextLocation place(const Block& block) const;
+    TextLocation place(const Block& block, Slot slot) const;
+    TextLocation place(const Block& block, Function function) const;
 
   private:
     struct Line {
@@ -68,7 +68,7 @@ class KeptLines {
     Found find(std::uint32_t id) const;
     Found find_earlier(std::uint32_t id) const;
     template <typename IsWanted>
-    LinePlace place_word(const Block& block, IsWanted is_wanted) const;
+    TextLocation place_word(const Block& block, IsWanted is_wanted) const;
 
     const LineReader& reader_;
     Chunk now_;              // the batch, and what was kept before it since `earlier_`

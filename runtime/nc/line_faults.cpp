@@ -147,10 +147,10 @@ std::optional<std::string_view> nearest_statement(const DialectTables& tables,
 
 }  // namespace
 
-LinePlace LineReader::place(const std::string& file, std::string_view line, std::uint64_t number,
-                            const Span& span) {
+TextLocation LineReader::place(const std::string& file, std::string_view line, std::uint64_t number,
+                               const Span& span) {
     constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
-    LinePlace place;
+    TextLocation place;
     place.file = file;
     place.line = static_cast<std::uint32_t>(number);
     const std::size_t begin = std::min<std::size_t>(span.begin, line.size());

@@ -155,15 +155,15 @@ class LineReader {
     FormId last_cycle() const { return last_cycle_; }
     /// The number of the last M function; 0: none was said.
     double machine_code() const { return machine_code_; }
-    LinePlace place(std::string_view line, std::uint64_t number, const Span& span) const {
+    TextLocation place(std::string_view line, std::uint64_t number, const Span& span) const {
         return place(text_->name, shown(line, number), number, span);
     }
     /// The line as it stands in the text: what without_head gives has blanks for the head.
     std::string_view shown(std::string_view line, std::uint64_t number) const {
         return number == head_number_ && line == head_line_ ? head_text_ : line;
     }
-    static LinePlace place(const std::string& file, std::string_view line, std::uint64_t number,
-                           const Span& span);
+    static TextLocation place(const std::string& file, std::string_view line, std::uint64_t number,
+                              const Span& span);
     const DialectTables& tables() const { return tables_; }
 
   private:

@@ -14,7 +14,7 @@ namespace kadr::nc {
 
 /// A position without a decimal point.
 struct WholePosition {
-    LinePlace place;
+    TextLocation place;
     std::string word;      // as it stands: `X118`
     std::string quantity;  // what it is: `0.118 mm`
 };

@@ -51,11 +51,11 @@ bool Reader::failed() const { return state_->lines.failed(); }
 std::uint64_t Reader::lines() const { return state_->line_number; }
 std::uint64_t Reader::first_fault() const { return state_->lines.first_fault(); }
 
-LinePlace Reader::place(const Block& block) const { return state_->kept.place(block); }
-LinePlace Reader::place(const Block& block, Slot slot) const {
+TextLocation Reader::place(const Block& block) const { return state_->kept.place(block); }
+TextLocation Reader::place(const Block& block, Slot slot) const {
     return state_->kept.place(block, slot);
 }
-LinePlace Reader::place(const Block& block, Function function) const {
+TextLocation Reader::place(const Block& block, Function function) const {
     return state_->kept.place(block, function);
 }
 

@@ -29,16 +29,16 @@ class TextSource {
 };
 
 /// Where blocks of the latest batch stand in their text, and whether a mistake ended it.
-class BlockPlaces {
+class BlockLocations {
   public:
-    virtual ~BlockPlaces() = default;
+    virtual ~BlockLocations() = default;
     /// The line of the block and the column of its first word or, if a slot or a function is named,
     /// of the word that set it.
-    virtual LinePlace place(const Block& block) const = 0;
-    virtual LinePlace place(const Block& block, Slot slot) const = 0;
-    virtual LinePlace place(const Block& block, Function function) const = 0;
+    virtual TextLocation place(const Block& block) const = 0;
+    virtual TextLocation place(const Block& block, Slot slot) const = 0;
+    virtual TextLocation place(const Block& block, Function function) const = 0;
     /// Where the program of the block was called, the nearest call first.
-    virtual std::vector<LinePlace> calls(const Block& block) const {
+    virtual std::vector<TextLocation> calls(const Block& block) const {
         static_cast<void>(block);
         return {};
     }
@@ -46,7 +46,7 @@ class BlockPlaces {
     /// Whether the blocks ended where somebody wanted them to, in front of more.
     virtual bool stopped() const { return false; }
     /// Whether a program of the text is called at the places of this block, which is a pattern.
-    virtual bool calls_at_places(const Block& block) const {
+    virtual bool calls_at_positions(const Block& block) const {
         static_cast<void>(block);
         return false;
     }
@@ -55,7 +55,7 @@ class BlockPlaces {
     virtual std::uint64_t lines() const = 0;  // read so far
 };
 
-class Reader final : public Stream<Block>, public BlockPlaces {
+class Reader final : public Stream<Block>, public BlockLocations {
   public:
     /// `name` is shown in messages. A mistake is reported as the control's alarm, the block is
     /// left out, and `failed()` says so.
@@ -71,9 +71,9 @@ class Reader final : public Stream<Block>, public BlockPlaces {
         return failed() && block.line > first_fault();
     }
 
-    LinePlace place(const Block& block) const override;
-    LinePlace place(const Block& block, Slot slot) const override;
-    LinePlace place(const Block& block, Function function) const override;
+    TextLocation place(const Block& block) const override;
+    TextLocation place(const Block& block, Slot slot) const override;
+    TextLocation place(const Block& block, Function function) const override;
 
   private:
     struct State;

@@ -10,9 +10,9 @@ namespace kadr::nc {
 namespace {
 
 /// Every place in a compiled line that names columns.
-class PlacesOfLine {
+class ColumnsOfLine {
   public:
-    explicit PlacesOfLine(const LineWithoutBlanks& written) : written_(written) {}
+    explicit ColumnsOfLine(const LineWithoutBlanks& written) : written_(written) {}
 
     void put_back(ControlLine& line) const {
         put_back(line.words.spans);
@@ -98,7 +98,7 @@ void LineWithoutBlanks::put_back(Span& span) const {
     span = {places[begin], is_empty ? places[begin] : places[end - 1] + 1};
 }
 
-void LineWithoutBlanks::put_back(ControlLine& line) const { PlacesOfLine(*this).put_back(line); }
+void LineWithoutBlanks::put_back(ControlLine& line) const { ColumnsOfLine(*this).put_back(line); }
 
 bool has_split_words(const DialectTables& tables, std::string_view line) {
     if (!tables.notation.blanks_inside_words) return false;

@@ -179,7 +179,7 @@ std::pair<Parametric, Parametric> split(const Parametric& curve, double u) {
     return {of_law(curve, before, curve.start, middle), of_law(curve, behind, middle, curve.end)};
 }
 
-std::optional<double> slow_place(const Parametric& curve) {
+std::optional<double> slow_parameter(const Parametric& curve) {
     constexpr int kLooks = kIntervals * static_cast<int>(Parametric::kParts);
     for (int i = 0; i < kLooks; ++i) {
         const double from = static_cast<double>(i) / kLooks;

@@ -84,7 +84,7 @@ Parametric part(const Parametric& curve, double from, double to);
 /// The pieces before and behind a share of the range of the parameter, 0 < u < 1.
 std::pair<Parametric, Parametric> split(const Parametric& curve, double u);
 /// The first share of the range inside at which the curve turns back, as in a cusp.
-std::optional<double> slow_place(const Parametric& curve);
+std::optional<double> slow_parameter(const Parametric& curve);
 /// Of samples, and of what the curve bulges between them: not too small unless it waves between two
 /// of a hundred.
 Box bounds(const Parametric& curve);

@@ -76,7 +76,7 @@ template <std::size_t N>
 std::pair<Bezier<N>, Bezier<N>> split(const Bezier<N>& spline, double u);
 /// A parameter inside at which the curve nearly stands, as where it turns back.
 template <std::size_t N>
-std::optional<double> slow_place(const Bezier<N>& spline) {
+std::optional<double> slow_parameter(const Bezier<N>& spline) {
     if (spline.slow[0] >= 1) return std::nullopt;
     return spline.slow[0];
 }

@@ -41,7 +41,7 @@ double rotary_at(const VirtualAxes& axes, const Vec3& tip, double near) {
     return near;
 }
 
-Vec3 real_place(const VirtualAxes& axes, const Vec3& tip) {
+Vec3 real_position(const VirtualAxes& axes, const Vec3& tip) {
     Vec3 real = tip;
     switch (axes.kind) {
         case VirtualKind::None: break;
@@ -58,7 +58,7 @@ Vec3 real_place(const VirtualAxes& axes, const Vec3& tip) {
     return real;
 }
 
-Vec3 virtual_place(const VirtualAxes& axes, const Vec3& real, double rotary) {
+Vec3 virtual_position(const VirtualAxes& axes, const Vec3& real, double rotary) {
     Vec3 tip = real;
     switch (axes.kind) {
         case VirtualKind::None: break;

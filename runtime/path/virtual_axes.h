@@ -56,10 +56,10 @@ double rotary_towards(const VirtualAxes& axes, const Vec3& out, double near);
 double radius_at(const VirtualAxes& axes, const Vec3& tip);
 
 /// Where X, Y, Z of the machine hold the tip.
-Vec3 real_place(const VirtualAxes& axes, const Vec3& tip);
+Vec3 real_position(const VirtualAxes& axes, const Vec3& tip);
 
 /// The other way round, for the rotary axis at `rotary`, rad.
-Vec3 virtual_place(const VirtualAxes& axes, const Vec3& real, double rotary);
+Vec3 virtual_position(const VirtualAxes& axes, const Vec3& real, double rotary);
 
 /// Whether the place is the centre of a face.
 bool is_at_pole(const VirtualAxes& axes, const Vec3& tip);

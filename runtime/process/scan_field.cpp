@@ -30,11 +30,11 @@ double least_side(const std::vector<double>& values) {
 }
 
 /// The cell of a value, and how far it is through it; the outermost cells go on beyond the table.
-struct CellPlace {
+struct CellIndex {
     std::size_t index;
     double share;
 };
-CellPlace cell_of(const std::vector<double>& values, double value) {
+CellIndex cell_of(const std::vector<double>& values, double value) {
     const auto above = std::upper_bound(values.begin() + 1, values.end() - 1, value);
     const auto index = static_cast<std::size_t>(above - values.begin()) - 1;
     return {index, (value - values[index]) / (values[index + 1] - values[index])};
@@ -70,8 +70,8 @@ double ScanField::outside(const Vec2& field) const {
 Vec2 ScanField::corrected(const Vec2& field) const {
     const machine::FieldGrid& grid = scanner_.correction;
     if (grid.is_empty()) return field;
-    const CellPlace x = cell_of(grid.x, field.x());
-    const CellPlace y = cell_of(grid.y, field.y());
+    const CellIndex x = cell_of(grid.x, field.x());
+    const CellIndex y = cell_of(grid.y, field.y());
     const std::size_t row = grid.x.size();
     const std::size_t first = y.index * row + x.index;
     const auto between = [&](const std::vector<double>& values) {

@@ -77,7 +77,7 @@ bool BlockWriter::has_feed_word(const Block& block, const Choice& choice,
 void BlockWriter::add_deferred(const Block& block, const Choice& choice, Items& items) {
     if (state_.pending().empty()) return;
     const bool is_cycle = block.function_count != 0 && block.find(Function::Cycle) != nullptr;
-    const bool is_machine = block.find(Fact::AtMachinePlace) != nullptr;
+    const bool is_machine = block.find(Fact::AtMachinePosition) != nullptr;
     for (std::size_t i = 0; i < state_.pending().size();) {
         const Deferred& deferred = *state_.pending()[i].deferred;
         bool acts = false;

@@ -5,7 +5,7 @@ namespace kadr::write {
 
 /// The edge that a block in machine coordinates put aside acts again where the tool moves next.
 void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
-    const bool is_machine = block.find(Fact::AtMachinePlace) != nullptr;
+    const bool is_machine = block.find(Fact::AtMachinePosition) != nullptr;
     const bool moves = (block.given & kTargetSlots) != 0 || block.find(Function::Cycle) != nullptr;
     if (is_machine || !moves || block.find(Function::ToolEdge) != nullptr) return;
     say_waiting_edge(block, out);
@@ -26,7 +26,7 @@ void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
 /// The length comes with the first motion along it: a way there would be travelled less the length.
 void BlockWriter::check_length_due(const Block& block) {
     const std::size_t along = text_.plane_axes()[2];
-    const bool is_other = block.find(Fact::AtMachinePlace) != nullptr;
+    const bool is_other = block.find(Fact::AtMachinePosition) != nullptr;
     if (is_other || !block.has(static_cast<Slot>(along))) return;
     state_.length_acts();
     if (!text_.is_distance(block, along)) return;

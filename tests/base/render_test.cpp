@@ -30,7 +30,7 @@ TEST(Render, TextWithCaretNoteAndFix) {
 
 TEST(Render, AlarmShowsTheControlsOwnNumber) {
     Fixture f;
-    f.list.report(kadr::diag::FileUnreadable, kadr::LinePlace{"O1.nc", 7, 3, 2, "N1 G2"})
+    f.list.report(kadr::diag::FileUnreadable, kadr::TextLocation{"O1.nc", 7, 3, 2, "N1 G2"})
         .arg("x")
         .alarm("PS0020", "OVER TOLERANCE OF RADIUS");
     EXPECT_EQ(kadr::render_text(f.list.all()[0], f.sources),
@@ -43,8 +43,8 @@ TEST(Render, AlarmShowsTheControlsOwnNumber) {
 TEST(Render, LongLinesAreShownAroundTheCaret) {
     Fixture f;
     f.list.report(kadr::diag::FileUnreadable,
-                  kadr::LinePlace{"a.nc", 1, 100001, 1,
-                                  std::string(100000, 'X') + "?" + std::string(5000, 'Y')});
+                  kadr::TextLocation{"a.nc", 1, 100001, 1,
+                                     std::string(100000, 'X') + "?" + std::string(5000, 'Y')});
     EXPECT_LT(kadr::render_text(f.list.all()[0], f.sources).size(), 500u);
     EXPECT_NE(kadr::render_text(f.list.all()[0], f.sources).find("XXX?YYY"), std::string::npos);
 }

@@ -405,7 +405,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
 }
 
 /// "5:3" in the program itself, "O9100.NC:2:1" in another file.
-std::string place_name(const LinePlace& place) {
+std::string place_name(const TextLocation& place) {
     const std::string file =
         place.file == "test" ? "" : fs::path(place.file).filename().string() + ':';
     return file + std::to_string(place.line) + ':' + std::to_string(place.column);

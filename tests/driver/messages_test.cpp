@@ -68,10 +68,10 @@ TEST_F(MessageSink, CountsWhatItLeavesOut) {
 TEST_F(MessageSink, KeepsTheFirstAlarm) {
     Messages messages = make(MessageFormat::Text);
     EXPECT_EQ(messages.first_alarm(), "");
-    messages.report(diag::FileUnreadable, LinePlace{"part.mpf", 12, 5, 1, "G1 X10"})
+    messages.report(diag::FileUnreadable, TextLocation{"part.mpf", 12, 5, 1, "G1 X10"})
         .arg("a")
         .alarm("14040", "end point");
-    messages.report(diag::FileUnreadable, LinePlace{"part.mpf", 13, 5, 1, "G1 X11"})
+    messages.report(diag::FileUnreadable, TextLocation{"part.mpf", 13, 5, 1, "G1 X11"})
         .arg("a")
         .alarm("10", "other");
     EXPECT_EQ(messages.alarms(), 2u);
@@ -97,7 +97,7 @@ TEST_F(MessageSink, WarningsAreSilencedWhereTheyStand) {
     messages.report(diag::UnknownName, {file, 0, 6}).arg("a");
     EXPECT_EQ(messages.errors(), 1u);
     // A line that a statement wrote is silenced at the statement.
-    LinePlace place{"part.nc", 7, 1, 1, "X5"};
+    TextLocation place{"part.nc", 7, 1, 1, "X5"};
     messages.report(diag::UnusedVariable, place).arg("e").note({file, 0, 6}, "written here");
     EXPECT_EQ(messages.warnings(), 2u);
     messages.report(diag::UnusedVariable, place).arg("e").note({file, 40, 41}, "written here");

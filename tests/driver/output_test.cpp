@@ -10,7 +10,7 @@
 
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
-#include "driver/places.h"
+#include "driver/output_names.h"
 
 namespace {
 

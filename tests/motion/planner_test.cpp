@@ -617,8 +617,8 @@ TEST(PlannerMistakes, SpindleStands) {
 
 TEST(PlannerMistakes, PlaceComesFromTheCaller) {
     PlannerOptions options;
-    options.place_of = [](const AskedPlace& asked) {
-        ShownPlace place;
+    options.place_of = [](const CommandLocation& asked) {
+        ShownLocation place;
         place.line.file = "part.mpf";
         place.line.line = asked.line + 100;
         place.calls.push_back({"main.mpf", 7, 1, 4, "PART"});

@@ -201,11 +201,11 @@ TEST(Spline, ItsLengthIsExactWhereItTurnsBackBesideItsEnd) {
     EXPECT_NEAR(position(spline, turn).x(), turn, 1e-9);
     EXPECT_NEAR(position(spline, turn - 1e-3).x(), turn - 1e-3, 1e-9);
     EXPECT_NEAR(position(spline, turn + 1e-3).x(), turn - 1e-3, 1e-9);
-    ASSERT_TRUE(slow_place(spline).has_value());
-    EXPECT_NEAR(*slow_place(spline), 0.99, 1e-9);
-    const auto [before, behind] = split(spline, *slow_place(spline));
-    EXPECT_FALSE(slow_place(before).has_value());
-    EXPECT_FALSE(slow_place(behind).has_value());
+    ASSERT_TRUE(slow_parameter(spline).has_value());
+    EXPECT_NEAR(*slow_parameter(spline), 0.99, 1e-9);
+    const auto [before, behind] = split(spline, *slow_parameter(spline));
+    EXPECT_FALSE(slow_parameter(before).has_value());
+    EXPECT_FALSE(slow_parameter(behind).has_value());
 }
 
 /// Whose control points say that it goes on towards its end does, and is never slow.
@@ -237,7 +237,7 @@ RC_GTEST_PROP(Spline, SteadyOnesGoOn, ()) {
         sum += at.first.norm() / (kPlaces + 1);
     }
     RC_ASSERT(least >= kNearlyStands * sum);
-    RC_ASSERT(!slow_place(span).has_value());
+    RC_ASSERT(!slow_parameter(span).has_value());
 }
 
 // What lies close on a smooth curve is steady; weights and what turns back are not.

@@ -45,7 +45,7 @@ RC_GTEST_PROP(VirtualPlaces, RealPlaceLeadsBack, ()) {
     if (axes.kind == VirtualKind::Face) {
         RC_ASSERT(std::abs(rotary - near) <= kPi + 1e-9);
     }
-    const Vec3 back = virtual_place(axes, real_place(axes, tip), rotary);
+    const Vec3 back = virtual_position(axes, real_position(axes, tip), rotary);
     RC_ASSERT((back - tip).norm() < 1e-9);
 }
 
@@ -55,11 +55,11 @@ TEST(VirtualPlaces, FaceByHand) {
     const Vec3 tip(3, 4, -2);
     const double angle = std::atan2(4.0, 3.0);
     VirtualAxes axes = face();
-    EXPECT_LT((real_place(axes, tip) - Vec3(5, 0, -2)).norm(), 1e-12);
+    EXPECT_LT((real_position(axes, tip) - Vec3(5, 0, -2)).norm(), 1e-12);
     EXPECT_NEAR(rotary_at(axes, tip, 0), angle, 1e-12);
     EXPECT_NEAR(rotary_at(axes, tip, 7), angle + 2 * kPi, 1e-12);
     axes.side = -1;
-    EXPECT_LT((real_place(axes, tip) - Vec3(-5, 0, -2)).norm(), 1e-12);
+    EXPECT_LT((real_position(axes, tip) - Vec3(-5, 0, -2)).norm(), 1e-12);
     EXPECT_NEAR(rotary_at(axes, tip, 0), angle - kPi, 1e-12);
     axes.side = 1;
     axes.sign = -1;

@@ -1,4 +1,4 @@
-#include "driver/places.h"
+#include "driver/output_names.h"
 
 #include <filesystem>
 #include <system_error>

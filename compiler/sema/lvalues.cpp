@@ -1,4 +1,4 @@
-// places.cpp — what can be assigned and referred to: variables, members, elements; and assignment.
+// lvalues.cpp — what can be assigned and referred to: variables, members, elements; and assignment.
 #include <algorithm>
 
 #include "base/diagnostics/sema.h"

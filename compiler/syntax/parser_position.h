@@ -1,4 +1,4 @@
-// complaint_place.h — where a mistake of a source stands.
+// parser_position.h — where a mistake of a source stands.
 #pragma once
 
 #include "syntax/complain.h"

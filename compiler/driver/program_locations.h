@@ -1,4 +1,5 @@
-// work_places.h — where in a program the motion of a piece was asked for, as a person looks for it.
+// program_locations.h — where in a program the motion of a piece was asked for, as a person looks
+// for it.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +11,13 @@
 namespace kadr::driver {
 
 /// A statement of a source, or a line of ISO-7bit text.
-struct WorkPlace {
+struct ProgramLocation {
     SourceRange statement;   // of a source; invalid: …
     std::uint32_t line = 0;  // … of the ISO-7bit text
     std::string called;      // file and line in a program that was called
 
     /// The order in which places of equal weight are shown.
-    bool operator<(const WorkPlace& other) const {
+    bool operator<(const ProgramLocation& other) const {
         if (line != other.line) return line < other.line;
         if (statement.begin != other.statement.begin)
             return statement.begin < other.statement.begin;
@@ -25,21 +26,21 @@ struct WorkPlace {
 };
 
 /// What the library moves counts for the statement that called it.
-class WorkPlaces {
+class ProgramLocations {
   public:
     /// Both outlive this.
-    WorkPlaces(const Execution& execution, const Session& session)
+    ProgramLocations(const Execution& execution, const Session& session)
         : execution_(execution), session_(session) {}
 
     /// Of what a line of the ISO-7bit text, written for a statement, has moved.
-    WorkPlace find(std::uint32_t line, SourceId source) const;
+    ProgramLocation find(std::uint32_t line, SourceId source) const;
     /// The same for the same place only.
-    static std::string key_of(const WorkPlace& place);
+    static std::string key_of(const ProgramLocation& place);
 
     /// "flange.kadr:41"
-    std::string name_of(const WorkPlace& place) const;
+    std::string name_of(const ProgramLocation& place) const;
     /// The statement, its first line; empty for ISO-7bit text.
-    std::string text_of(const WorkPlace& place) const;
+    std::string text_of(const ProgramLocation& place) const;
 
   private:
     SourceRange users_statement(std::uint32_t line, SourceId source) const;

@@ -1,4 +1,4 @@
-// places.h — holds the names of outputs against each other and against the source.
+// output_names.h — holds the names of outputs against each other and against the source.
 #pragma once
 
 #include <initializer_list>

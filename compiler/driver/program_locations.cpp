@@ -1,4 +1,4 @@
-#include "driver/work_places.h"
+#include "driver/program_locations.h"
 
 #include <filesystem>
 #include <string_view>
@@ -26,20 +26,20 @@ std::string without_folder(const std::string& name) {
 
 }  // namespace
 
-WorkPlace WorkPlaces::find(std::uint32_t line, SourceId source) const {
-    WorkPlace place;
+ProgramLocation ProgramLocations::find(std::uint32_t line, SourceId source) const {
+    ProgramLocation place;
     place.statement = users_statement(line, source);
     if (place.statement.file.is_valid()) return place;
     if (macro::Program::is_in_main_text(line)) {
         place.line = line;
         return place;
     }
-    const LinePlace called = execution_.place_of(line);
+    const TextLocation called = execution_.place_of(line);
     place.called = called.file + ':' + std::to_string(called.line);
     return place;
 }
 
-std::string WorkPlaces::key_of(const WorkPlace& place) {
+std::string ProgramLocations::key_of(const ProgramLocation& place) {
     if (place.statement.file.is_valid())
         return std::to_string(place.statement.file.index) + '@' +
                std::to_string(place.statement.begin);
@@ -47,7 +47,7 @@ std::string WorkPlaces::key_of(const WorkPlace& place) {
 }
 
 /// The statement outside of the library that led to the piece; none in ISO-7bit text.
-SourceRange WorkPlaces::users_statement(std::uint32_t line, SourceId source) const {
+SourceRange ProgramLocations::users_statement(std::uint32_t line, SourceId source) const {
     const SourceRange statement = execution_.statement(source);
     if (!statement.file.is_valid() || !is_in_library(statement)) return statement;
     const GeneratedText* generated = execution_.generated();
@@ -59,18 +59,18 @@ SourceRange WorkPlaces::users_statement(std::uint32_t line, SourceId source) con
     return statement;
 }
 
-bool WorkPlaces::is_in_library(const SourceRange& range) const {
+bool ProgramLocations::is_in_library(const SourceRange& range) const {
     return session_.sources().name(range.file).starts_with(session_.share().library);
 }
 
-std::string WorkPlaces::name_of(const WorkPlace& place) const {
+std::string ProgramLocations::name_of(const ProgramLocation& place) const {
     if (!place.called.empty()) return without_folder(place.called);
     if (!place.statement.file.is_valid())
         return without_folder(execution_.text_name() + ':' + std::to_string(place.line));
     return without_folder(session_.source_name(place.statement));
 }
 
-std::string WorkPlaces::text_of(const WorkPlace& place) const {
+std::string ProgramLocations::text_of(const ProgramLocation& place) const {
     if (!place.called.empty() || !place.statement.file.is_valid()) return {};
     return first_line(session_.sources().text(place.statement));
 }
