@@ -352,10 +352,10 @@ class Solver {
             case CandidateFault::FirstOutside:
             case CandidateFault::SecondOutside:
             case CandidateFault::SpinOutside: return axis + " is out of limits";
-            case CandidateFault::OnlyLongWay:
+            case CandidateFault::OnlyLongTravel:
                 return axis + " is out of limits, and the long way is not admitted";
             case CandidateFault::OtherConfiguration: return "the great circle does not lead there";
-            case CandidateFault::LimitOnTheWay: return axis + " on the way is out of limits";
+            case CandidateFault::LimitOnPath: return axis + " on the way is out of limits";
         }
         return {};
     }

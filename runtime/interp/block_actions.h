@@ -97,11 +97,11 @@ struct Probed {
 struct Probing {
     std::optional<Target> touched;  // where the axes are then; nothing: it meets nothing
     bool goes_on = false;           // to the end of its way all the same
-    bool ends_way() const { return touched.has_value() && !goes_on; }
+    bool ends_move() const { return touched.has_value() && !goes_on; }
 };
 
 /// A way in the coordinates of the words that say it, mm and deg.
-struct ProgrammedWay {
+struct ProgrammedMove {
     AxisValues from{};
     AxisValues to{};
 };

@@ -141,7 +141,7 @@ path::Turn turn_of(const Command& command, const Vec3& from_tool, double length)
     return turn;
 }
 
-void shift_point(const WayBeside& way, Command& command) {
+void shift_point(const CompensatedEnds& way, Command& command) {
     if (command.turning != Turning::Point) return;
     const Vec3 before = way.from_beside - way.from;
     const Vec3 behind = way.to_beside - way.to;

@@ -28,7 +28,7 @@ path::Vec3 joints_at(const machine::Chain& chain, const AxisValues& axes);
 path::Turn turn_of(const path::Command& command, const path::Vec3& from_tool, double length);
 
 /// The ends of a way: as it is programmed, and beside that; mm.
-struct WayBeside {
+struct CompensatedEnds {
     path::Vec3 from = path::Vec3::Zero();
     path::Vec3 to = path::Vec3::Zero();
     path::Vec3 from_beside = path::Vec3::Zero();
@@ -37,7 +37,7 @@ struct WayBeside {
 
 /// The second point of the tool's axis goes aside with the tip, so that the tool keeps its
 /// direction at both ends. Other turns stay what they are.
-void shift_point(const WayBeside& way, path::Command& command);
+void shift_point(const CompensatedEnds& way, path::Command& command);
 
 /// A command beside the contour, behind `settled`; before it and behind it turns of the tool while
 /// the tip stands, if its way would have it stand otherwise at its ends than it is programmed.

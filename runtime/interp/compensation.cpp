@@ -423,7 +423,7 @@ Compensation::Fault Compensation::depart(Command& command) {
     std::optional<Element> way;
     // A direction that is said takes the place of the corner.
     if (has_last_ && !leave_direction_) {
-        if (const Fault fault = way_out(to, way)) return fault;
+        if (const Fault fault = retract_path(to, way)) return fault;
     }
     here_ = command.to;
     if (way) {

@@ -1,7 +1,7 @@
 // compensation.h — cutter radius compensation: commands of the programmed contour in, commands of
 // the cutter's centre out, a block or more later.
 //
-// What a corner becomes is path/radius_comp.h, compensation_ways.cpp the way to the contour; here
+// What a corner becomes is path/radius_comp.h, compensation_paths.cpp the way to the contour; here
 // is the order of things in a program: how the cutter comes to the contour and leaves it, blocks
 // without motion in the plane, what inserted pieces inherit from their block.
 #pragma once
@@ -144,7 +144,7 @@ class Compensation {
     void lead(path::Command& command) const;
     path::Element element_of(const path::Command& command) const;
     Fault way_in(const path::Element& first, std::optional<path::Element>& way) const;
-    Fault way_out(const path::Vec2& to, std::optional<path::Element>& way) const;
+    Fault retract_path(const path::Vec2& to, std::optional<path::Element>& way) const;
     std::optional<path::Vec2> touched(const path::Vec2& corner, const path::Vec2& from,
                                       double distance) const;
     CompAlarm alarm(Fault fault, const path::Command& command) const;

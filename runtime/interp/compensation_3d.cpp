@@ -152,7 +152,7 @@ Compensation3d::Fault Compensation3d::take_motion(Command& command) {
     tool_ = tool_behind(command);
     if (state_ == State::Leaving) {
         if (const Fault fault = finish()) return fault;
-        put_way(std::move(command), from, linear(here_));
+        put_path(std::move(command), from, linear(here_));
         state_ = State::Off;
         return nullptr;
     }
@@ -204,7 +204,7 @@ Compensation3d::Fault Compensation3d::check_side(const Side& side) const {
     if (settings_.orientation_limits.chain == nullptr && !keeps_kind(side))
         return &diag::CompMotion;
     for (const double place : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const double share = side.share_of_way(place);
+        const double share = side.share_of_path(place);
         const path::CurvePoint at = side.at(share);
         const auto aside = path::beside(at.tangent, tool_on(side, share));
         if (!aside) return &diag::CompAlongTool;
@@ -225,7 +225,7 @@ Compensation3d::Fault Compensation3d::enter(const Side& first) {
     if (!aside) return &diag::CompAlongTool;
     const Vec3 programmed = linear(command.to);
     set_linear(command.to, programmed + *aside);
-    put_way(std::move(command), approach_from_, programmed);
+    put_path(std::move(command), approach_from_, programmed);
     emit_waiting(contact, linear(first.from));
     return nullptr;
 }
@@ -363,7 +363,7 @@ void Compensation3d::extend(Side& next, const Corner& corner) {
 Compensation3d::Fault Compensation3d::finish() {
     if (approach_) {  // of no contour at all
         const Vec3 to = linear(approach_->to);
-        put_way(std::move(*approach_), approach_from_, to);
+        put_path(std::move(*approach_), approach_from_, to);
         approach_.reset();
     }
     if (!last_) {
@@ -429,7 +429,7 @@ Vec3 Compensation3d::guide_on(const Side& side, double share) const {
 
 std::optional<Vec3> Compensation3d::aside_on(const Side& side, double share) const {
     return path::tip_or_limit(side.share_of_part(share), [&](double place) {
-        const double at = side.share_of_way(place);
+        const double at = side.share_of_path(place);
         return path::tip_beside(side.contact, guide_on(side, at), tool_on(side, at));
     });
 }
@@ -498,7 +498,7 @@ void Compensation3d::emit(Side& side) {
         command.sweep *= part;
     } else if (settings_.orientation_limits.chain == nullptr) {
         return emit_splines(side.command, side.from, [&](double share) {
-            return tip_on(side, side.share_of_way(share)).value_or(Vec3::Zero());
+            return tip_on(side, side.share_of_path(share)).value_or(Vec3::Zero());
         });
     } else {
         path::ContactMotion motion;
@@ -604,7 +604,7 @@ void Compensation3d::emit_line_to(const Command& model, const AxisValues& to, co
 }
 
 /// A way to the contour or from it, between two places as it is programmed.
-void Compensation3d::put_way(Command command, const Vec3& from, const Vec3& to) {
+void Compensation3d::put_path(Command command, const Vec3& from, const Vec3& to) {
     shift_point({from, to, linear(shown_), linear(command.to)}, command);
     shown_tool_ = tool_behind(command);
     const AxisValues begin = std::exchange(shown_, command.to);

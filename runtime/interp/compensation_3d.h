@@ -91,7 +91,7 @@ class Compensation3d {
         /// Of what is left, the share at which the whole has this one …
         double share_of_part(double share) const { return (share - begin) / part(); }
         /// … and back.
-        double share_of_way(double share) const { return begin + share * part(); }
+        double share_of_path(double share) const { return begin + share * part(); }
         path::CurvePoint at(double share) const;
         bool is_line() const { return std::holds_alternative<path::Line>(way); }
         bool turns() const {
@@ -120,7 +120,7 @@ class Compensation3d {
     void extend(Side& next, const Corner& corner);
 
     // compensation_3d_faces.cpp
-    using WayOfTip = std::function<path::Vec3(double share)>;
+    using TipPath = std::function<path::Vec3(double share)>;
     Fault take_surface(const path::Contact& face, Side& side) const;
     Fault check_inclinations(Side& side) const;
     Fault check_bends(const Side& side) const;
@@ -130,7 +130,7 @@ class Compensation3d {
     Fault join_hollow(Side& next, const Corner& corner);
     void roll(const Side& next, const path::Vec3& from, const path::Vec3& at);
     void roll_part(const path::Contact& contact, const Side& next, const path::Vec3& at);
-    void emit_splines(const path::Command& model, const AxisValues& from, const WayOfTip& tip);
+    void emit_splines(const path::Command& model, const AxisValues& from, const TipPath& tip);
 
     path::Vec3 tool_behind(const path::Command& command) const;
     bool changes_orientation(const path::Command& command) const;
@@ -152,7 +152,7 @@ class Compensation3d {
     void emit_arc(const path::Command& model, const path::Vec3& at, const path::Vec3& from,
                   const path::Vec3& to, double turn);
     void emit_line_to(const path::Command& model, const AxisValues& to, const path::Vec3& tool);
-    void put_way(path::Command command, const path::Vec3& from, const path::Vec3& to);
+    void put_path(path::Command command, const path::Vec3& from, const path::Vec3& to);
     void put(path::Command command);
     CompAlarm alarm(Fault fault, const path::Command& command) const;
 

@@ -71,7 +71,7 @@ double Compensation3d::inclination_on(const Side& side, double share) const {
 /// one such place.
 double Compensation3d::least_inclination(const Side& side, double from, double to) const {
     constexpr double kNarrow = 1e-10;
-    const auto tilt = [&](double share) { return inclination_on(side, side.share_of_way(share)); };
+    const auto tilt = [&](double share) { return inclination_on(side, side.share_of_path(share)); };
     while (to - from > kNarrow) {
         const double third = (to - from) / 3;
         if (tilt(from + third) < tilt(to - third)) {
@@ -90,7 +90,7 @@ Compensation3d::Fault Compensation3d::check_inclinations(Side& side) const {
     std::array<double, kInclinations + 1> tilts;
     for (int i = 0; i <= kInclinations; ++i)
         tilts[static_cast<std::size_t>(i)] =
-            inclination_on(side, side.share_of_way(static_cast<double>(i) / kInclinations));
+            inclination_on(side, side.share_of_path(static_cast<double>(i) / kInclinations));
     const auto [least, most] = std::ranges::minmax(tilts);
     if (most > pi / 2 - settings_.cutter.flank + kInclinationRounding) return &diag::CompFaceTilt;
     if (side.contact.radius == side.contact.depth) return nullptr;
@@ -107,7 +107,7 @@ Compensation3d::Fault Compensation3d::check_inclinations(Side& side) const {
         const double to = i == kInclinations ? 1 : static_cast<double>(i + 1) / kInclinations;
         const double share = least_inclination(side, from, to);
         const bool is_inside = share > kSquare && share < 1 - kSquare;
-        if (is_inside && inclination_on(side, side.share_of_way(share)) < kSquare)
+        if (is_inside && inclination_on(side, side.share_of_path(share)) < kSquare)
             return &diag::CompFaceSquare;
     }
     return nullptr;
@@ -120,7 +120,7 @@ Compensation3d::Fault Compensation3d::check_bends(const Side& side) const {
     constexpr double kStep = 1e-5;
     for (int i = 0; i <= kBends; ++i) {
         const double place = std::clamp(static_cast<double>(i) / kBends, kStep, 1 - kStep);
-        const double share = side.share_of_way(place);
+        const double share = side.share_of_path(place);
         const Vec3 tangent = side.at(share).tangent;
         const Vec3 tool = tool_on(side, share);
         const auto before =
@@ -206,7 +206,7 @@ void Compensation3d::roll(const Side& next, const Vec3& from, const Vec3& at) {
 
 void Compensation3d::roll_part(const Contact& contact, const Side& next, const Vec3& at) {
     const Vec3 tool = shown_tool_;
-    const WayOfTip tip = [&](double place) -> Vec3 {
+    const TipPath tip = [&](double place) -> Vec3 {
         const auto aside = path::tip_or_limit(place, [&](double share) {
             return path::tip_beside(contact, path::guide_at(contact, share), tool);
         });
@@ -217,7 +217,7 @@ void Compensation3d::roll_part(const Contact& contact, const Side& next, const V
     if (!is_same_place(begin, shown_)) emit_line_to(next.command, begin, tool);
     AxisValues end = shown_;
     set_linear(end, tip(1));
-    if (path::way_about(contact, tool) < path::kSamePoint) return;
+    if (path::tip_travel_about(contact, tool) < path::kSamePoint) return;
     if (next.command.op == Op::Rapid) return emit_line_to(next.command, end, tool);
     Command command = like(next.command, Op::Line);
     command.to = end;
@@ -264,7 +264,7 @@ bool is_near(const std::function<Vec3(double)>& tip, double from, double to,
 
 /// A way that is no line and no arc, where no transformation of the machine holds the tip on it.
 void Compensation3d::emit_splines(const Command& model, const AxisValues& from,
-                                  const WayOfTip& tip) {
+                                  const TipPath& tip) {
     constexpr double kShortest = 1e-4;
     double begin = 0;
     double step = 1;

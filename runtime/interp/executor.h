@@ -259,9 +259,9 @@ class Executor {
     void arrive(const Target& target);
     // probing.cpp
     bool knows_touches() const;
-    Target part_of_way(const Target& target, double part) const;
-    Probing probe_along(const nc::Block& block, const Target& target, const ProgrammedWay& way);
-    std::optional<double> touch_of_event(const nc::Block& block, const ProgrammedWay& way,
+    Target part_of_move(const Target& target, double part) const;
+    Probing probe_along(const nc::Block& block, const Target& target, const ProgrammedMove& way);
+    std::optional<double> touch_of_event(const nc::Block& block, const ProgrammedMove& way,
                                          bool& is_said);
     std::optional<double> touch_of_scene(const Target& target, bool springs_back);
     void note_probed(const Probing& probing);
@@ -383,7 +383,7 @@ class Executor {
     machine::Mat3 base_rotation() const;
     machine::JointLimits joint_limits() const;
     void put_joints(const path::Vec3& joints, Target& target) const;
-    void report_no_way(const nc::Block& block, const machine::PathRefusal& refusal);
+    void report_no_solution(const nc::Block& block, const machine::PathRefusal& refusal);
     void put_orientation(path::Command& command);
     machine::PathQuery query_to(const path::Vec3& to, const ToolWords* angles) const;
     // point_to_point.cpp: … where the axes go straight
@@ -624,7 +624,7 @@ class Executor {
     void finish_through(const nc::Block* next);
     std::optional<path::Vec3> direction_into(const nc::Block& next);
     bool frames_change_in(const nc::Block& block) const;
-    std::optional<path::Vec3> way_into(const nc::Block& block);
+    std::optional<path::Vec3> direction_into_next(const nc::Block& block);
     std::optional<path::Vec3> way_into_arc(const nc::Block& block, Target target);
     bool is_in_spline() const { return spline_ || through_; }
     bool leaves_spline_open(const nc::Block& block, const nc::Invocation& invocation) const;

@@ -26,7 +26,7 @@ namespace {
 
 constexpr SlotMask kArcSlots = nc::kArcSlots | nc::kThroughSlots | bit(Slot::Opening);
 
-path::Curve straight_way(const Vec3& from, const Vec3& to) {
+path::Curve straight_path(const Vec3& from, const Vec3& to) {
     constexpr double kStill = 1e-9;  // mm: the rounding of frames
     if ((to - from).norm() <= kStill) return path::Point{from};
     return path::make_line(from, to);
@@ -269,11 +269,11 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     if (spindle_.has_cutting_speed && op != Op::Probe) [[unlikely]]
         watch_cutting_speed(block, position_.here[0], target.here[0]);
     if (course_ &&
-        !lay_course(block, straight_way(linear(position_.base), linear(target.base)), target))
+        !lay_course(block, straight_path(linear(position_.base), linear(target.base)), target))
         return;
     if (op == Op::Probe || probes_at_rapid(block)) {
         probing = probe_along(block, target, {position_.here, target.here});
-        if (probing->ends_way()) target = *probing->touched;
+        if (probing->ends_move()) target = *probing->touched;
     }
     if (!require_within_limits(block, target.base, target.moved)) return;
     has_moved_ = true;

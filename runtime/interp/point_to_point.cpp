@@ -168,7 +168,7 @@ Done Executor::stand_along(const Block& block, const ToolWords& tool, const Vec3
     query.mode = machine::PathMode::Axis;
     const auto nearest = machine::choose_path(chain, query);
     if (!nearest) {
-        report_no_way(block, nearest.error());
+        report_no_solution(block, nearest.error());
         return kFailed;
     }
     query.configuration = orienting_.configuration;

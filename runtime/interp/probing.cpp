@@ -28,7 +28,7 @@ bool Executor::knows_touches() const {
 }
 
 /// The way up to a part of it.
-Target Executor::part_of_way(const Target& target, double part) const {
+Target Executor::part_of_move(const Target& target, double part) const {
     Target out = target;
     for (std::size_t i = 0; i < kAxes; ++i)
         out.base[i] = position_.base[i] + part * (target.base[i] - position_.base[i]);
@@ -39,7 +39,7 @@ Target Executor::part_of_way(const Target& target, double part) const {
 /// What the probe meets on its way.
 ///
 /// way  in the coordinates of the block's words, which are the machine's under G53
-Probing Executor::probe_along(const Block& block, const Target& target, const ProgrammedWay& way) {
+Probing Executor::probe_along(const Block& block, const Target& target, const ProgrammedMove& way) {
     Probing probing;
     const Invocation& call = *block.find(Function::Probe);
     probing.goes_on = block.argument(call, parameter_of<Function::Probe>("through")) != 0;
@@ -52,13 +52,13 @@ Probing Executor::probe_along(const Block& block, const Target& target, const Pr
     bool is_said = false;
     std::optional<double> part = touch_of_event(block, way, is_said);
     if (!is_said && options_.probe != nullptr) part = touch_of_scene(target, springs_back);
-    if (part) probing.touched = part_of_way(target, *part);
+    if (part) probing.touched = part_of_move(target, *part);
     return probing;
 }
 
 /// The part of the way that an event says. Of several for one block each is for one run of it, the
 /// last one for all behind.
-std::optional<double> Executor::touch_of_event(const Block& block, const ProgrammedWay& way,
+std::optional<double> Executor::touch_of_event(const Block& block, const ProgrammedMove& way,
                                                bool& is_said) {
     const ProbeTouch* found = nullptr;
     for (std::size_t i = 0; i < options_.touches.size(); ++i) {

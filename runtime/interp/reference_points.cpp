@@ -107,14 +107,14 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     target.here = frames_.from_base(target.base);
     Probing probing;
     if (probes) {
-        ProgrammedWay way{position_.base, target.base};
+        ProgrammedMove way{position_.base, target.base};
         for (std::size_t i = 0; i < kAxes && !has_length; ++i) {
             way.from[i] += length_shift_[i];
             way.to[i] += length_shift_[i];
         }
         probing = probe_along(block, target, way);
     }
-    if (probing.ends_way()) {
+    if (probing.ends_move()) {
         target = *probing.touched;
         for (std::size_t i = 0; i < kAxes; ++i) to[i] = target.base[i] + length_shift_[i];
     }

@@ -54,7 +54,7 @@ std::optional<Vec3> Executor::direction_into(const Block& next) {
     if (next.motion != Function::None) modal_.motion = next.motion;
     const bool is_polar = (next.given & nc::kPolarSlots) != 0;
     const Block* const places = is_polar ? with_polar_slots(next) : &next;
-    const std::optional<Vec3> way = places != nullptr ? way_into(*places) : std::nullopt;
+    const std::optional<Vec3> way = places != nullptr ? direction_into_next(*places) : std::nullopt;
     modal_ = modal_before;
     polar_ = polar_before;
     if (!way) return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<Vec3> Executor::direction_into(const Block& next) {
 
 /// The same in the programmed system, of any length; polar coordinates have become places, and the
 /// motion is modal.
-std::optional<Vec3> Executor::way_into(const Block& block) {
+std::optional<Vec3> Executor::direction_into_next(const Block& block) {
     const Function motion = modal_.motion;
     if (motion == Function::Polynomial) {
         const auto course = polynomials_of(block);

@@ -109,7 +109,7 @@ std::optional<double> Executor::thread_change(const Block& block, double pitch, 
 
 /// The pitch that the block or, on some controls, F says; nothing if it was reported missing.
 std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way) {
-    constexpr double kEqualWays = 1e-6;  // mm: at 45 degrees either axis will do
+    constexpr double kEqualTravels = 1e-6;  // mm: at 45 degrees either axis will do
     const SlotMask words = block.given & nc::kCenterSlots;
     Eigen::Index longest = 0;
     const double most = way.cwiseAbs().maxCoeff(&longest);
@@ -123,7 +123,7 @@ std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto word = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
-        const bool is_long = std::abs(way[static_cast<Eigen::Index>(axis)]) >= most - kEqualWays;
+        const bool is_long = std::abs(way[static_cast<Eigen::Index>(axis)]) >= most - kEqualTravels;
         if (is_long && block.has(word) && block.at(word) > 0) return block.at(word);
     }
     (words == 0 ? report(diag::ThreadPitchMissing, block)

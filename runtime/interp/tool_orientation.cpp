@@ -63,9 +63,9 @@ std::string_view words_of(machine::CandidateFault fault) {
         case CandidateFault::FirstOutside:
         case CandidateFault::SecondOutside:
         case CandidateFault::SpinOutside: return "is beyond a limit";
-        case CandidateFault::OnlyLongWay: return "is there by the longer way only";
+        case CandidateFault::OnlyLongTravel: return "is there by the longer way only";
         case CandidateFault::OtherConfiguration: return "is not on the way of the tool";
-        case CandidateFault::LimitOnTheWay: return "is behind a limit on the way";
+        case CandidateFault::LimitOnPath: return "is behind a limit on the way";
     }
     return "is not possible";
 }
@@ -201,7 +201,7 @@ void Executor::put_joints(const Vec3& joints, Target& target) const {
     }
 }
 
-void Executor::report_no_way(const Block& block, const machine::PathRefusal& refusal) {
+void Executor::report_no_solution(const Block& block, const machine::PathRefusal& refusal) {
     const Chain& chain = machine_.kinematics->chain;
     if (refusal.fault == machine::PathFault::Unreachable) {
         report(diag::OrientationBeyond, block)
@@ -232,7 +232,7 @@ Done Executor::lay_orientation(const Block& block, const Vec3& to, Target& targe
     }
     const auto end = machine::choose_path(chain, query);
     if (!end) {
-        report_no_way(block, end.error());
+        report_no_solution(block, end.error());
         return kFailed;
     }
     put_joints(end->rotary, target);
@@ -339,7 +339,7 @@ Done Executor::follow_course(const Block& block, const path::Turn& turn, const p
         return path::direction_at(turn, curve, fraction * turn.length);
     });
     if (!end) {
-        report_no_way(block, end.error());
+        report_no_solution(block, end.error());
         return kFailed;
     }
     put_joints(end->rotary, target);
@@ -605,7 +605,7 @@ Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
         machine::PathRefusal refusal;
         refusal.configurations[0] = {machine::CandidateFault::SpinOutside, machine::kPsi, psi,
                                      limits};
-        report_no_way(block, refusal);
+        report_no_solution(block, refusal);
         return kFailed;
     }
     put_joints(joints, target);

@@ -134,8 +134,7 @@ class Walk {
             const double value = joints[at(k)];
             const bool is_within =
                 value >= limits.lower - kLimitSlack && value <= limits.upper + kLimitSlack;
-            if (chain_.has(k) && !is_within)
-                return Refused{CandidateFault::LimitOnTheWay, k, value};
+            if (chain_.has(k) && !is_within) return Refused{CandidateFault::LimitOnPath, k, value};
         }
         return std::nullopt;
     }

@@ -25,10 +25,10 @@ constexpr double kWhole = 1e-6;
 
 /// What a module may do with a command.
 enum class Serving : std::uint8_t {
-    Never,    // the way, the spindle and the end of the program are nobody else's
-    Time,     // takes time or switches something; may be left out
-    Motion,   // moves the tool
-    ScanWay,  // … along a way that a beam can be led
+    Never,     // the way, the spindle and the end of the program are nobody else's
+    Time,      // takes time or switches something; may be left out
+    Motion,    // moves the tool
+    ScanPath,  // … along a way that a beam can be led
 };
 
 Serving serving_of(Op op) {
@@ -38,7 +38,7 @@ Serving serving_of(Op op) {
         case Op::Arc:
         case Op::Spline:
         case Op::Involute:
-        case Op::Parametric: return Serving::ScanWay;
+        case Op::Parametric: return Serving::ScanPath;
         case Op::Probe: return Serving::Motion;
         case Op::Dwell:
         case Op::Tool:
@@ -108,11 +108,11 @@ class PipelineReader {
     }
 
     Done require_scanner(const ElementReader& reader, const std::string& name, Serving serving) {
-        if (serving == Serving::ScanWay && machine_.scanner) return kDone;
+        if (serving == Serving::ScanPath && machine_.scanner) return kDone;
         sink_.report(diag::PipelineScanner, reader.place("by"))
             .arg(name)
-            .arg(serving == Serving::ScanWay ? "the machine file describes none"
-                                             : "it is no way for a beam");
+            .arg(serving == Serving::ScanPath ? "the machine file describes none"
+                                              : "it is no way for a beam");
         return kFailed;
     }
 

@@ -20,7 +20,7 @@ constexpr double kLimitSlack = 1e-9;
 /// R1 stands if it would turn by less, rad: vectors in programs have six digits and more.
 constexpr double kUnchanged = 1e-7;
 /// Ways that differ by less are equal, rad and rad².
-constexpr double kEqualWay = 1e-9;
+constexpr double kEqualTravel = 1e-9;
 /// Distance of the points at which a great circle is held against the limits, rad. Between them an
 /// axis leaves the parabola through three of them by less than the resolution of a rotary axis.
 constexpr double kWayStep = 2 * kPi / 180;
@@ -50,7 +50,7 @@ Neighbours neighbours(double angle, double start, const Limits& limits) {
     const double below = last_up_to(angle, std::min(start, limits.upper));
     if (is_within(below, limits)) found.below = below;
     double above = first_from(angle, std::max(start, limits.lower));
-    if (above <= below + kEqualWay) above += kTurn;
+    if (above <= below + kEqualTravel) above += kTurn;
     if (is_within(above, limits)) found.above = above;
     return found;
 }
@@ -58,7 +58,7 @@ Neighbours neighbours(double angle, double start, const Limits& limits) {
 /// The one next to the start, whatever the limits; half a turn either way: the positive one.
 double nearest_turn(double angle, double start) {
     const double way = std::remainder(angle - start, kTurn);
-    return start + (way <= -kPi + kEqualWay ? way + kTurn : way);
+    return start + (way <= -kPi + kEqualTravel ? way + kTurn : way);
 }
 
 /// The nearest admissible one.
@@ -66,7 +66,7 @@ std::optional<double> nearest(double angle, double start, const Limits& limits) 
     const Neighbours found = neighbours(angle, start, limits);
     if (!found.below) return found.above;
     if (!found.above) return found.below;
-    return *found.above - start <= start - *found.below + kEqualWay ? found.above : found.below;
+    return *found.above - start <= start - *found.below + kEqualTravel ? found.above : found.below;
 }
 
 struct Candidate {
@@ -126,7 +126,7 @@ class Choice {
     bool is_wound(double first) const {
         const Limits& limits = query_.limits[kR1];
         if (std::isinf(limits.lower) || std::isinf(limits.upper)) return false;
-        return off_middle(first) > kPi + kEqualWay;
+        return off_middle(first) > kPi + kEqualTravel;
     }
 
     /// The end from which R1 can go on farthest to either side.
@@ -240,14 +240,14 @@ class Choice {
             return outside(CandidateFault::OtherConfiguration, kR2, end[kR2]);
         if (crosses_gap_) return outside(CandidateFault::NoSolution, kR2, end[kR2]);
         const double second = nearest_turn(end[kR2], query_.start[kR2]);
-        if (std::abs(second - end[kR2]) > kEqualWay)
+        if (std::abs(second - end[kR2]) > kEqualTravel)
             return outside(CandidateFault::SecondOutside, kR2, second);
         end[kR1] = query_.start[kR1] + first_along_great_circle(chain_, query_.start, end);
         if (!is_within(end[kR1], query_.limits[kR1])) {
             const auto other = nearest(end[kR1], query_.start[kR1], query_.limits[kR1]);
             return CandidateRefusal{
-                other ? CandidateFault::OnlyLongWay : CandidateFault::FirstOutside, kR1, end[kR1],
-                query_.limits[kR1]};
+                other ? CandidateFault::OnlyLongTravel : CandidateFault::FirstOutside, kR1,
+                end[kR1], query_.limits[kR1]};
         }
         if (const auto refused = check_way(end)) return refused;
         found_.add({end, configuration, false, false});
@@ -265,7 +265,7 @@ class Choice {
             std::abs(half - query_.start[kR2]) <= std::abs(other - query_.start[kR2]) ? half
                                                                                       : other;
         if (is_within(value, query_.limits[kR2])) return std::nullopt;
-        return CandidateRefusal{CandidateFault::LimitOnTheWay, kR2, value, query_.limits[kR2]};
+        return CandidateRefusal{CandidateFault::LimitOnPath, kR2, value, query_.limits[kR2]};
     }
 
     /// Both ends may be within the limits and the way between them not.
@@ -281,7 +281,7 @@ class Choice {
                 std::sin(angle);
             const auto solutions = solve(chain_, direction);
             if (!solutions)
-                return CandidateRefusal{CandidateFault::LimitOnTheWay, kR2, end[kR2],
+                return CandidateRefusal{CandidateFault::LimitOnPath, kR2, end[kR2],
                                         query_.limits[kR2]};
             for (const Solution& solution : *solutions) {
                 if (solution.configuration != start_configuration_ || solution.is_pole) continue;
@@ -291,7 +291,7 @@ class Choice {
                     query_.start[kR1] + first_along_great_circle(chain_, query_.start, rotary);
                 for (const std::size_t k : {kR1, kR2}) {
                     if (!is_within(rotary[at(k)], query_.limits[k]))
-                        return CandidateRefusal{CandidateFault::LimitOnTheWay, k, rotary[at(k)],
+                        return CandidateRefusal{CandidateFault::LimitOnPath, k, rotary[at(k)],
                                                 query_.limits[k]};
                 }
             }
@@ -312,7 +312,7 @@ class Choice {
         for (const auto& way : {ways.above, ways.below}) {
             if (!way) continue;
             const double change = std::abs(*way - start);
-            const bool is_long = change > shortest + kEqualWay;
+            const bool is_long = change > shortest + kEqualTravel;
             if (is_long && !admits_long) continue;
             end[kR1] = *way;
             const bool stands = change < kUnchanged || (passes_pole_ && follows && !is_long);
@@ -321,7 +321,7 @@ class Choice {
             was_added = true;
         }
         if (was_added) return std::nullopt;
-        return outside(CandidateFault::OnlyLongWay, kR1, target);
+        return outside(CandidateFault::OnlyLongTravel, kR1, target);
     }
 
     /// Steps 4 and 5, or the rule of another control.
@@ -365,8 +365,8 @@ class Choice {
     Verdict compared(const Candidate& a, const Candidate& b) const {
         const Vec3 ways_a = ways_of(a);
         const Vec3 ways_b = ways_of(b);
-        const auto less = [](double x, double y) { return x < y - kEqualWay; };
-        const auto differ = [](double x, double y) { return std::abs(x - y) > kEqualWay; };
+        const auto less = [](double x, double y) { return x < y - kEqualTravel; };
+        const auto differ = [](double x, double y) { return std::abs(x - y) > kEqualTravel; };
         if (query_.rule == PathRule::LeastTravel || query_.rule == PathRule::MasterFirst) {
             const auto first = at(leading_joint());
             const auto second = first == at(kR1) ? at(kR2) : at(kR1);
@@ -384,7 +384,7 @@ class Choice {
         if (query_.rule == PathRule::MasterFirst) {
             const double off_a = a.rotary.head<2>().squaredNorm();
             const double off_b = b.rotary.head<2>().squaredNorm();
-            if (std::abs(off_a - off_b) > kEqualWay) return off_a < off_b;
+            if (std::abs(off_a - off_b) > kEqualTravel) return off_a < off_b;
         }
         if (a.configuration != b.configuration) return a.configuration == start_configuration_;
         return a.rotary[kR1] > b.rotary[kR1];

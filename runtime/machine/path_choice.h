@@ -73,9 +73,9 @@ enum class CandidateFault : std::uint8_t {
     FirstOutside,        // no turn of R1 is within its limits
     SecondOutside,       // no turn of R2 is
     SpinOutside,         // no turn of Ψ is
-    OnlyLongWay,         // R1 could get there by a longer way, which the rule does not admit
+    OnlyLongTravel,      // R1 could get there by a longer way, which the rule does not admit
     OtherConfiguration,  // the great circle does not lead into this configuration
-    LimitOnTheWay,       // an axis leaves its limits between start and end of the great circle
+    LimitOnPath,         // an axis leaves its limits between start and end of the great circle
 };
 
 struct CandidateRefusal {

@@ -181,7 +181,7 @@ std::optional<OrientationBlend> orientation_blend(const Chain& chain, const Orie
                                                   const OrientationPath& behind,
                                                   const path::Blending& wish_behind) {
     const OrientationCorner corner(chain, before, behind);
-    const std::optional<double> most = corner.tip().most_way();
+    const std::optional<double> most = corner.tip().most_blend_distance();
     if (!most) return std::nullopt;
     if (!corner.tip().is_corner(wish.with_tangents) && corner.turns_evenly(*most))
         return std::nullopt;
@@ -189,14 +189,14 @@ std::optional<OrientationBlend> orientation_blend(const Chain& chain, const Orie
     const double tolerance = tolerance_of(wish, wish_behind);
     const double way =
         by_distance ? std::min(*most, distance_of(wish, wish_behind))
-                    : longest_way(
+                    : longest_blend_distance(
                           [&](double candidate) {
                               const double used = corner.tip().deviation(candidate) / tolerance;
                               if (std::isinf(wish.orientation)) return used;
                               return std::max(used, corner.leaning(candidate) / wish.orientation);
                           },
                           *most);
-    if (way < kLeastWay) return std::nullopt;
+    if (way < kLeastBlendDistance) return std::nullopt;
     return corner.pieces(way, corner.tip().curve(way));
 }
 
@@ -208,8 +208,8 @@ std::optional<OrientationBlend> smoothed_orientation(const Chain& chain,
     const double most = std::min(before.whole().turn.length, behind.whole().turn.length) / 2;
     if (corner.turns_evenly(most)) return std::nullopt;
     const auto used = [&](double way) { return corner.leaning(way) / tolerance; };
-    const double way = longest_way(used, most);
-    if (way < kLeastWay) return std::nullopt;
+    const double way = longest_blend_distance(used, most);
+    if (way < kLeastBlendDistance) return std::nullopt;
     return corner.pieces(way, std::nullopt);
 }
 

@@ -11,7 +11,7 @@
 
 #include "machine/kinematics.h"
 #include "motion/axis_table.h"
-#include "motion/plain_way.h"
+#include "motion/plain_motion.h"
 #include "motion/programmed_path.h"
 #include "motion/standing.h"
 #include "motion/transformed.h"
@@ -69,7 +69,7 @@ struct Waiting {
     double lean = 0;
     double pole = 0;
     bool is_plain = false;
-    PlainWay plain;                            // if it is
+    PlainMotion plain;                         // if it is
     std::unique_ptr<ProgrammedMotion> motion;  // else, or once it is asked for
 };
 
@@ -364,7 +364,8 @@ bool PathCheck::State::follow_plain() {
         if (look.side == Side::Unknown) return false;
         if (look.side == Side::On) {
             if (i == 0) stay(look.place, tip);
-            else if (is_next(i, tip, come) && way_bound(here.plain, look.place) <= ahead - passed)
+            else if (is_next(i, tip, come) &&
+                     travel_bound(here.plain, look.place) <= ahead - passed)
                 leave(i, look.place);
             else return false;
             before = tip;

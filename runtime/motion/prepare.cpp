@@ -314,7 +314,7 @@ Done Preparer::State::check_axes(const Command& command, const Segment& segment,
 
 /// A motion, or what curves around its corners leave of it; `length` is that of the whole.
 void Preparer::State::emit_part(const Command& command, const Segment& whole, double length,
-                                const WayPart& part) {
+                                const PathPart& part) {
     if (part.to - part.from < kStill) return;
     if (has_law(command)) begin_law(part.from, length);
     const bool is_whole = part.from == 0 && part.to == length;

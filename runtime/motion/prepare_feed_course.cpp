@@ -75,7 +75,7 @@ void Preparer::State::emit_by_law(const path::Command& command, const Segment& s
 
 /// A part of a piece, or both its halves; `share` is the command with this feed.
 void Preparer::State::emit_law_part(path::Command& share, const Segment& segment,
-                                    const path::FeedPolynomial& feed, const WayPart& part,
+                                    const path::FeedPolynomial& feed, const PathPart& part,
                                     const Emission& how) {
     if (has_ended) return;
     const double length = part.to - part.from;

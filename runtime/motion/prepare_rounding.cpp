@@ -193,7 +193,7 @@ void Preparer::State::emit_rest(const Command& command, const Segment& whole, do
                                 double from) {
     if (whole.is_transformed()) {
         if (has_law(command)) begin_law(from, length);
-        emit_way(command, OrientationPath(axes.chain(), whole).part(from, length), length);
+        emit_path(command, OrientationPath(axes.chain(), whole).part(from, length), length);
     } else {
         emit_part(command, whole, length, {from, length});
     }
@@ -344,14 +344,14 @@ double Preparer::State::blend_orientation_corner(const Command& command, const S
     held.is_held = false;
     if (has_law(held.command)) begin_law(held.from, held.length);
     if (const double to = held.length - found->way; to - held.from > kStill)
-        emit_way(held.command, before.part(held.from, to), held.length);
+        emit_path(held.command, before.part(held.from, to), held.length);
     for (std::size_t i = 0; i < found->pieces.size(); ++i) {
         if (i == 2) end_command();
         if (i == 2 && has_law(command)) begin_law(0, length);
         const bool is_before = i < 2;
         if (!has_ended)
-            emit_way(is_before ? held.command : command, found->pieces[i],
-                     is_before ? held.length : length);
+            emit_path(is_before ? held.command : command, found->pieces[i],
+                      is_before ? held.length : length);
     }
     return found->way;
 }

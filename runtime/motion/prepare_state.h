@@ -136,7 +136,7 @@ struct Beside {
 };
 
 /// So much of the way of a motion whose feed changes along it has become pieces.
-struct LawfulWay {
+struct LawProgress {
     double done = 0;
     double length = 0;
 };
@@ -148,7 +148,7 @@ struct Arrival {
 };
 
 /// A part of a motion's way, between two lengths.
-struct WayPart {
+struct PathPart {
     double from = 0;
     double to = 0;
 };
@@ -182,13 +182,13 @@ struct Preparer::State {
     void move(const path::Command& command);
     Done check_axes(const path::Command& command, const Segment& segment, double length);
     void emit_part(const path::Command& command, const Segment& whole, double length,
-                   const WayPart& part);
+                   const PathPart& part);
     void emit_transformed(const path::Command& command, const Segment& whole,
                           Standing::Target& target);
     void turn_at_pole(const path::Command& command, const Segment& at, const path::Vec3& to);
     void turn_alone(const path::Command& command, const Segment& at, Axis axis, double way);
-    std::optional<LogicalAxes> emit_way(const path::Command& command, const Segment& leg,
-                                        double length);
+    std::optional<LogicalAxes> emit_path(const path::Command& command, const Segment& leg,
+                                         double length);
     /// prepare_virtual.cpp
     void emit_virtual(const path::Command& command, const Segment& whole, Standing::Target& target);
     Done emit_leg(const path::Command& command, const Segment& leg, double length,
@@ -257,7 +257,7 @@ struct Preparer::State {
     void emit_by_law(const path::Command& command, const Segment& segment, double length,
                      const Emission& how);
     void emit_law_part(path::Command& share, const Segment& segment,
-                       const path::FeedPolynomial& feed, const WayPart& part, const Emission& how);
+                       const path::FeedPolynomial& feed, const PathPart& part, const Emission& how);
     std::optional<FeedCourse> course_on(const PathLimits& limits, const path::FeedPolynomial& feed,
                                         double length) const;
     void take_course(Piece& piece, const AxisRates& in) const;
@@ -326,7 +326,7 @@ struct Preparer::State {
     AxisCheck check;
     CornerMemory last;
     HeldMotion held;
-    LawfulWay lawful;
+    LawProgress lawful;
     Compressor compressor;
 
     std::deque<IssuedFunction> issued;  // not taken yet by the planner

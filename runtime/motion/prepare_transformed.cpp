@@ -121,7 +121,7 @@ std::vector<Segment> legs_through(const Segment& whole, const std::vector<Passag
 }
 
 /// The part of a great circle that is nearer to a pole than this, rad; nothing if there is none.
-std::optional<WayPart> part_beside(const Turn& turn, const Vec3& pole, double width) {
+std::optional<PathPart> part_beside(const Turn& turn, const Vec3& pole, double width) {
     const double a = turn.start.dot(pole);
     const double b = turn.axis.cross(turn.start).dot(pole);
     const double ahead = std::hypot(a, b);  // cosine of the least distance on the whole circle
@@ -133,7 +133,7 @@ std::optional<WayPart> part_beside(const Turn& turn, const Vec3& pole, double wi
     const double from = std::clamp((middle - half) / whole, 0.0, 1.0);
     const double to = std::clamp((middle + half) / whole, 0.0, 1.0);
     if (from == to) return std::nullopt;
-    return WayPart{std::min(from, to) * turn.length, std::max(from, to) * turn.length};
+    return PathPart{std::min(from, to) * turn.length, std::max(from, to) * turn.length};
 }
 
 /// Where a great circle begins or ends beside a pole, or where no axes can be at the pole, they run
@@ -142,13 +142,13 @@ std::optional<WayPart> part_beside(const Turn& turn, const Vec3& pole, double wi
 std::vector<Segment> legs_beside(const Chain& chain, const Segment& whole, double width) {
     if (width == 0) return {whole};
     const Vec3 first = chain.joints[machine::kR1].direction;
-    std::vector<WayPart> beside;
+    std::vector<PathPart> beside;
     for (const Vec3& pole : {first, Vec3(-first)})
         if (const auto part = part_beside(whole.turn, pole, width)) beside.push_back(*part);
-    std::ranges::sort(beside, {}, &WayPart::from);
+    std::ranges::sort(beside, {}, &PathPart::from);
     std::vector<Segment> legs;
     double from = 0;
-    for (WayPart& part : beside) {
+    for (PathPart& part : beside) {
         if (part.from - from > kStill) legs.push_back(part_of(whole, from, part.from));
         else part.from = from;
         if (whole.turn.length - part.to < kStill) part.to = whole.turn.length;
@@ -302,7 +302,7 @@ void Preparer::State::turn_alone(const Command& command, const Segment& at, Axis
     // Its feed changes along the path, of which this is none.
     if (has_law(rapid)) rapid.dynamics.front().law = {};
     last.must_stop = true;
-    emit_way(rapid, turn, turn.turn.length);
+    emit_path(rapid, turn, turn.turn.length);
     last.must_stop = true;
 }
 
@@ -312,7 +312,7 @@ void Preparer::State::turn_alone(const Command& command, const Segment& at, Axis
 /// joints  where they stand at the end
 Done Preparer::State::emit_leg(const Command& command, const Segment& leg, double length,
                                Vec3& joints) {
-    const std::optional<LogicalAxes> end = emit_way(command, leg, length);
+    const std::optional<LogicalAxes> end = emit_path(command, leg, length);
     if (!end) return kFailed;
     std::array<double, kFollowers> followers{};
     std::copy(end->begin() + 3, end->end(), followers.begin());
@@ -321,8 +321,8 @@ Done Preparer::State::emit_leg(const Command& command, const Segment& leg, doubl
 }
 
 /// A leg in even parts; where the axes stand at its end, nothing if they cannot go there.
-std::optional<LogicalAxes> Preparer::State::emit_way(const Command& command, const Segment& leg,
-                                                     double length) {
+std::optional<LogicalAxes> Preparer::State::emit_path(const Command& command, const Segment& leg,
+                                                      double length) {
     const Chain& chain = axes.chain();
     const double wanted = feed_of(command, leg, leg.turn.length).value_or(kInfinity) *
                           (command.keeps_feed ? 1 : options.feed_override);

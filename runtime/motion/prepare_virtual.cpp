@@ -40,7 +40,7 @@ void Preparer::State::emit_virtual(const path::Command& command, const Segment& 
             }
         }
         if (has_ended) return;
-        const std::optional<LogicalAxes> end = emit_way(command, leg, whole.turn.length);
+        const std::optional<LogicalAxes> end = emit_path(command, leg, whole.turn.length);
         if (!end) return;
         std::copy(end->begin() + 3, end->end(), followers.begin());
     }

@@ -38,7 +38,7 @@ bool RoundedCorner::is_corner(bool with_curvature) const {
     return with_curvature && (in_.curvature - out_.curvature).norm() >= kSameCurvature;
 }
 
-std::optional<double> RoundedCorner::most_way() const {
+std::optional<double> RoundedCorner::most_blend_distance() const {
     if (in_.tangent.dot(out_.tangent) < kTurnsBack) return std::nullopt;
     const double way = std::min(length_, path::length(behind_)) / 2;
     const double bend = std::max(in_.curvature.norm(), out_.curvature.norm());
@@ -54,7 +54,7 @@ double RoundedCorner::deviation(double way) const {
     return path::deviation(curve(way), {before_, length_ - way, length_}, {behind_, 0, way});
 }
 
-double longest_way(const std::function<double(double)>& used, double most) {
+double longest_blend_distance(const std::function<double(double)>& used, double most) {
     double way = most;
     double good = 0;
     double bad = std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ double longest_way(const std::function<double(double)>& used, double most) {
         const bool is_enclosed = good > 0 && std::isfinite(bad);
         const double next = is_enclosed ? std::sqrt(good * bad) : way * (0.99 * kUsed / part);
         way = std::min(next, most);
-        if (way < kLeastWay) break;
+        if (way < kLeastBlendDistance) break;
     }
     return good;
 }
@@ -87,14 +87,14 @@ std::optional<Rounding> rounding(const RoundedSide& before, const RoundedSide& b
     const path::Blending& wish = before.blending;
     if (wish.kind == BlendKind::None || !(wish.size > 0)) return std::nullopt;
     const RoundedCorner corner(before.curve, behind.curve);
-    const std::optional<double> most = corner.most_way();
+    const std::optional<double> most = corner.most_blend_distance();
     if (!most || !corner.is_corner(wish.with_tangents)) return std::nullopt;
     const double tolerance = tolerance_of(wish, behind.blending);
     const auto used = [&](double way) { return corner.deviation(way) / tolerance; };
     const double way = wish.kind == BlendKind::Distance
                            ? std::min(*most, distance_of(wish, behind.blending))
-                           : longest_way(used, *most);
-    if (way < kLeastWay) return std::nullopt;
+                           : longest_blend_distance(used, *most);
+    if (way < kLeastBlendDistance) return std::nullopt;
     return Rounding{way, corner.curve(way)};
 }
 

@@ -15,7 +15,7 @@
 namespace kadr::motion {
 
 /// Less of a way, mm, is a corner.
-inline constexpr double kLeastWay = 1e-3;
+inline constexpr double kLeastBlendDistance = 1e-3;
 
 /// A motion beside the corner: its whole way, and what the program asks for behind it.
 struct RoundedSide {
@@ -38,7 +38,7 @@ class RoundedCorner {
     bool is_corner(bool with_curvature) const;
     /// So far the curve may begin before the corner, mm: half of each side; nothing if the path
     /// turns back.
-    std::optional<double> most_way() const;
+    std::optional<double> most_blend_distance() const;
     path::Transition curve(double way) const;
     /// How far it leaves the path, mm.
     double deviation(double way) const;
@@ -55,7 +55,7 @@ class RoundedCorner {
 /// longest; 0 if there is none.
 ///
 /// used  part of the tolerance that a way takes, known to a fiftieth
-double longest_way(const std::function<double(double)>& used, double most);
+double longest_blend_distance(const std::function<double(double)>& used, double most);
 
 /// How far from a corner its curve begins by a blending that says a distance.
 double distance_of(const path::Blending& before, const path::Blending& behind);

@@ -39,7 +39,7 @@ double turned_angle(const Command& command, const Vec3& from) {
 bool turns(std::size_t follower) { return is_rotary(static_cast<Axis>(follower + 3)); }
 
 /// The way of the contact, of which corners have left a part. Where it stands, there is none.
-path::Curve touched_way(const Command& command, const path::ContactMotion& motion) {
+path::Curve touched_path(const Command& command, const path::ContactMotion& motion) {
     const path::ContactKind kind = motion.contact.kind;
     if (kind == path::ContactKind::Pivot || kind == path::ContactKind::Corner)
         return path::Point{motion.from};
@@ -52,7 +52,7 @@ path::Curve touched_way(const Command& command, const path::ContactMotion& motio
 /// While the contact stands, the way of the tip about it is the path.
 double pivot_length(const Command& command, const path::Curve& touched) {
     if (command.contact.empty() || !std::holds_alternative<path::Point>(touched)) return 0;
-    return path::way_about(command.contact.front().contact, command.direction);
+    return path::tip_travel_about(command.contact.front().contact, command.direction);
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ Standing::Target Standing::target_of(const Command& command) const {
 double Standing::lay_path(const Command& command, const Target& target, Segment& segment) const {
     if (command.turning == path::Turning::Straight) lay_straight(target, segment);
     else if (command.contact.empty()) segment.curve = path::curve_of(command, tip_, target.tip);
-    else segment.curve = touched_way(command, command.contact.front());
+    else segment.curve = touched_path(command, command.contact.front());
     double length = std::max(path::length(segment.curve), pivot_length(command, segment.curve));
     if (target.followers != followers_) lay_followers(target, length, segment);
     if (segment.is_transformed()) lay_orientation(command, length, segment);

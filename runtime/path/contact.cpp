@@ -63,7 +63,7 @@ Vec3 guide_at(const Contact& contact, double share) {
 
 Vec3 tip_square(const Contact& contact, const Vec3& tool) { return contact.allowance * tool; }
 
-double way_about(const Contact& contact, const Vec3& tool) {
+double tip_travel_about(const Contact& contact, const Vec3& tool) {
     if (contact.kind == ContactKind::Pivot) return std::abs(contact.turn * contact.radius);
     if (contact.kind != ContactKind::Face || contact.turn == 0) return 0;
     constexpr int kChords = 16;

@@ -64,7 +64,7 @@ Vec3 tip_square(const Contact& contact, const Vec3& tool);
 /// How far the tip goes while the contact stays in one place and its guide turns, mm.
 ///
 /// tool  unit vector; it keeps its direction
-double way_about(const Contact& contact, const Vec3& tool);
+double tip_travel_about(const Contact& contact, const Vec3& tool);
 
 /// From the contact to the tip at a share of a motion; where a face comes square to the tool there,
 /// as it is beside.

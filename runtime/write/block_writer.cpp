@@ -287,7 +287,7 @@ void BlockWriter::check_message(const Block& block) {
 // ---------------------------------------------------------------- threads
 
 /// The axis along which a straight move goes the longer way; nothing if the block does not tell.
-std::optional<std::size_t> BlockWriter::longer_way(const Block& block) const {
+std::optional<std::size_t> BlockWriter::longer_travel(const Block& block) const {
     std::optional<std::size_t> longest;
     double most = -1;
     bool is_certain = true;
@@ -327,7 +327,7 @@ BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& 
         said.given &= ~kCenterSlots;
         said.set(Slot::Feed, block.at(word));
     } else {
-        const std::optional<std::size_t> axis = longer_way(block);
+        const std::optional<std::size_t> axis = longer_travel(block);
         if (!axis) {
             messages_.position_unknown(block, "F");
             return Written::Already;

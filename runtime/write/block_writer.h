@@ -51,7 +51,7 @@ class BlockWriter {
     void write_long(const Block& block, std::string& out);
     Targets place_words(const Block& block, Function motion);
     Written write_thread(const Block& block, std::string& out);
-    std::optional<std::size_t> longer_way(const Block& block) const;
+    std::optional<std::size_t> longer_travel(const Block& block) const;
     void check_front(const Block& block);
     void check_arc_words(const Block& block);
     void check_knot(const Block& block, Function motion);

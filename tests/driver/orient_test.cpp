@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/driver/ways.h"
+#include "tests/driver/same_paths.h"
 
 namespace {
 
@@ -127,7 +127,7 @@ TEST_F(Orient, TheTipAndTheToolGoTheSameWaysOnEveryControl) {
                                 1e-6)
                         << n;
             }
-            kadr::test::expect_same_ways(now, way);
+            kadr::test::expect_same_paths(now, way);
         }
         // The direction of the fifth: (-0.5, 0.5, 1) of length 1.
         EXPECT_NEAR(first[4]["tool"][0].get<double>(), -0.5 / std::sqrt(1.5), 1e-6);

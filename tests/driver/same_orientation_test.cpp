@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "tests/driver/ways.h"
+#include "tests/driver/same_paths.h"
 
 namespace {
 
@@ -116,8 +116,8 @@ TEST_F(SameOrientation, ThreeLanguagesLeadTipAndToolAlike) {
             const auto now = below(50, all);
             ASSERT_GT(now.size(), 1000u);
             if (first.empty()) first = now;
-            expect_same_ways(below(45, now), first);
-            expect_same_ways(below(45, first), now);
+            expect_same_paths(below(45, now), first);
+            expect_same_paths(below(45, first), now);
         }
         // What the text says, by hand: quarters of circles with the tool standing at its azimuth
         // and tilt, a turn about a point in the plane of both directions.

@@ -356,7 +356,7 @@ TEST(ChainProperty, BothWaysThroughThePole) {
             ASSERT_FALSE(refused);
             const int kept = configuration_of(chain, query.start);
             const auto& why = refused.error().configurations;
-            EXPECT_EQ(why[static_cast<std::size_t>(kept - 1)].fault, CandidateFault::LimitOnTheWay);
+            EXPECT_EQ(why[static_cast<std::size_t>(kept - 1)].fault, CandidateFault::LimitOnPath);
             EXPECT_EQ(why[static_cast<std::size_t>(2 - kept)].fault, CandidateFault::SecondOutside);
         });
 }

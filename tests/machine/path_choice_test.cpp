@@ -156,7 +156,7 @@ TEST(PathChoice, RefusalsSayWhatAndWhere) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().fault, PathFault::NoCandidate);
     const auto& [first, second] = refused.error().configurations;
-    EXPECT_EQ(first.fault, CandidateFault::OnlyLongWay);
+    EXPECT_EQ(first.fault, CandidateFault::OnlyLongTravel);
     EXPECT_EQ(first.joint, kR1);
     EXPECT_NEAR(deg_from_rad(first.value), 200, 1e-9);
     EXPECT_NEAR(deg_from_rad(first.limits.upper), 180, 1e-9);
@@ -187,7 +187,7 @@ TEST(PathChoice, LimitsHoldOnTheWay) {
     query.limits[kR2] = limits_deg(30, 100);
     const auto refused = choose_path(chain, query);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().configurations[0].fault, CandidateFault::LimitOnTheWay);
+    EXPECT_EQ(refused.error().configurations[0].fault, CandidateFault::LimitOnPath);
     EXPECT_EQ(refused.error().configurations[0].joint, kR2);
     // By axes R2 does not move at all.
     query.mode = PathMode::Axis;

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "motion/plain_way.h"
+#include "motion/plain_motion.h"
 #include "path/steady.h"
 #include "tests/common/test_curves.h"
 #include "tests/motion/any_program.h"
@@ -319,7 +319,7 @@ RC_GTEST_PROP(PathCheck, SaysOfPlainSpansWhatIsSure, ()) {
     if (!steady) return;
     const path::QuinticSpan span = path::make_quintic(Vec3::Zero(), end, shape);
     const auto position = [&](double u) -> Vec3 { return path::point_at(span, u).position; };
-    const PlainWay way = plain_way(*steady);
+    const PlainMotion way = plain_way(*steady);
     RC_ASSERT((end_of(way) - end).norm() == 0);
     const double tolerance = *rc::gen::element(1e-6, 1e-3, 0.1);
     const double u = *rc::gen::inRange(0, 1001) * 0.001;
@@ -335,7 +335,7 @@ RC_GTEST_PROP(PathCheck, SaysOfPlainSpansWhatIsSure, ()) {
     }
     if (look.side == PlainLook::Side::Beside) RC_ASSERT(least > tolerance * (1 - 1e-9));
     if (aside == 0) RC_ASSERT(look.side == PlainLook::Side::On);
-    RC_ASSERT(way_bound(way, u) >= position(u).norm() - 1e-12);
+    RC_ASSERT(travel_bound(way, u) >= position(u).norm() - 1e-12);
     RC_ASSERT((path::position(curve_of(way), path::length(curve_of(way)) / 2) -
                path::position(path::Curve(span), span.length / 2))
                   .norm() < 1e-9);

@@ -155,16 +155,16 @@ TEST(Contact, TheTipGoesAboutAStandingContact) {
     contact.guide = Vec3(-0.5, 0, 1).normalized();
     contact.axis = Vec3::UnitY();
     contact.turn = 0.8;
-    EXPECT_NEAR(way_about(contact, Vec3::UnitZ()), 5 * 0.8, 2e-3);
+    EXPECT_NEAR(tip_travel_about(contact, Vec3::UnitZ()), 5 * 0.8, 2e-3);
     contact.kind = ContactKind::Pivot;
-    EXPECT_NEAR(way_about(contact, Vec3::UnitZ()), 5 * 0.8, 1e-12);
+    EXPECT_NEAR(tip_travel_about(contact, Vec3::UnitZ()), 5 * 0.8, 1e-12);
     contact = face(5, 0);
     contact.guide = Vec3(-0.5, 0, 1).normalized();
     contact.axis = Vec3::UnitZ();
     contact.turn = std::numbers::pi;
-    EXPECT_NEAR(way_about(contact, Vec3::UnitZ()), 5 * std::numbers::pi, 0.05);
+    EXPECT_NEAR(tip_travel_about(contact, Vec3::UnitZ()), 5 * std::numbers::pi, 0.05);
     contact.turn = 0;
-    EXPECT_EQ(way_about(contact, Vec3::UnitZ()), 0);
+    EXPECT_EQ(tip_travel_about(contact, Vec3::UnitZ()), 0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "motion/plain_way.h"
+#include "motion/plain_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ PlainLook foot_on(const Points<N>& points, const Vec3& tip, double tolerance, do
 
 /// What a span's points say; a line has none.
 template <typename Answer, typename Ask>
-Answer of_span(const PlainWay& way, const Ask& ask) {
+Answer of_span(const PlainMotion& way, const Ask& ask) {
     if (const auto* cubic = std::get_if<path::Cubic>(&way.curve)) return ask(*cubic);
     return ask(std::get<path::Quintic>(way.curve));
 }
@@ -77,37 +77,37 @@ path::Curve measured(const path::Quintic& points) {
 
 }  // namespace
 
-PlainWay plain_way(const path::Line& line) {
-    PlainWay way;
+PlainMotion plain_way(const path::Line& line) {
+    PlainMotion way;
     way.curve = line;
     way.length = line.length;
     return way;
 }
 
-PlainWay plain_way(const path::SteadySpan& steady) {
-    PlainWay way;
+PlainMotion plain_way(const path::SteadySpan& steady) {
+    PlainMotion way;
     std::visit([&](const auto& points) { way.curve = points; }, steady);
     way.length = of_span<double>(way, [](const auto& points) { return polygon(points); });
     return way;
 }
 
-path::Curve curve_of(const PlainWay& way) {
+path::Curve curve_of(const PlainMotion& way) {
     if (const auto* line = std::get_if<path::Line>(&way.curve)) return *line;
     return of_span<path::Curve>(way, [](const auto& points) { return measured(points); });
 }
 
-const Vec3& end_of(const PlainWay& way) {
+const Vec3& end_of(const PlainMotion& way) {
     if (const auto* line = std::get_if<path::Line>(&way.curve)) return line->end;
     return *of_span<const Vec3*>(way, [](const auto& points) { return &points.back(); });
 }
 
-PlainLook look_on_span(const PlainWay& way, const Vec3& tip, double tolerance, double place) {
+PlainLook look_on_span(const PlainMotion& way, const Vec3& tip, double tolerance, double place) {
     const double lower = std::max(0.0, place - 2 * tolerance / way.length);
     return of_span<PlainLook>(
         way, [&](const auto& points) { return foot_on(points, tip, tolerance, place, lower); });
 }
 
-double bound_on_span(const PlainWay& way, double place) {
+double bound_on_span(const PlainMotion& way, double place) {
     if (place >= 1) return way.length;
     return of_span<double>(way, [&]<std::size_t N>(const Points<N>& points) {
         return polygon(path::Casteljau<Vec3, N>(points, place).halves().first);

@@ -1,5 +1,5 @@
-// compensation_ways.cpp — the cutter's way to the contour and away from it: around its end, or on a
-// curve.
+// compensation_paths.cpp — the cutter's way to the contour and away from it: around its end, or on
+// a curve.
 #include <cmath>
 #include <utility>
 
@@ -59,7 +59,7 @@ Compensation::Fault Compensation::way_in(const Element& first, std::optional<Ele
     return nullptr;
 }
 
-Compensation::Fault Compensation::way_out(const Vec2& to, std::optional<Element>& way) const {
+Compensation::Fault Compensation::retract_path(const Vec2& to, std::optional<Element>& way) const {
     const Vec2 tangent = path::end_direction(last_);
     const Vec2 along = to - last_.to;
     if (along.norm() < path::kSamePoint || distance_ == 0) return nullptr;

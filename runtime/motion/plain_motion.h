@@ -1,4 +1,4 @@
-// plain_way.h — a motion on which nothing but X, Y and Z moves, as the program says it, where a
+// plain_motion.h — a motion on which nothing but X, Y and Z moves, as the program says it, where a
 // setpoint is judged in some nanoseconds.
 //
 // What most of a program is: lines, and spans of splines that go on towards their end. Who asks
@@ -28,7 +28,7 @@ struct PlainLook {
     double place = 0;  // On: the foot, in the way's own parameter
 };
 
-struct PlainWay {
+struct PlainMotion {
     /// A line, whose places are told in mm; or a steady span (path/steady.h), by its parameter.
     std::variant<path::Line, path::Cubic, path::Quintic> curve;
     double length = 0;                          // mm: of a span, a bound that is never too small
@@ -37,29 +37,32 @@ struct PlainWay {
 };
 
 /// The way along a curve, for the caller to complete.
-PlainWay plain_way(const path::Line& line);
-PlainWay plain_way(const path::SteadySpan& steady);
+PlainMotion plain_way(const path::Line& line);
+PlainMotion plain_way(const path::SteadySpan& steady);
 
 /// Its curve with all that a closer look needs; a span is measured for it.
-path::Curve curve_of(const PlainWay& way);
-const path::Vec3& end_of(const PlainWay& way);
-inline bool is_line(const PlainWay& way) { return std::holds_alternative<path::Line>(way.curve); }
+path::Curve curve_of(const PlainMotion& way);
+const path::Vec3& end_of(const PlainMotion& way);
+inline bool is_line(const PlainMotion& way) {
+    return std::holds_alternative<path::Line>(way.curve);
+}
 
 /// The tip of a setpoint, mm, of a machine with X, Y and Z in front.
-inline path::Vec3 tip_of(const PlainWay& way, const Setpoint& setpoint) {
+inline path::Vec3 tip_of(const PlainMotion& way, const Setpoint& setpoint) {
     return path::Vec3(setpoint.axis[0], setpoint.axis[1], setpoint.axis[2]) - way.carrier;
 }
 
 /// Whether the axes beside X, Y and Z stand where they should.
 ///
 /// followers  how many the machine has
-inline bool stands(const PlainWay& way, const Setpoint& setpoint, std::size_t followers) {
+inline bool stands(const PlainMotion& way, const Setpoint& setpoint, std::size_t followers) {
     for (std::size_t i = 0; i < followers; ++i)
         if (setpoint.axis[i + 3] != way.standing[i]) return false;
     return true;
 }
 
-PlainLook look_on_span(const PlainWay& way, const path::Vec3& tip, double tolerance, double place);
+PlainLook look_on_span(const PlainMotion& way, const path::Vec3& tip, double tolerance,
+                       double place);
 
 inline PlainLook look_on_line(const path::Line& line, const path::Vec3& tip, double tolerance,
                               double place) {
@@ -75,17 +78,17 @@ inline PlainLook look_on_line(const path::Line& line, const path::Vec3& tip, dou
 ///
 /// tolerance  mm
 /// place      in the way's own parameter, from which on the tip has come
-inline PlainLook look_at(const PlainWay& way, const path::Vec3& tip, double tolerance,
+inline PlainLook look_at(const PlainMotion& way, const path::Vec3& tip, double tolerance,
                          double place) {
     const auto* line = std::get_if<path::Line>(&way.curve);
     return line != nullptr ? look_on_line(*line, tip, tolerance, place)
                            : look_on_span(way, tip, tolerance, place);
 }
 
-double bound_on_span(const PlainWay& way, double place);
+double bound_on_span(const PlainMotion& way, double place);
 
 /// How far along the way a place is, mm: of a span, a bound that is never too small.
-inline double way_bound(const PlainWay& way, double place) {
+inline double travel_bound(const PlainMotion& way, double place) {
     return is_line(way) ? place : bound_on_span(way, place);
 }
 

@@ -1,4 +1,5 @@
-// ways.h — where tip and tool are at the ticks of a run, and whether two runs go the same ways.
+// same_paths.h — where tip and tool are at the ticks of a run, and whether two runs go the same
+// ways.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +45,7 @@ inline std::array<double, 2> beside(const Way& pose, const Way& from, const Way&
 
 /// Every tick of one run lies on the way of the other, to a micrometre and a millionth; where the
 /// text of the other begins with motions of its own, from a tick on.
-inline void expect_same_ways(const std::vector<Way>& ticks, const std::vector<Way>& reference) {
+inline void expect_same_paths(const std::vector<Way>& ticks, const std::vector<Way>& reference) {
     std::size_t at = 0;
     for (const Way& pose : ticks) {
         bool is_on = false;
