@@ -419,10 +419,10 @@ class Solver {
             message.note("with one rotary axis the tool reaches the directions of one cone only");
             return;
         }
-        const machine::TiltReach reach = machine::tilt_reach(chain_);
+        const machine::PoleAngleReach reach = machine::pole_angle_reach(chain_);
         message.note(fmt::format(
             "it stands {} deg from axis {}, and the machine reaches {} to {} deg",
-            shown(deg_from_rad(machine::tilt_of(chain_, direction))), axis_name(machine::kR1),
+            shown(deg_from_rad(machine::pole_angle_of(chain_, direction))), axis_name(machine::kR1),
             shown(deg_from_rad(reach.lower)), shown(deg_from_rad(reach.upper))));
     }
 

@@ -104,7 +104,7 @@ void MotionTrace::keep_pole(const motion::Setpoint& setpoint) {
                 rotary[static_cast<Eigen::Index>(k)] = setpoint.axis[i];
         }
     }
-    const double tilt = machine::tilt_of(chain, machine::tool_vector(chain, rotary));
+    const double tilt = machine::pole_angle_of(chain, machine::tool_vector(chain, rotary));
     if (std::min(tilt, std::numbers::pi - tilt) > kNearPole) return;
     const bool goes_on =
         !poles_.empty() && (poles_.back().to == last_time_ || poles_.size() == kMostPoles);

@@ -100,8 +100,8 @@ Done Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
         const ToolTaken said = take_tool(plan, instruction, at);
         if (said != ToolTaken::Nothing) return Done(said == ToolTaken::Done);
     }
-    if (!plan.functions.empty() && is_about_tilt(plan)) [[unlikely]]
-        return emit_tilt(plan, instruction, registers, at);
+    if (!plan.functions.empty() && is_about_tilted_plane(plan)) [[unlikely]]
+        return emit_tilted_plane(plan, instruction, registers, at);
     if (!plan.functions.empty() && needs_frame(plan)) [[unlikely]]
         return emit_frame(plan, instruction, registers, at);
     return emit_block(plan, instruction, registers, at);

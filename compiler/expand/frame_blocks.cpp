@@ -68,7 +68,7 @@ Done Expander::State::settle_frame(Block& block, std::uint32_t at) {
 Done Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
                                    std::uint32_t at) {
     if (!recordings.empty()) return refuse_in_contour("a frame", at);
-    if (modal.tilt == ModalState::Tilt::Closed) return refuse_in_tilt("a frame", at);
+    if (modal.tilt == ModalState::Tilt::Closed) return refuse_in_tilted_plane("a frame", at);
     if (modal.tcp == ModalState::Tcp::Length) return refuse_under_tcp("a frame", at);
     const sema::Slot* values = registers + instruction.a;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};

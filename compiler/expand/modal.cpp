@@ -273,7 +273,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
                 parameter_of_all<"axis", Function::OffsetToEdge, Function::OffsetToMiddle>()));
             break;
         case Kind::Tilts:
-        case Kind::EndsTilt:
+        case Kind::EndsTiltedPlane:
             lose_system();
             is_turned = true;  // as the plane before had left the axes
             break;

@@ -63,7 +63,7 @@ struct ModalState {
     /// a frame that stands for it.
     enum class Tilt : std::uint8_t { None, Own, Closed, Resolved };
     Tilt tilt = Tilt::None;
-    control::ProgramFrame tilt_frame;  // Resolved: the frame that is the plane
+    control::ProgramFrame tilted_plane_frame;  // Resolved: the frame that is the plane
     /// Tool centre point control: by functions of its own, or as a kind of tool length.
     enum class Tcp : std::uint8_t { Off, Own, Length };
     Tcp tcp = Tcp::Off;

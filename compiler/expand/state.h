@@ -1,10 +1,10 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
-// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), tilting.cpp and
-// orienting.cpp (planes and directions of five axes), input.cpp and
-// cycles.cpp (blocks written the way of another control), contours.cpp,
-// unknown.cpp (modal state that is not known), curves.cpp, faults.cpp (errors with the call stack),
-// start.cpp (programs, parameters), tests.cpp, text_format.cpp. For the room expand only.
+// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), tilted_planes.cpp
+// and orienting.cpp (planes and directions of five axes), input.cpp and cycles.cpp (blocks written
+// the way of another control), contours.cpp, unknown.cpp (modal state that is not known),
+// curves.cpp, faults.cpp (errors with the call stack), start.cpp (programs, parameters), tests.cpp,
+// text_format.cpp. For the room expand only.
 #pragma once
 
 #include <array>
@@ -182,19 +182,19 @@ struct Expander::State {
     Done fill_block(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                     std::uint32_t at);
 
-    // ---- tilting.cpp
-    bool is_about_tilt(const sema::Plan& plan) const;
-    Done emit_tilt(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
-                   std::uint32_t at);
+    // ---- tilted_planes.cpp
+    bool is_about_tilted_plane(const sema::Plan& plan) const;
+    Done emit_tilted_plane(const sema::Plan& plan, const Instruction& instruction,
+                           const Slot* registers, std::uint32_t at);
     Done emit_plan_of_frame(const sema::Plan& plan, const Instruction& instruction,
                             const Slot* registers, std::uint32_t at);
-    Done refuse_in_tilt(std::string_view what, std::uint32_t at);
+    Done refuse_in_tilted_plane(std::string_view what, std::uint32_t at);
     Done read_plane(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                     std::uint32_t at, std::array<double, 6>& values);
     Done say_euler(const std::array<double, 6>& values, SourceId source, std::uint32_t at,
                    unsigned depth);
-    Done resolve_tilt(const std::array<double, 6>& values, SourceId source, std::uint32_t at,
-                      unsigned depth);
+    Done resolve_tilted_plane(const std::array<double, 6>& values, SourceId source,
+                              std::uint32_t at, unsigned depth);
     Done say_joints(const machine::Chain& chain, const path::Vec3& joints, SourceId source,
                     std::uint32_t at, unsigned depth);
 

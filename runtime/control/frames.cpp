@@ -117,8 +117,8 @@ void Frames::set_tables(const Frame& tables) {
     update();
 }
 
-void Frames::set_tilt(const Frame& tilt) {
-    tilt_ = tilt;
+void Frames::set_tilted_plane(const Frame& tilt) {
+    tilted_plane_frame_ = tilt;
     update();
 }
 
@@ -133,7 +133,7 @@ Frame Frames::outside_tool_frame() const {
 }
 
 Frame Frames::inside_tool_frame() const {
-    Frame frame = tilt_ * path::translation(own_shift());
+    Frame frame = tilted_plane_frame_ * path::translation(own_shift());
     for (const Step& step : steps_) frame = frame * step.frame;
     return frame * inner_.whole();
 }
@@ -293,10 +293,11 @@ void Frames::release_table() {
 
 void Frames::update() {
     const Vec3 own = own_shift();
-    is_swivelled_ =
-        !(path::is_nothing(tables_) && path::is_nothing(tilt_) && path::is_nothing(tool_frame_));
+    is_swivelled_ = !(path::is_nothing(tables_) && path::is_nothing(tilted_plane_frame_) &&
+                      path::is_nothing(tool_frame_));
     if (is_swivelled_) {
-        total_ = tables_ * outside_tool_frame() * tool_frame_ * tilt_ * path::translation(own);
+        total_ = tables_ * outside_tool_frame() * tool_frame_ * tilted_plane_frame_ *
+                 path::translation(own);
     } else if (work_offset_.is_shift() && base_.is_shift()) {
         const Vec3 outer =
             work_offset_.whole().shift + path::linear(set_shift_) + base_.whole().shift;
@@ -339,7 +340,7 @@ bool Frames::is_mirrored(path::Plane plane) const {
                .dot(path::unit(axes.normal)) < 0;
 }
 
-bool Frames::is_tilted(path::Plane plane) const {
+bool Frames::is_plane_tilted(path::Plane plane) const {
     if (is_shift_) return false;
     const path::PlaneAxes axes = path::axes_of(plane);
     const Vec3 normal = path::unit(axes.normal);

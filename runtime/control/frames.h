@@ -78,8 +78,8 @@ class Frames {
     void set_tables(const path::Frame& tables);
     const path::Frame& tables() const { return tables_; }
     /// A tilted plane, said in the system of the work offset.
-    void set_tilt(const path::Frame& tilt);
-    const path::Frame& tilt() const { return tilt_; }
+    void set_tilted_plane(const path::Frame& tilt);
+    const path::Frame& tilt() const { return tilted_plane_frame_; }
     /// A frame along the tool, outside of the tilted plane; nothing: none.
     void set_tool_frame(const std::optional<path::Frame>& frame);
     bool has_tool_frame() const { return has_tool_frame_; }
@@ -104,7 +104,7 @@ class Frames {
     /// Whether what is seen from the normal of the plane is seen in a mirror.
     bool is_mirrored(path::Plane plane) const;
     /// Whether the plane does not lie as the plane of the base system does.
-    bool is_tilted(path::Plane plane) const;
+    bool is_plane_tilted(path::Plane plane) const;
     /// Nothing but a shift: each axis can be worked out by itself.
     bool is_shift() const { return is_shift_; }
     const AxisValues& shift_values() const { return shift_values_; }
@@ -132,7 +132,7 @@ class Frames {
     ControlFrame work_offset_;
     std::optional<path::Frame> table_;
     path::Frame tool_frame_;
-    path::Frame tilt_;
+    path::Frame tilted_plane_frame_;
     bool has_tool_frame_ = false;
     bool is_swivelled_ = false;  // one of the three frames is not nothing
     AxisValues set_shift_{};

@@ -41,7 +41,7 @@ path::ApproachShape approach_shape_of(double number) {
 /// The words of the block, and how the tool moves before and behind the slow infeed. Nothing: it
 /// was reported.
 std::optional<ApproachMove> Executor::approach_move_of(const Block& block, const Actions& actions) {
-    if (frames_.is_tilted(modal_.plane)) {
+    if (frames_.is_plane_tilted(modal_.plane)) {
         report(diag::IsoNotSupported, block).arg("a soft approach or retract in a tilted plane");
         return std::nullopt;
     }

@@ -82,10 +82,11 @@ void Executor::put_arc(const Block& block, const path::Arc& programmed, const Ta
     const Vec3 third = path::unit(plane.normal);
     const path::Frame& frame = frames_.total();
     const double side = programmed.normal.dot(third);
-    const bool is_tilted = std::abs(side) < 1 - 1e-12;
-    const Vec3 first = is_tilted ? programmed.normal.unitOrthogonal() : path::unit(plane.first);
-    const Vec3 second =
-        is_tilted ? Vec3(programmed.normal.cross(first)) : Vec3(side * path::unit(plane.second));
+    const bool is_plane_tilted = std::abs(side) < 1 - 1e-12;
+    const Vec3 first =
+        is_plane_tilted ? programmed.normal.unitOrthogonal() : path::unit(plane.first);
+    const Vec3 second = is_plane_tilted ? Vec3(programmed.normal.cross(first))
+                                        : Vec3(side * path::unit(plane.second));
     const path::Arc arc{linear(position_.base), linear(target.base), frame(programmed.center),
                         frame.direction(first).cross(frame.direction(second)).normalized(),
                         programmed.sweep};
@@ -97,7 +98,7 @@ void Executor::put_arc(const Block& block, const path::Arc& programmed, const Ta
 void Executor::stretched_arc(const Block& block, const Target& target, bool exact_stop) {
     const SlotMask thirds = bit(nc::slot_of(path::axes_of(modal_.plane).normal));
     const bool is_helix = !block.has(Slot::Radius) && (block.given & thirds) != 0;
-    if (!rules_.arc_radius_scaled_by_larger || frames_.is_tilted(modal_.plane) || is_helix) {
+    if (!rules_.arc_radius_scaled_by_larger || frames_.is_plane_tilted(modal_.plane) || is_helix) {
         report(diag::ArcStretched, block, modal_.motion);
         return;
     }

@@ -132,7 +132,7 @@ std::optional<Carrier> Executor::standing_carrier(const Block& block, const Carr
 /// Frames lie on the carrier's table; no axis moves.
 void Executor::lay_on_carrier() {
     path::Frame tables = path::translation(carrier_.stand->table_shift());
-    if (tilting_.on_tables) tables.linear = carrier_.stand->table();
+    if (tilted_plane_.on_tables) tables.linear = carrier_.stand->table();
     frames_.set_tables(tables);
     frame_changed();
 }
@@ -141,7 +141,7 @@ void Executor::end_carrier() {
     carrier_.number = 0;
     carrier_.stand.reset();
     frames_.set_tables(
-        tilting_.on_tables && machine_.kinematics
+        tilted_plane_.on_tables && machine_.kinematics
             ? machine::table_frame(machine_.kinematics->chain, joints_of(position_.base))
             : path::Frame{});
     frame_changed();

@@ -317,14 +317,14 @@ CompSettings Executor::comp_settings() const {
 /// program, if frames have tilted it; there left and right are the program's. A carrier that turns
 /// the tool turns its plane, and that has to be the program's.
 path::Mat3 Executor::comp_lie() const {
-    const bool is_in_base = rules_.comp_in_base_plane && !tilting_.is_on && !comp_.is_in_frame &&
-                            !is_turned_by_carrier();
+    const bool is_in_base = rules_.comp_in_base_plane && !tilted_plane_.is_on &&
+                            !comp_.is_in_frame && !is_turned_by_carrier();
     return is_in_base ? path::Mat3::Identity() : plane_lie();
 }
 
 /// How the plane of the program lies, if frames have tilted it.
 path::Mat3 Executor::plane_lie() const {
-    if (!frames_.is_tilted(modal_.plane)) return path::Mat3::Identity();
+    if (!frames_.is_plane_tilted(modal_.plane)) return path::Mat3::Identity();
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const path::Frame& frame = frames_.total();
     const path::Vec3 first = frame.direction(path::unit(axes.first)).normalized();

@@ -207,7 +207,7 @@ void Executor::run(const Block& block) {
         report(diag::TooManyBlocks, block).arg(static_cast<std::size_t>(options_.max_blocks));
         return;
     }
-    if (tilting_.open && !require_block_of_open_plane(block)) return;
+    if (tilted_plane_.open && !require_block_of_open_plane(block)) return;
     if (block.function_count != 0) return run_functions(block);
     // Nothing but words: nearly every block.
     static constexpr Actions kNone{};

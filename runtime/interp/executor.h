@@ -4,13 +4,13 @@
 // functions), power_on.cpp (how the control begins), plain_moves.cpp (what nearly every block is),
 // motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and angles.cpp
 // (what controls work out of other words), orienting.cpp, tool_words.cpp and tool_orientation.cpp
-// (the machine's transformation, and how the tool turns under it), tilting.cpp and swivelling.cpp
-// (tilted planes), carrier_words.cpp (tool carriers that are turned), virtual_axes.cpp (faces and
-// cylinders), cornering.cpp and compensating.cpp (what the commands pass through),
-// approach_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded corners, compressed
-// lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle is called),
-// panel.cpp and feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a shape that
-// stands in the program), contours.cpp (contours that become tables), splines.cpp,
+// (the machine's transformation, and how the tool turns under it), tilted_planes.cpp and
+// swivelling.cpp (tilted planes), carrier_words.cpp (tool carriers that are turned),
+// virtual_axes.cpp (faces and cylinders), cornering.cpp and compensating.cpp (what the commands
+// pass through), approach_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded corners,
+// compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle is
+// called), panel.cpp and feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a shape
+// that stands in the program), contours.cpp (contours that become tables), splines.cpp,
 // through_splines.cpp, spline_neighbours.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other
 // curves), arc_threads.cpp (threads along arcs), numbered_spindles.cpp (several spindles),
 // rare_words.cpp and data_input.cpp (rarer words), dangers.cpp (what no control minds and no
@@ -406,11 +406,11 @@ class Executor {
     Done share_orientation(const nc::Block& block, const ToolWords& tool,
                            const std::vector<double>& shares,
                            const std::vector<PoleBlock*>& pieces);
-    // tilting.cpp: tilted planes, and the rotary axes that stand to them
+    // tilted_planes.cpp: tilted planes, and the rotary axes that stand to them
     void tilt(const nc::Block& block, const nc::Invocation& invocation);
     std::optional<path::Frame> plane_by_angles(const nc::Block& block,
                                                const nc::Invocation& invocation);
-    void tilt_by_blocks(const nc::Block& block, const nc::Invocation& invocation);
+    void set_plane_by_blocks(const nc::Block& block, const nc::Invocation& invocation);
     std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const SaidPlane& said);
     std::optional<path::Vec3> origin_of_plane(const nc::Block& block,
                                               const nc::Invocation& invocation, std::size_t first);
@@ -418,7 +418,7 @@ class Executor {
                                  bool is_added);
     void set_plane(const path::Frame& plane, bool is_added);
     void tilt_along_tool(const nc::Block& block, const nc::Invocation& invocation);
-    void end_tilt(const nc::Block& block);
+    void end_tilted_plane(const nc::Block& block);
     void turn_in_space(const nc::Block& block, const nc::Invocation& invocation);
     Done end_rotations_3d(const nc::Block& block);
     Done require_nested_length(const nc::Block& block, nc::Function function);
@@ -853,7 +853,7 @@ class Executor {
     WorkArea area_;
     Polar polar_;
     Orienting orienting_;
-    Tilting tilting_;
+    Tilting tilted_plane_;
     NextOrientation next_orientation_;
     std::optional<ToolWords> course_;  // of the block: waits until its path is known
     path::Contact face_;               // normals of the surface along the block, of a Face

@@ -119,7 +119,7 @@ bool Executor::set_plain_frame(Quantity quantity, const control::ControlFrame& f
             frames_.set_tool_frame(is_nothing ? std::nullopt : std::optional(whole));
             return true;
         }
-        case Quantity::PlaneFrame: frames_.set_tilt(frame.whole()); return true;
+        case Quantity::PlaneFrame: frames_.set_tilted_plane(frame.whole()); return true;
         default: return false;
     }
     frames_.select_bases(bases);

@@ -42,7 +42,7 @@ Actions Executor::apply_functions(const Block& block) {
 /// Whether the function would change, inside a rotation, what the control fixes before it.
 bool Executor::is_too_late(Function function) const {
     if (!rules_.rotation_is_innermost) return false;
-    if (tilting_.is_on && nc::has_fact(function, nc::Fact::BeforeTilt)) return true;
+    if (tilted_plane_.is_on && nc::has_fact(function, nc::Fact::BeforeTiltedPlane)) return true;
     if (nc::has_fact(function, nc::Fact::Mirrors) && frames_.is_scaled()) return true;
     if (!frames_.is_rotated()) return false;
     return nc::has_fact(function, nc::Fact::BeforeRotation) || is_other_plane(function);
@@ -74,7 +74,7 @@ Done Executor::require_allowed(const Block& block, Function function) {
     if (is_too_late(function)) {
         report(diag::FrameInsideRotation, block, function)
             .arg(word_of(block, function))
-            .arg(frames_.is_rotated() || tilting_.is_on ? "rotation" : "scaling");
+            .arg(frames_.is_rotated() || tilted_plane_.is_on ? "rotation" : "scaling");
         return kFailed;
     }
     if (!orienting_.has_length) return kDone;
@@ -103,7 +103,7 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
             break;
         case Kind::WritesWorkOffset: actions.data = &invocation; break;
         case Kind::CorrectsWorkOffset: use_probed(block, invocation); break;
-        case Kind::EndsTilt: end_tilt(block); break;
+        case Kind::EndsTiltedPlane: end_tilted_plane(block); break;
         case Kind::SwitchesTcp: switch_tcp(block, invocation, actions); break;
         case Kind::SelectsTool: select_tool(block, invocation, actions); break;
         case Kind::ChangesTool: actions.tool_change = true; break;
@@ -366,16 +366,16 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::ToolPoint:
         case Function::ToolSpin: take_orientation(block, invocation, actions); break;
         case Function::Tilt:
-        case Function::TiltEuler:
-        case Function::TiltPlane:
+        case Function::TiltedPlaneEuler:
+        case Function::TiltedPlaneByAngles:
             tilt(block, invocation);
             if (invocation.function == Function::Tilt) actions.align = &invocation;
             break;
-        case Function::TiltPoint:
-        case Function::TiltVector: tilt_by_blocks(block, invocation); break;
-        case Function::TiltAlongTool: tilt_along_tool(block, invocation); break;
-        case Function::TiltAlign:
-        case Function::TiltAlignTip: actions.align = &invocation; break;
+        case Function::TiltedPlaneByPoints:
+        case Function::TiltedPlaneByVectors: set_plane_by_blocks(block, invocation); break;
+        case Function::TiltedPlaneAlongTool: tilt_along_tool(block, invocation); break;
+        case Function::AlignTool:
+        case Function::AlignToolAtTip: actions.align = &invocation; break;
         case Function::Rotation3d: turn_in_space(block, invocation); break;
         case Function::Swivel: swivel(block, invocation); break;
         case Function::ToolFrame: frame_along_tool(block, invocation); break;
@@ -618,7 +618,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::SpinPlane:
         case Function::SpinTurn:
         case Function::SpinPath:
-        case Function::TiltOff:
+        case Function::TiltedPlaneOff:
         case Function::SpindleCw:
         case Function::SpindleCcw:
         case Function::SpindleStop:

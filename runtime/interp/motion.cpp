@@ -122,7 +122,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     Target target = target_of(block, targets);
     if (orienting_.is_on && !orient(block, actions, target)) return;
     if (comp_.takes_surface_normals() && !lay_surface(block, actions.tool)) return;
-    if (tilting_.carries || tilting_.on_tables) {
+    if (tilted_plane_.carries || tilted_plane_.on_tables) {
         // In the base system every linear axis may move, whatever the block names.
         target.moved = static_cast<AxisMask>(target.moved | (axes_.present & kLinearXYZ));
         check_carried(block);

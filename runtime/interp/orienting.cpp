@@ -182,7 +182,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
     }
     position_.here = position_.programmed = frames_.from_base(position_.base);
     came_from_ = tip;
-    if (!is_wanted && tilting_.is_on) carry(block, joints_of(position_.base));
+    if (!is_wanted && tilted_plane_.is_on) carry(block, joints_of(position_.base));
 }
 
 /// Inside of a spline no other coordinate system begins. S 7.1: 14402.

@@ -21,8 +21,8 @@ bool Executor::is_plain_state() const {
         shape_ || contour_ || open_line_ || is_in_spline() || cycles_said_.behind_motions;
     const bool has_mode = is_transformed() || cycles_said_.modal.is_active || taps_rigidly_ ||
                           polar_.is_on || polar_.is_by_points || modal_.is_incremental ||
-                          unplaced_ != 0 || owes_speed_ || tilting_.carries || tilting_.on_tables ||
-                          tilting_.open.has_value();
+                          unplaced_ != 0 || owes_speed_ || tilted_plane_.carries ||
+                          tilted_plane_.on_tables || tilted_plane_.open.has_value();
     return !has_stages() && !area_.acts() && !wishes_corners() && !waits && !has_mode &&
            !tool_.has_changed && frames_.is_shift();
 }

@@ -38,11 +38,11 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kCenter = parameter_of<Function::Rotation3d>("x");
     constexpr std::size_t kAxis = parameter_of<Function::Rotation3d>("i");
     constexpr std::size_t kAngle = parameter_of<Function::Rotation3d>("angle");
-    if (tilting_.turns >= kMostTurns) {
+    if (tilted_plane_.turns >= kMostTurns) {
         report(diag::SpaceTurnNested, block, invocation.function);
         return;
     }
-    if (!require_place_for_plane(block, invocation, tilting_.turns > 0)) return;
+    if (!require_place_for_plane(block, invocation, tilted_plane_.turns > 0)) return;
     if (!require_nested_length(block, invocation.function)) return;
     const Vec3 axis{block.argument(invocation, kAxis), block.argument(invocation, kAxis + 1),
                     block.argument(invocation, kAxis + 2)};
@@ -58,16 +58,16 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
     const double angle = rad_from_deg(block.argument(invocation, kAngle));
     const Frame turned{Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(),
                        Vec3::Zero()};
-    set_plane(path::translation(center) * turned, tilting_.turns > 0);
-    ++tilting_.turns;
+    set_plane(path::translation(center) * turned, tilted_plane_.turns > 0);
+    ++tilted_plane_.turns;
     position_.programmed = position_.here;
 }
 
 /// All rotations end at once.
 Done Executor::end_rotations_3d(const Block& block) {
-    if (tilting_.turns == 0) return kDone;
+    if (tilted_plane_.turns == 0) return kDone;
     if (!require_nested_length(block, Function::RotateOff)) return kFailed;
-    tilting_.turns = 0;
+    tilted_plane_.turns = 0;
     set_length_shift(length_shift_of(tool_.lengths));
     return kDone;
 }

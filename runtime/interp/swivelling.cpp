@@ -93,13 +93,13 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     const Frame outer = digit(options, 0) == 1 ? frames_.inside_tool_frame() : Frame{};
     frames_.set_tool_frame(std::nullopt);
     frames_.set_programmable({});
-    frames_.set_tilt(outer);
+    frames_.set_tilted_plane(outer);
     const std::optional<Mat3> rotation = swivel_rotation(block, invocation);
     if (!rotation) return;
-    frames_.set_tilt(outer * path::translation(three(block, invocation, kOrigin)) *
-                     Frame{*rotation, Vec3::Zero()} *
-                     path::translation(three(block, invocation, kShift)));
-    tilting_.is_on = true;
+    frames_.set_tilted_plane(outer * path::translation(three(block, invocation, kOrigin)) *
+                             Frame{*rotation, Vec3::Zero()} *
+                             path::translation(three(block, invocation, kShift)));
+    tilted_plane_.is_on = true;
     told_.renew(Once::TiltTurned);
     frame_changed();
 
@@ -222,7 +222,7 @@ Done Executor::retract_along_tool(const Block& block, std::optional<double> by) 
 void Executor::end_swivel(const Block& block) {
     if (carrier_.stand) end_carrier();
     frames_.set_tool_frame(std::nullopt);
-    end_tilt(block);
+    end_tilted_plane(block);
     frame_changed();
 }
 
@@ -259,13 +259,13 @@ void Executor::frame_along_tool(const Block& block, const Invocation& invocation
 /// PAROT, PAROTOF.
 void Executor::follow_tables(const Block& block, bool is_wanted) {
     if (is_wanted && !carrier_.stand && !require_rotary_axes(block, Function::TableFrame)) return;
-    tilting_.on_tables = is_wanted;
+    tilted_plane_.on_tables = is_wanted;
     if (carrier_.stand) {
         lay_on_carrier();
         position_.programmed = position_.here;
         return;
     }
-    if (tilting_.carries || orienting_.is_on) return;
+    if (tilted_plane_.carries || orienting_.is_on) return;
     frames_.set_tables(
         is_wanted ? machine::table_frame(machine_.kinematics->chain, joints_of(position_.base))
                   : Frame{});

@@ -125,7 +125,7 @@ Done Executor::activate_length_on_arc(const Block& block, const Vec3& normal, Ax
 
 /// Tells the motion side what lies between the tip and what the linear axes carry.
 Command& Executor::put_tool_length(const Block& block, Axis axis) {
-    const bool is_turned = tilting_.carries || tilting_.turns > 0;
+    const bool is_turned = tilted_plane_.carries || tilted_plane_.turns > 0;
     const Vec3 carried = is_turned ? length_shift_of(tool_.lengths) : tool_.lengths;
     const auto chief = static_cast<Eigen::Index>(index(axis));
     Command& command = put(Op::ToolLength, block);
@@ -137,9 +137,9 @@ Command& Executor::put_tool_length(const Block& block, Axis axis) {
     command.aside[chief] = 0;
     command.is_swivelled = is_turned || carrier_.stand.has_value();
     if (carrier_.stand) command.direction = carrier_.stand->head() * path::unit(axis);
-    if (tilting_.turns > 0) command.direction = frames_.tilt().direction(Vec3::UnitZ());
-    else if (tilting_.carries)
-        command.direction = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
+    if (tilted_plane_.turns > 0) command.direction = frames_.tilt().direction(Vec3::UnitZ());
+    else if (tilted_plane_.carries)
+        command.direction = machine::tool_in_base(machine_.kinematics->chain, tilted_plane_.joints);
     return command;
 }
 

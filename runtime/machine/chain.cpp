@@ -20,13 +20,13 @@ constexpr double kSameDirection = 1e-6;
 
 bool are_parallel(const Vec3& a, const Vec3& b) { return a.cross(b).norm() < kSameDirection; }
 
-TiltTriangle tilt_triangle(const Chain& chain) {
+OrientationTriangle tilt_triangle(const Chain& chain) {
     const Vec3& n1 = chain.joints[kR1].direction;
     const Vec3& n2 = chain.joints[kR2].direction;
     const Vec3& z0 = chain.tool_direction;
     const double alpha = angle_between(n1, n2);
     const double beta = angle_between(n2, z0);
-    TiltTriangle tilt;
+    OrientationTriangle tilt;
     tilt.sin_half_difference = std::sin((alpha - beta) / 2);
     tilt.cos_half_difference = std::cos((alpha - beta) / 2);
     tilt.sin_half_sum = std::sin((alpha + beta) / 2);

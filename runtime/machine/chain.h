@@ -50,7 +50,7 @@ struct RotaryJoint {
 ///
 /// n1, n2 and the tool's direction z0 are corners of a spherical triangle; α is the side between
 /// n1 and n2, β that between n2 and z0. `b` is the angle of the second joint, zero at base.
-struct TiltTriangle {
+struct OrientationTriangle {
     double sin_half_difference = 0;  // of (α − β)/2
     double cos_half_difference = 1;
     double sin_half_sum = 0;  // of (α + β)/2
@@ -69,7 +69,7 @@ struct Chain {
     /// U, V, W enter the chain: X, Y, Z move against them, and the tip stays.
     bool compensates_parallel = false;
     AxisMask linear = kLinearXYZ;  // a missing one stands at 0 for ever
-    TiltTriangle tilt;             // by prepare()
+    OrientationTriangle tilt;      // by prepare()
 
     bool has(std::size_t joint) const { return joints[joint].is_present; }
     bool is_turning() const { return has(kR1) || has(kR2); }

@@ -47,7 +47,7 @@ Vec3 nearest_turns(const Vec3& rotary, const Vec3& near) {
 
 /// The angle to the nearer end of the axis R1, rad.
 double pole_distance(const Chain& chain, const Vec3& direction) {
-    const double tilt = tilt_of(chain, direction);
+    const double tilt = pole_angle_of(chain, direction);
     return std::min(tilt, kPi - tilt);
 }
 

@@ -198,7 +198,7 @@ struct Opening {
 
 /// Half angles of the triangle whose sides are known: sin²(γ/2) and cos²(γ/2) are products, which
 /// keep their digits at the poles, where cos γ has none.
-Opening opening_of(const TiltTriangle& tilt, double sine, double cosine) {
+Opening opening_of(const OrientationTriangle& tilt, double sine, double cosine) {
     // Half of θ, the side from n1 to the direction, from its sine (≥ 0) and cosine.
     double sin_half = 0;
     double cos_half = 1;
@@ -247,7 +247,7 @@ std::optional<Solution> completed(const Chain& chain, const Candidate& candidate
 }
 
 Candidate candidate_at(const Chain& chain, double opening, const Turn& turn) {
-    const TiltTriangle& tilt = chain.tilt;
+    const OrientationTriangle& tilt = chain.tilt;
     const Turn second = {tilt.sin_nearest * turn.cosine + tilt.cos_nearest * turn.sine,
                          tilt.cos_nearest * turn.cosine - tilt.sin_nearest * turn.sine};
     return {tilt.nearest + opening,
@@ -400,15 +400,15 @@ int configuration_of(const Chain& chain, const Vec3& rotary) {
     return chain.tilt.first_side * std::sin(from_middle) >= -kMiddle ? 1 : 2;
 }
 
-TiltReach tilt_reach(const Chain& chain) {
+PoleAngleReach pole_angle_reach(const Chain& chain) {
     KADR_ASSERT(chain.orients(), "the reach of a chain without two rotary axes");
-    const TiltTriangle& tilt = chain.tilt;
+    const OrientationTriangle& tilt = chain.tilt;
     const double difference = 2 * std::atan2(tilt.sin_half_difference, tilt.cos_half_difference);
     const double sum = 2 * std::atan2(tilt.sin_half_sum, tilt.cos_half_sum);
     return {std::abs(difference), std::min(sum, 2 * kPi - sum)};
 }
 
-double tilt_of(const Chain& chain, const Vec3& direction) {
+double pole_angle_of(const Chain& chain, const Vec3& direction) {
     const Vec3& n1 = chain.joints[kR1].direction;
     return std::atan2(n1.cross(direction).norm(), n1.dot(direction));
 }

@@ -81,7 +81,7 @@ struct Solutions {
 };
 
 enum class ReachFault : std::uint8_t {
-    OutsideReach,  // no position of the rotary axes gives this direction; see tilt_reach()
+    OutsideReach,  // no position of the rotary axes gives this direction; see pole_angle_reach()
     MissingJoint,  // one rotary axis only, and it does not lead there
     NoRotaryAxis,  // none, and the direction is not that of the tool at base
 };
@@ -107,15 +107,15 @@ Solution at_pole(const Chain& chain, const Solution& solution, double first);
 int configuration_of(const Chain& chain, const Vec3& rotary);
 
 /// The angles between the tool and the axis R1 that can be reached, rad; lower ≤ upper.
-struct TiltReach {
+struct PoleAngleReach {
     double lower = 0;
     double upper = 0;
 };
 /// chain  orients()
-TiltReach tilt_reach(const Chain& chain);
+PoleAngleReach pole_angle_reach(const Chain& chain);
 
 /// The angle between a direction and the axis R1, 0 … π, rad; exact near both ends.
-double tilt_of(const Chain& chain, const Vec3& direction);
+double pole_angle_of(const Chain& chain, const Vec3& direction);
 
 /// How R1 changes if the configuration is kept and the direction goes along the shorter great
 /// circle, which must not pass the axis R1. Not reduced to a turn: a nutating head's R1 may turn by

@@ -438,9 +438,9 @@ Result<PathEnd, PathRefusal> choose_path(const Chain& chain, const PathQuery& qu
 
 bool crosses_gap(const Chain& chain, const Vec3& from, const Vec3& to) {
     if (!chain.orients()) return false;
-    const TiltReach reach = tilt_reach(chain);
+    const PoleAngleReach reach = pole_angle_reach(chain);
     const Vec3& n1 = chain.joints[kR1].direction;
-    auto [least, most] = std::minmax({tilt_of(chain, from), tilt_of(chain, to)});
+    auto [least, most] = std::minmax({pole_angle_of(chain, from), pole_angle_of(chain, to)});
     const Vec3 across = from.cross(to);
     const double sine = across.norm();
     if (sine > kPoleAngle) {
@@ -449,7 +449,7 @@ bool crosses_gap(const Chain& chain, const Vec3& from, const Vec3& to) {
         const double nearest = std::atan2(n1.dot(ahead), n1.dot(from));
         for (const double t : {nearest, nearest + kPi, nearest - kPi}) {
             if (t <= 0 || t >= angle) continue;
-            const double tilt = tilt_of(chain, std::cos(t) * from + std::sin(t) * ahead);
+            const double tilt = pole_angle_of(chain, std::cos(t) * from + std::sin(t) * ahead);
             least = std::min(least, tilt);
             most = std::max(most, tilt);
         }

@@ -89,7 +89,7 @@ class Layer {
         // it by half as much again.
         pole_ = kinematics.pole_tolerance;
         if (kinematics.chain.orients())
-            pole_ = std::max(pole_, 1.5 * machine::tilt_reach(kinematics.chain).lower);
+            pole_ = std::max(pole_, 1.5 * machine::pole_angle_reach(kinematics.chain).lower);
     }
 
     /// False: it moves nothing.

@@ -163,7 +163,7 @@ std::vector<Segment> legs_beside(const Chain& chain, const Segment& whole, doubl
 std::vector<Segment> legs_of_circle(const Chain& chain, const Segment& whole, const Vec3& to,
                                     double tolerance) {
     const Vec3 first = chain.joints[machine::kR1].direction;
-    const double gap = machine::tilt_reach(chain).lower;
+    const double gap = machine::pole_angle_reach(chain).lower;
     if (gap > machine::kPoleWidth) {
         const bool is_small = gap < kSmallGap * tolerance;
         const double width = is_followed(chain, whole, to) ? 0 : tolerance;
@@ -254,7 +254,7 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
     // An end at the pole leaves R1 free: it goes where the program knows it.
     if (std::abs(joints[0] - to[0]) > kSameJoint && !legs.empty()) {
         const double off =
-            std::abs(joints[0] - to[0]) * std::sin(machine::tilt_of(chain, end_of(whole)));
+            std::abs(joints[0] - to[0]) * std::sin(machine::pole_angle_of(chain, end_of(whole)));
         KADR_ASSERT(std::abs(off) < kSameDirection, "the tool stands as the block says");
         Segment end = standing_at(legs.back(), legs.back().turn.length);
         put_joints(chain, joints, end.follower_start);

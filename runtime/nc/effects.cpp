@@ -156,7 +156,7 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::Rotate: does.at_once(Kind::Rotate); break;
         case Function::RotateOff:
             does.at_once(Kind::RotateOff);
-            if (rules.rotation_off_ends_tilt) does.at_once(Kind::EndsTilt);
+            if (rules.rotation_off_ends_tilt) does.at_once(Kind::EndsTiltedPlane);
             break;
         case Function::Scale: does.at_once(Kind::Scale); break;
         case Function::ScaleOff: does.at_once(Kind::ScaleOff); break;
@@ -186,18 +186,18 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::InclinedOn: does.at_once(Kind::SwitchesTcp); break;
         case Function::OrientReset: does.before_motion(Kind::TurnsAxes).own(); break;
         case Function::Tilt: does.at_once(Kind::Tilts).before_motion(Kind::TurnsAxes).own(); break;
-        case Function::TiltEuler:
-        case Function::TiltPlane:
-        case Function::TiltPoint:
-        case Function::TiltVector:
-        case Function::TiltAlongTool:
+        case Function::TiltedPlaneEuler:
+        case Function::TiltedPlaneByAngles:
+        case Function::TiltedPlaneByPoints:
+        case Function::TiltedPlaneByVectors:
+        case Function::TiltedPlaneAlongTool:
         case Function::Rotation3d: does.at_once(Kind::Tilts).own(); break;
-        case Function::TiltAlign:
-        case Function::TiltAlignTip:
+        case Function::AlignTool:
+        case Function::AlignToolAtTip:
         case Function::Swivel:
             does.before_motion(Kind::TurnsSystem).before_motion(Kind::TurnsAxes).own();
             break;
-        case Function::TiltOff: does.at_once(Kind::EndsTilt); break;
+        case Function::TiltedPlaneOff: does.at_once(Kind::EndsTiltedPlane); break;
         case Function::End:
         case Function::EndRewind: does.behind(Kind::EndsProgram); break;
         case Function::Cycle: does.behind(Kind::RunsCycle).own(); break;

@@ -36,7 +36,7 @@ void follow_effect(const Block& block, const Effect& effect, ModalFunctions& mod
         case EffectKind::CorrectsWorkOffset:
         case EffectKind::WritesLength:
         case EffectKind::Tilts:
-        case EffectKind::EndsTilt:
+        case EffectKind::EndsTiltedPlane:
         case EffectKind::SwitchesTcp:
         case EffectKind::TurnsAxes:
         case EffectKind::TurnsSystem:

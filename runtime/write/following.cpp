@@ -72,7 +72,7 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
         case EffectKind::Tilts: modal_.frame.tilted = Activity::Yes; [[fallthrough]];
         case EffectKind::TurnsSystem:
         case EffectKind::WorkOffset: forget_unsaid(block); break;
-        case EffectKind::EndsTilt: end_tilt(block, effect); break;
+        case EffectKind::EndsTiltedPlane: end_tilted_plane(block, effect); break;
         case EffectKind::WritesWorkOffset:
         case EffectKind::CorrectsWorkOffset: modal_.position.forget(); break;
         case EffectKind::SwitchesTcp:
@@ -133,7 +133,7 @@ void TextState::name_position(const FrameChange& change) {
 }
 
 /// What ends a rotation ends a tilted plane on some controls: where none acts, nothing else is new.
-void TextState::end_tilt(const Block& block, const Effect& effect) {
+void TextState::end_tilted_plane(const Block& block, const Effect& effect) {
     if (effect.function != Function::RotateOff || modal_.frame.tilted != Activity::No) {
         modal_.frame.tilt = {};
         forget_unsaid(block);
@@ -178,11 +178,12 @@ void TextState::forget_words(const Block& block, const Effect& effect) {
     if (effect.function != Function::MachineCoordinates) return;
     // In machine coordinates one axis moves: along a turned system several coordinates change.
     constexpr SlotMask kLinear = bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z);
-    const bool is_tilted = modal_.frame.tilted != Activity::No && (block.given & kLinear) != 0;
+    const bool is_plane_tilted =
+        modal_.frame.tilted != Activity::No && (block.given & kLinear) != 0;
     const bool is_turned = modal_.frame.rotation != Activity::No &&
                            (block.given & modal_.frame.turned & kTargetSlots) != 0;
     if (is_turned) modal_.position.known &= ~modal_.frame.turned;
-    if (is_tilted) modal_.position.known &= ~kLinear;
+    if (is_plane_tilted) modal_.position.known &= ~kLinear;
 }
 
 /// Another zero point: the axes that the block itself does not bring to a coordinate have others.

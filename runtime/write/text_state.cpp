@@ -187,7 +187,7 @@ void TextState::say_turn(const Block& block, const Invocation& invocation, doubl
             }
             break;
         case Function::Tilt:
-        case Function::TiltEuler:
+        case Function::TiltedPlaneEuler:
             modal_.frame.tilt.miss += rad_from_deg(miss);
             modal_.frame.tilt.source = block.source;
             modal_.frame.tilt.center = {};

@@ -100,7 +100,7 @@ class TextState {
     void follow_shift_add(const FrameChange& change);
     void follow_scale(const FrameChange& change);
     void name_position(const FrameChange& change);
-    void end_tilt(const Block& block, const Effect& effect);
+    void end_tilted_plane(const Block& block, const Effect& effect);
     void turn_axes(std::size_t axis);
     void call_tool(const Block& block, const Effect& effect);
     void call_edge(const Block& block, const Effect& effect);

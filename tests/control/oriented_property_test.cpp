@@ -193,16 +193,17 @@ std::vector<Block> any_oriented(bool is_axioma) {
 std::vector<Block> any_tilted() {
     std::vector<Block> blocks = {first_move()};
     for (int i = whole(1, 5); i > 0; --i) {
-        blocks.push_back(of(Function::TiltEuler, {any_length(), any_length(), any_length(),
-                                                  any_angle(180), any_angle(40), any_angle(180)}));
-        if (whole(0, 3) != 0) blocks.push_back(of(Function::TiltAlign, {0}));
+        blocks.push_back(
+            of(Function::TiltedPlaneEuler, {any_length(), any_length(), any_length(),
+                                            any_angle(180), any_angle(40), any_angle(180)}));
+        if (whole(0, 3) != 0) blocks.push_back(of(Function::AlignTool, {0}));
         for (int k = whole(1, 4); k > 0; --k) {
             blocks.push_back(any_move());
             // The first place in another system names all of its axes.
             for (const Slot slot : {Slot::X, Slot::Y, Slot::Z})
                 if (!blocks.back().has(slot)) blocks.back().set(slot, any_length());
         }
-        blocks.push_back(of(Function::TiltOff));
+        blocks.push_back(of(Function::TiltedPlaneOff));
         blocks.push_back(first_move());
     }
     return blocks;

@@ -136,13 +136,13 @@ TEST(ChainProperty, AllSolutionsAreFound) {
         const Chain& chain = machine.chain;
         if (!chain.orients()) continue;
         SCOPED_TRACE(machine.name);
-        const TiltReach reach = tilt_reach(chain);
+        const PoleAngleReach reach = pole_angle_reach(chain);
         int reached = 0;
         for (int i = 0; i < 100; ++i) {
             Vec3 direction = random.place(1);
             if (direction.norm() < 0.1) continue;
             direction.normalize();
-            const double tilt = tilt_of(chain, direction);
+            const double tilt = pole_angle_of(chain, direction);
             // At the end of the reach the search by steps sees both solutions as none.
             if (std::abs(tilt - reach.lower) < 0.02 || std::abs(tilt - reach.upper) < 0.02)
                 continue;
@@ -211,7 +211,8 @@ TEST(ChainProperty, VelocitiesAreDifferences) {
             EXPECT_LT(
                 (linear_velocity(chain, here, tip, tool.tip, axes.rotary) - axes.linear).norm(),
                 1e-9);
-            if (chain.orients() && std::sin(tilt_of(chain, tool_vector(chain, here.rotary))) < 0.02)
+            if (chain.orients() &&
+                std::sin(pole_angle_of(chain, tool_vector(chain, here.rotary))) < 0.02)
                 continue;
             const auto back = axis_velocities(chain, here, tip, tool);
             ASSERT_TRUE(back);

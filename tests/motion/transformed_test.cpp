@@ -953,7 +953,7 @@ RC_GTEST_PROP(NearThePole, ToolAndAxesGoOn, ()) {
     const Motion motion = run(machine, program.commands);
     RC_ASSERT(!motion.alarmed);
     TickWatch watch(machine, motion.segments);
-    const double gap = machine::tilt_reach(machine.kinematics->chain).lower;
+    const double gap = machine::pole_angle_reach(machine.kinematics->chain).lower;
     const double most = 2 * std::max(tolerance, 1.5 * gap) + (is_rounded ? rad_from_deg(0.02) : 0);
     Vec3 last = Vec3::Zero();
     for (const Setpoint& setpoint : sample(machine, program.commands)) {

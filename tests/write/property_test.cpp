@@ -366,7 +366,7 @@ bool goes_to_reference(const Block& block, const Block& meant, const Invocation&
 /// planes, or the code that ends a rotation as well.
 bool says_tilt(const Block& block, const Block& meant, const Invocation& plane) {
     const Invocation* swivel = block.find(Function::Swivel);
-    if (plane.function == Function::TiltOff)
+    if (plane.function == Function::TiltedPlaneOff)
         return block.find(Function::RotateOff) != nullptr || (swivel && swivel->given == 0);
     if (plane.function != Function::Tilt || swivel == nullptr) return false;
     const auto said = info(Function::Swivel).parameters;

@@ -1,5 +1,5 @@
-// tilting.cpp — tilted planes: in the words of the target, or as places of the rotary axes and a
-// zero point that has gone with the table.
+// tilted_planes.cpp — tilted planes: in the words of the target, or as places of the rotary axes
+// and a zero point that has gone with the table.
 //
 // A control without such words moves its linear axes and nothing else. On a machine whose tables
 // alone turn, a plane to which the tool stands is then a shift and a rotation about Z; a head would
@@ -28,8 +28,10 @@ using path::Vec3;
 
 namespace {
 
-constexpr std::size_t kOrigin = nc::parameter_of_all<"x", Function::Tilt, Function::TiltEuler>();
-constexpr std::size_t kAngles = nc::parameter_of_all<"a", Function::Tilt, Function::TiltEuler>();
+constexpr std::size_t kOrigin =
+    nc::parameter_of_all<"x", Function::Tilt, Function::TiltedPlaneEuler>();
+constexpr std::size_t kAngles =
+    nc::parameter_of_all<"a", Function::Tilt, Function::TiltedPlaneEuler>();
 
 Vec3 three(const std::array<double, 6>& values, std::size_t first) {
     return {values[first], values[first + 1], values[first + 2]};
@@ -46,9 +48,9 @@ double neat_angle(double angle_deg) { return std::fabs(angle_deg) < kNoAngle ? 0
 }  // namespace
 
 /// Whether the plan says a tilted plane, or something that does not stand in one.
-bool Expander::State::is_about_tilt(const sema::Plan& plan) const {
+bool Expander::State::is_about_tilted_plane(const sema::Plan& plan) const {
     for (const nc::Invocation& invocation : plan.functions) {
-        if (nc::has_fact(invocation.function, nc::Fact::BeginsOrEndsTilt)) return true;
+        if (nc::has_fact(invocation.function, nc::Fact::BeginsOrEndsTiltedPlane)) return true;
         if (modal.tilt != ModalState::Tilt::None &&
             nc::has_fact(invocation.function, nc::Fact::MovesSystem))
             return true;
@@ -56,25 +58,25 @@ bool Expander::State::is_about_tilt(const sema::Plan& plan) const {
     return false;
 }
 
-Done Expander::State::emit_tilt(const sema::Plan& plan, const Instruction& instruction,
-                                const Slot* registers, std::uint32_t at) {
+Done Expander::State::emit_tilted_plane(const sema::Plan& plan, const Instruction& instruction,
+                                        const Slot* registers, std::uint32_t at) {
     const Function function = plan.functions.front().function;
-    if (!nc::has_fact(function, nc::Fact::BeginsOrEndsTilt)) {
+    if (!nc::has_fact(function, nc::Fact::BeginsOrEndsTiltedPlane)) {
         const bool may_change = modal.tilt == ModalState::Tilt::Own;
         if (may_change && function != Function::WorkOffset && function != Function::SetPosition)
             return emit_plan_of_frame(plan, instruction, registers, at);
-        return refuse_in_tilt(nc::info(function).name, at);
+        return refuse_in_tilted_plane(nc::info(function).name, at);
     }
     if (!recordings.empty()) return refuse_in_contour("a tilted plane", at);
     const bool is_outermost = modal.tilt == ModalState::Tilt::Resolved
-                                  ? modal.frame == modal.tilt_frame
+                                  ? modal.frame == modal.tilted_plane_frame
                                   : modal.frame.is_identity();
     if (!is_outermost) {
         fault(diag::TiltInFrame, at).arg(nc::info(function).name);
         return kFailed;
     }
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    if (function == Function::TiltOff) {
+    if (function == Function::TiltedPlaneOff) {
         if (modal.tilt == ModalState::Tilt::None) return kDone;
         if (modal.tilt == ModalState::Tilt::Resolved) {
             write_frame({}, source, at, instruction.c);
@@ -91,9 +93,9 @@ Done Expander::State::emit_tilt(const sema::Plan& plan, const Instruction& instr
     }
     std::array<double, 6> values{};
     if (!read_plane(plan, instruction, registers, at, values)) return kFailed;
-    if (target.can_write(Function::TiltEuler) && target.can_write(Function::TiltAlign))
+    if (target.can_write(Function::TiltedPlaneEuler) && target.can_write(Function::AlignTool))
         return say_euler(values, source, at, instruction.c);
-    return resolve_tilt(values, source, at, instruction.c);
+    return resolve_tilted_plane(values, source, at, instruction.c);
 }
 
 /// A frame inside of a plane, on a control that has frames in planes.
@@ -103,7 +105,7 @@ Done Expander::State::emit_plan_of_frame(const sema::Plan& plan, const Instructi
     return emit_block(plan, instruction, registers, at);
 }
 
-Done Expander::State::refuse_in_tilt(std::string_view what, std::uint32_t at) {
+Done Expander::State::refuse_in_tilted_plane(std::string_view what, std::uint32_t at) {
     fault(diag::FrameInTilt, at).arg(what).arg(target.name());
     return kFailed;
 }
@@ -142,16 +144,16 @@ Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     for (std::size_t i = 0; i < said.size(); ++i) said[i] = {i, values[i]};
     for (std::size_t i = 0; i < 3; ++i)
         said[kAngles + i].value = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
-    if (modal.tilt != ModalState::Tilt::None) add(Function::TiltOff, {});
-    add(Function::TiltEuler, said);
-    add(Function::TiltAlign, std::array{Argument{nc::parameter_of<Function::TiltAlign>("way"), 0}});
+    if (modal.tilt != ModalState::Tilt::None) add(Function::TiltedPlaneOff, {});
+    add(Function::TiltedPlaneEuler, said);
+    add(Function::AlignTool, std::array{Argument{nc::parameter_of<Function::AlignTool>("way"), 0}});
     modal.tilt = ModalState::Tilt::Closed;
     return Done(!has_failed);
 }
 
 /// The rotary axes go to their places, and the frame is that of the part on the turned tables.
-Done Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId source,
-                                   std::uint32_t at, unsigned depth) {
+Done Expander::State::resolve_tilted_plane(const std::array<double, 6>& values, SourceId source,
+                                           std::uint32_t at, unsigned depth) {
     const machine::Machine* machine = options.machine ? options.machine() : nullptr;
     if (machine == nullptr || !machine->kinematics) {
         fault(diag::TiltNoMachine, at)
@@ -210,7 +212,7 @@ Done Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId
     if (!say_joints(chain, *joints, source, at, depth)) return kFailed;
     write_frame(next, source, at, depth);
     modal.tilt = ModalState::Tilt::Resolved;
-    modal.tilt_frame = modal.frame;
+    modal.tilted_plane_frame = modal.frame;
     return Done(!has_failed);
 }
 

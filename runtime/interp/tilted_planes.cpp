@@ -1,5 +1,5 @@
-// tilting.cpp — tilted working planes: how a block says one, and how frames and tool follow the
-// rotary axes that stand to it.
+// tilted_planes.cpp — tilted working planes: how a block says one, and how frames and tool follow
+// the rotary axes that stand to it.
 //
 // The base system is that of the linear axes. While a plane acts, the frames lie on the workpiece
 // as the tables have turned it, and between the tip and what the linear axes carry lies the tool as
@@ -83,7 +83,7 @@ std::optional<std::array<Axis, 3>> axes_in_order(double digits) {
 
 /// The word of the blocks that say it.
 Function function_of(const SaidPlane& said) {
-    return said.is_by_points ? Function::TiltPoint : Function::TiltVector;
+    return said.is_by_points ? Function::TiltedPlaneByPoints : Function::TiltedPlaneByVectors;
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ Done Executor::require_place_for_plane(const Block& block, const Invocation& inv
             .arg(word_of(block, invocation.function));
         return kFailed;
     }
-    if (tilting_.is_on && !is_added && invocation.function != Function::Tilt) {
+    if (tilted_plane_.is_on && !is_added && invocation.function != Function::Tilt) {
         report(diag::TiltNested, block, invocation.function);
         return kFailed;
     }
@@ -120,25 +120,28 @@ void Executor::set_plane(const Frame& plane, bool is_added) {
     const Frame own = path::translation(frames_.own_shift());
     const Frame back = path::translation(-frames_.own_shift());
     const Frame outer = is_added ? frames_.tilt() : Frame{};
-    frames_.set_tilt(outer * own * plane * back);
-    tilting_.is_on = true;
+    frames_.set_tilted_plane(outer * own * plane * back);
+    tilted_plane_.is_on = true;
     frame_changed();
 }
 
 std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocation& invocation) {
-    const bool is_plane = invocation.function == Function::TiltPlane;
-    constexpr std::size_t kOrigin = parameter_of_all<"x", Function::Tilt, Function::TiltEuler>();
-    constexpr std::size_t kAngles = parameter_of_all<"a", Function::Tilt, Function::TiltEuler>();
-    const std::size_t at = is_plane ? parameter_of<Function::TiltPlane>("x") : kOrigin;
+    const bool is_plane = invocation.function == Function::TiltedPlaneByAngles;
+    constexpr std::size_t kOrigin =
+        parameter_of_all<"x", Function::Tilt, Function::TiltedPlaneEuler>();
+    constexpr std::size_t kAngles =
+        parameter_of_all<"a", Function::Tilt, Function::TiltedPlaneEuler>();
+    const std::size_t at = is_plane ? parameter_of<Function::TiltedPlaneByAngles>("x") : kOrigin;
     std::optional<Vec3> origin = three(block, invocation, at);
     if (invocation.function != Function::Tilt) origin = origin_of_plane(block, invocation, at);
     if (!origin) return std::nullopt;
     const Frame shift = path::translation(*origin);
-    const Vec3 angles = three_angles(block, invocation,
-                                     is_plane ? parameter_of<Function::TiltPlane>("a") : kAngles);
+    const Vec3 angles = three_angles(
+        block, invocation, is_plane ? parameter_of<Function::TiltedPlaneByAngles>("a") : kAngles);
     if (invocation.function == Function::Tilt) return shift * turned(machine::rpy_xyz(angles));
     const double kind =
-        is_plane ? block.argument(invocation, parameter_of<Function::TiltPlane>("kind")) : 0;
+        is_plane ? block.argument(invocation, parameter_of<Function::TiltedPlaneByAngles>("kind"))
+                 : 0;
     if (kind == 0) return shift * turned(machine::euler_zxz(angles));
     if (kind == 4) {
         const auto plane = machine::projected({angles[1], angles[0], angles[2]});
@@ -146,8 +149,8 @@ std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocat
         report(diag::TiltFormat, block, invocation.function).arg(words_of(plane.error()));
         return std::nullopt;
     }
-    const auto order =
-        axes_in_order(block.argument(invocation, parameter_of<Function::TiltPlane>("order"), 123));
+    const auto order = axes_in_order(
+        block.argument(invocation, parameter_of<Function::TiltedPlaneByAngles>("order"), 123));
     if (!order) {
         report(diag::TiltFormat, block, invocation.function)
             .arg("its order of the axes is none of 123, 132, 213, 231, 312, 321");
@@ -161,8 +164,8 @@ std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocat
 
 void Executor::tilt(const Block& block, const Invocation& invocation) {
     const bool is_added =
-        invocation.function == Function::TiltPlane &&
-        block.argument(invocation, parameter_of<Function::TiltPlane>("added")) != 0;
+        invocation.function == Function::TiltedPlaneByAngles &&
+        block.argument(invocation, parameter_of<Function::TiltedPlaneByAngles>("added")) != 0;
     if (!require_place_for_plane(block, invocation, is_added)) return;
     if (invocation.function == Function::Tilt && !require_rotary_axes(block, Function::Tilt))
         return;
@@ -173,26 +176,26 @@ void Executor::tilt(const Block& block, const Invocation& invocation) {
 }
 
 /// Planes by points or vectors stand in several blocks, one behind the other.
-void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) {
+void Executor::set_plane_by_blocks(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kNumber =
-        parameter_of_all<"number", Function::TiltPoint, Function::TiltVector>();
+        parameter_of_all<"number", Function::TiltedPlaneByPoints, Function::TiltedPlaneByVectors>();
     constexpr std::size_t kAdded =
-        parameter_of_all<"added", Function::TiltPoint, Function::TiltVector>();
+        parameter_of_all<"added", Function::TiltedPlaneByPoints, Function::TiltedPlaneByVectors>();
     constexpr std::size_t kOrigin =
-        parameter_of_all<"x", Function::TiltPoint, Function::TiltVector>();
-    constexpr std::size_t kTurn = parameter_of<Function::TiltPoint>("turn");
-    constexpr std::size_t kVector = parameter_of<Function::TiltVector>("i");
-    const bool is_by_points = invocation.function == Function::TiltPoint;
+        parameter_of_all<"x", Function::TiltedPlaneByPoints, Function::TiltedPlaneByVectors>();
+    constexpr std::size_t kTurn = parameter_of<Function::TiltedPlaneByPoints>("turn");
+    constexpr std::size_t kVector = parameter_of<Function::TiltedPlaneByVectors>("i");
+    const bool is_by_points = invocation.function == Function::TiltedPlaneByPoints;
     const double number = block.argument(invocation, kNumber);
     const bool is_added = block.argument(invocation, kAdded) != 0;
-    if (!tilting_.open) {
+    if (!tilted_plane_.open) {
         if (!require_place_for_plane(block, invocation, is_added)) return;
-        tilting_.open.emplace();
-        tilting_.open->is_by_points = is_by_points;
-        tilting_.open->is_added = is_added;
-        tilting_.open->next = is_by_points && number == 0 ? 0 : 1;
+        tilted_plane_.open.emplace();
+        tilted_plane_.open->is_by_points = is_by_points;
+        tilted_plane_.open->is_added = is_added;
+        tilted_plane_.open->next = is_by_points && number == 0 ? 0 : 1;
     }
-    SaidPlane& said = *tilting_.open;
+    SaidPlane& said = *tilted_plane_.open;
     if (said.is_by_points != is_by_points || said.is_added != is_added || number != said.next) {
         report(diag::TiltFormat, block, invocation.function)
             .arg("its blocks do not stand in their order");
@@ -210,7 +213,7 @@ void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) 
     const unsigned last = is_by_points ? 3 : 2;
     if (said.next++ < last) return;
     const std::optional<Frame> plane = plane_by_blocks(block, said);
-    tilting_.open.reset();
+    tilted_plane_.open.reset();
     if (!plane) return;
     set_plane(*plane, is_added);
     if (machine_.kinematics) carry(block, joints_of(position_.base));
@@ -231,9 +234,9 @@ std::optional<Frame> Executor::plane_by_blocks(const Block& block, const SaidPla
 }
 
 Done Executor::require_block_of_open_plane(const Block& block) {
-    if (block.find(function_of(*tilting_.open)) != nullptr) return kDone;
+    if (block.find(function_of(*tilted_plane_.open)) != nullptr) return kDone;
     report(diag::TiltFormat, block)
-        .arg("its blocks are not complete: number " + std::to_string(tilting_.open->next) +
+        .arg("its blocks are not complete: number " + std::to_string(tilted_plane_.open->next) +
              " is missing");
     return kFailed;
 }
@@ -242,28 +245,28 @@ Done Executor::require_block_of_open_plane(const Block& block) {
 void Executor::tilt_along_tool(const Block& block, const Invocation& invocation) {
     if (!require_place_for_plane(block, invocation, false)) return;
     if (!require_rotary_axes(block, invocation.function)) return;
-    constexpr std::size_t kOrigin = parameter_of<Function::TiltAlongTool>("x");
+    constexpr std::size_t kOrigin = parameter_of<Function::TiltedPlaneAlongTool>("x");
     const std::optional<Vec3> said = origin_of_plane(block, invocation, kOrigin);
     if (!said) return;
     carry(block, joints_of(position_.base));
     const Vec3 origin =
         (invocation.given >> kOrigin & 0b111u) != 0 ? *said : linear(position_.here);
-    const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
+    const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, tilted_plane_.joints);
     const Mat3 plane =
         machine::square_to_tool((frames_.total().linear.transpose() * tool).normalized());
-    const double turn =
-        rad_from_deg(block.argument(invocation, parameter_of<Function::TiltAlongTool>("turn")));
+    const double turn = rad_from_deg(
+        block.argument(invocation, parameter_of<Function::TiltedPlaneAlongTool>("turn")));
     set_plane(
         path::translation(origin) * turned(plane) * path::rotation_in_plane(path::Plane::Xy, turn),
         false);
     position_.programmed = position_.here;
 }
 
-void Executor::end_tilt(const Block& block) {
-    if (!tilting_.is_on || !end_rotations_3d(block)) return;
-    tilting_.is_on = false;
+void Executor::end_tilted_plane(const Block& block) {
+    if (!tilted_plane_.is_on || !end_rotations_3d(block)) return;
+    tilted_plane_.is_on = false;
     told_.renew(Once::TiltTurned);
-    frames_.set_tilt({});
+    frames_.set_tilted_plane({});
     drop_carry(block);
     frame_changed();
     position_.programmed = position_.here;
@@ -280,17 +283,17 @@ Done Executor::require_rotary_axes(const Block& block, Function function) {
 /// The rotary axes turn until the tool is along Z of the plane.
 void Executor::align(const Block& block, const Invocation& invocation) {
     const Function function = invocation.function;
-    const bool is_about_tip = function == Function::TiltAlignTip;
-    if (!tilting_.is_on) {
+    const bool is_about_tip = function == Function::AlignToolAtTip;
+    if (!tilted_plane_.is_on) {
         report(diag::TiltAlignAlone, block, function);
         return;
     }
     if (!require_rotary_axes(block, function)) return;
-    const double way = function == Function::TiltAlign
-                           ? block.argument(invocation, parameter_of<Function::TiltAlign>("way"))
+    const double way = function == Function::AlignTool
+                           ? block.argument(invocation, parameter_of<Function::AlignTool>("way"))
                            : 0;
     const int sense = way == 1 ? 1 : way == 2 ? -1 : 0;
-    constexpr std::size_t kOffset = parameter_of<Function::TiltAlignTip>("offset");
+    constexpr std::size_t kOffset = parameter_of<Function::AlignToolAtTip>("offset");
     if (is_about_tip && invocation.has(kOffset)) {
         tool_.offset = std::llround(block.argument(invocation, kOffset));
         tool_.source = Tool::Source::Offset;
@@ -302,7 +305,7 @@ void Executor::align(const Block& block, const Invocation& invocation) {
     const bool is_line = modal_.motion == Function::Line && function != Function::Tilt;
     const Op op = is_line ? Op::Line : Op::Rapid;
     const double above =
-        is_about_tip ? block.argument(invocation, parameter_of<Function::TiltAlignTip>("above"))
+        is_about_tip ? block.argument(invocation, parameter_of<Function::AlignToolAtTip>("above"))
                      : 0;
     is_about_tip ? turn_about_tip(block, *joints, op, above) : turn_joints(block, *joints, op);
     if (!ended_) carry(block, *joints);
@@ -418,9 +421,9 @@ void Executor::set_length_shift(const Vec3& shift) {
 /// What the linear axes stand beside the tip, for a tool with these lengths.
 Vec3 Executor::length_shift_of(const Vec3& lengths) const {
     if (orienting_.is_on) return Vec3::Zero();
-    if (tilting_.turns > 0) return frames_.tilt().direction(lengths);
-    if (!tilting_.carries) return lengths;
-    return -machine::head_offset(machine_.kinematics->chain, tilting_.joints, -lengths);
+    if (tilted_plane_.turns > 0) return frames_.tilt().direction(lengths);
+    if (!tilted_plane_.carries) return lengths;
+    return -machine::head_offset(machine_.kinematics->chain, tilted_plane_.joints, -lengths);
 }
 
 /// Frames lie on the tables as these joints have turned them, and the tool as the heads have; no
@@ -429,25 +432,25 @@ void Executor::carry(const Block& block, const Vec3& joints) {
     if (!machine_.kinematics || orienting_.is_on) return;
     const AxisValues axes = machine_axes();
     const bool had_carrier = leave_carrier();
-    const Vec3 before = tilting_.carries ? tilting_.joints : Vec3(Vec3::Zero());
+    const Vec3 before = tilted_plane_.carries ? tilted_plane_.joints : Vec3(Vec3::Zero());
     const machine::Chain& chain = machine_.kinematics->chain;
     const bool tool_turns = !machine::tool_in_base(chain, before)
                                  .isApprox(machine::tool_in_base(chain, joints), kSameLength);
-    tilting_.carries = true;
-    tilting_.joints = joints;
+    tilted_plane_.carries = true;
+    tilted_plane_.joints = joints;
     frames_.set_tables(machine::table_frame(chain, joints));
     stand_at(block, axes, tool_turns || had_carrier);
 }
 
 void Executor::drop_carry(const Block& block) {
-    if (!tilting_.carries) return;
+    if (!tilted_plane_.carries) return;
     const AxisValues axes = machine_axes();
     const machine::Chain& chain = machine_.kinematics->chain;
-    const bool tool_turned =
-        !machine::tool_in_base(chain, tilting_.joints).isApprox(chain.tool_direction, kSameLength);
-    tilting_.carries = false;
-    frames_.set_tables(tilting_.on_tables ? machine::table_frame(chain, joints_of(position_.base))
-                                          : Frame{});
+    const bool tool_turned = !machine::tool_in_base(chain, tilted_plane_.joints)
+                                  .isApprox(chain.tool_direction, kSameLength);
+    tilted_plane_.carries = false;
+    frames_.set_tables(
+        tilted_plane_.on_tables ? machine::table_frame(chain, joints_of(position_.base)) : Frame{});
     stand_at(block, axes, tool_turned);
 }
 
@@ -469,7 +472,7 @@ void Executor::check_carried(const Block& block) {
     if (told_.has_told(Once::TiltTurned) || !machine_.kinematics) return;
     const nc::SlotMask turned = block.given & joint_axes();
     if (turned == 0) return;
-    const Vec3 now = tilting_.joints;
+    const Vec3 now = tilted_plane_.joints;
     const machine::Chain& chain = machine_.kinematics->chain;
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
