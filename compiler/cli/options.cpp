@@ -608,7 +608,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
 double Parser::take_override(const std::string& text, const char* option, motion::OperatorAct act,
                              double most) {
     if (text.empty()) return 1;
-    const auto course = driver::override_course(text, act, most);
+    const auto course = driver::override_sequence(text, act, most);
     if (!course) {
         throw CLI::ValidationError(option, "`" + text + "` is no course of a switch for 1 to " +
                                                std::to_string(static_cast<int>(100 * most)) +

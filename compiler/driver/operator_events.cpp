@@ -189,8 +189,9 @@ std::optional<std::vector<OperatorEvent>> hold_events(std::string_view text) {
     return {{hold, start}};
 }
 
-std::optional<OverrideCourse> override_course(std::string_view text, OperatorAct act, double most) {
-    OverrideCourse course;
+std::optional<OverrideSequence> override_sequence(std::string_view text, OperatorAct act,
+                                                  double most) {
+    OverrideSequence course;
     std::string_view left = trimmed(text);
     for (bool is_first = true; is_first || !left.empty(); is_first = false) {
         const auto head = cut_at(left, ",");

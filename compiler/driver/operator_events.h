@@ -32,13 +32,13 @@ std::optional<motion::OperatorEvent> operator_event(std::string_view text);
 std::optional<std::vector<motion::OperatorEvent>> hold_events(std::string_view text);
 
 /// A switch as it stands from the start on, and how it is turned.
-struct OverrideCourse {
+struct OverrideSequence {
     double at_start = 1;  // a part, as in motion::Overrides
     std::vector<motion::OperatorEvent> events;
 };
 /// Of `--feed-override` and `--rapid-override`. Nothing: it is none, or above `most` (a part).
-std::optional<OverrideCourse> override_course(std::string_view text, motion::OperatorAct act,
-                                              double most);
+std::optional<OverrideSequence> override_sequence(std::string_view text, motion::OperatorAct act,
+                                                  double most);
 
 /// What a file of `--events` holds.
 struct RunEvents {

@@ -153,7 +153,7 @@ void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Targ
     if (course_) {
         const path::Curve way =
             path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep);
-        if (!lay_course(block, way, target)) return;
+        if (!lay_directions(block, way, target)) return;
     }
     if (!require_arc_within_limits(block, arc, target)) return;
     if (spindle_.has_cutting_speed) [[unlikely]]

@@ -57,7 +57,7 @@ bool turn_straight(const Vec3& from, Command& command) {
 
 /// The rotary axes where the tool ends on its way there. False: they cannot go.
 bool lead_joints(const OrientationLimits& orientation_limits, const AxisValues& from,
-                 const machine::Course& course, AxisValues& to) {
+                 const machine::DirectionFunction& course, AxisValues& to) {
     const machine::Chain& chain = *orientation_limits.chain;
     const auto end =
         machine::follow(chain, {joints_at(chain, from), orientation_limits.limits}, course);

@@ -74,9 +74,9 @@ class Executor {
     bool alarmed() const { return alarmed_; }
     std::uint64_t blocks() const { return block_count_; }
     /// Whether a motion that is out may have a course of its feed to be worked out.
-    bool says_course() const { return panel_.says_course; }
-    void report_course(const path::Command& command, double feed);  // feed_words.cpp
-    std::vector<StateItem> state() const;                           // describe.cpp
+    bool has_feed_characteristic() const { return panel_.has_feed_characteristic; }
+    void report_varying_feed(const path::Command& command, double feed);  // feed_words.cpp
+    std::vector<StateItem> state() const;                                 // describe.cpp
     const AxisValues& position() const { return position_.here; }
     Snapshot snapshot() const;  // snapshot.cpp
 
@@ -356,9 +356,9 @@ class Executor {
                   Target& target);
     std::optional<machine::OrientationArc> cone_to(const nc::Block& block, const ToolWords& tool,
                                                    const path::Vec3& from, const path::Vec3& to);
-    Done follow_course(const nc::Block& block, const path::Turn& turn, const path::Curve& curve,
-                       Target& target);
-    Done lay_course(const nc::Block& block, const path::Curve& curve, Target& target);
+    Done follow_directions(const nc::Block& block, const path::Turn& turn, const path::Curve& curve,
+                           Target& target);
+    Done lay_directions(const nc::Block& block, const path::Curve& curve, Target& target);
     Done lean_at_end(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
                      Target& target);
     std::optional<path::Vec3> lean_on(const nc::Block& block, const path::Vec3& normal,
@@ -766,7 +766,7 @@ class Executor {
     void put_positioning(path::Command& command) const;
     bool may_count_degrees(const nc::Block& block) const;
     void count_degrees(const nc::Block& block, path::Command& command) const;
-    void put_course(path::Command& command) const;
+    void put_feed_law(path::Command& command) const;
     ControlAccess::Write suppress_panel(double value);
     double suppressed_panel() const;
     bool stops_exactly(bool once = false) const;

@@ -28,9 +28,9 @@ void Executor::set_feed_words(const Block& block, const Invocation& invocation) 
         case Function::FeedCourse: break;
         default: return set_axis_speed(block, invocation);
     }
-    panel_.course = static_cast<path::FeedLawKind>(std::clamp<std::int64_t>(
+    panel_.course = static_cast<path::FeedCharacteristic>(std::clamp<std::int64_t>(
         count_of(block, invocation, parameter_of<Function::FeedCourse>("kind")), 0, 2));
-    panel_.says_course |= panel_.course != path::FeedLawKind::Constant;
+    panel_.has_feed_characteristic |= panel_.course != path::FeedCharacteristic::Constant;
 }
 
 /// Of the motions from here on.
@@ -177,23 +177,23 @@ void Executor::take_polynomial(const Block& block, const Invocation& invocation)
     modal_.feed = block.argument(invocation, parameter_of<Function::FeedPolynomial>("end"));
     modal_.has_feed = true;
     tooth_feed_ = 0;
-    panel_.says_course = true;
+    panel_.has_feed_characteristic = true;
     panel_.polynomial = {
-        path::FeedLawKind::Polynomial,
+        path::FeedCharacteristic::Polynomial,
         static_cast<std::uint32_t>(block_count_),
         block.argument(invocation, parameter_of<Function::FeedPolynomial>("square")),
         block.argument(invocation, parameter_of<Function::FeedPolynomial>("cube")),
         {}};
 }
 
-/// How the feed of a motion comes to F; feed_courses.h works it out when the motions of its block
-/// are known. Under a feed per revolution F holds from the start (SINUMERIK reference 3.2). Cycles,
-/// whose feeds are their own, have none.
-void Executor::put_course(path::Command& command) const {
+/// How the feed of a motion comes to F; feed_characteristics.h works it out when the motions of its
+/// block are known. Under a feed per revolution F holds from the start (SINUMERIK reference 3.2).
+/// Cycles, whose feeds are their own, have none.
+void Executor::put_feed_law(path::Command& command) const {
     const auto block = static_cast<std::uint32_t>(block_count_);
-    const bool is_polynomial =
-        panel_.polynomial.kind != path::FeedLawKind::Constant && panel_.polynomial.block == block;
-    if (panel_.course == path::FeedLawKind::Constant && !is_polynomial) return;
+    const bool is_polynomial = panel_.polynomial.kind != path::FeedCharacteristic::Constant &&
+                               panel_.polynomial.block == block;
+    if (panel_.course == path::FeedCharacteristic::Constant && !is_polynomial) return;
     const bool can_have_one = command.op >= Op::Line && command.op <= Op::Parametric;
     if (!can_have_one || modal_.feed_mode == path::FeedMode::PerRevolution) return;
     if (command.dynamics.empty()) command.dynamics.emplace_back();
@@ -202,7 +202,7 @@ void Executor::put_course(path::Command& command) const {
 }
 
 /// The course of a motion's feed falls to this, in the unit of F.
-void Executor::report_course(const path::Command& command, double feed) {
+void Executor::report_varying_feed(const path::Command& command, double feed) {
     const Block at = block_at(command.source, command.line);
     report(diag::FeedCourseNotPositive, at).arg(round_to(feed, 3));
 }

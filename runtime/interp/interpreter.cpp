@@ -1,7 +1,7 @@
 #include "interp/interpreter.h"
 
 #include "interp/executor.h"
-#include "interp/feed_courses.h"
+#include "interp/feed_characteristics.h"
 
 namespace kadr::interp {
 
@@ -22,10 +22,10 @@ class Executed final : public Stream<path::Command> {
 struct Interpreter::State {
     Executor executor;
     Executed executed{executor};
-    FeedCourses courses{executed, [this] { return executor.says_course(); },
-                        [this](const path::Command& command, double feed) {
-                            executor.report_course(command, feed);
-                        }};
+    FeedCharacteristics courses{executed, [this] { return executor.has_feed_characteristic(); },
+                                [this](const path::Command& command, double feed) {
+                                    executor.report_varying_feed(command, feed);
+                                }};
 };
 
 Interpreter::Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,

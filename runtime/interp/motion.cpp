@@ -269,7 +269,7 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     if (spindle_.has_cutting_speed && op != Op::Probe) [[unlikely]]
         watch_cutting_speed(block, position_.here[0], target.here[0]);
     if (course_ &&
-        !lay_course(block, straight_path(linear(position_.base), linear(target.base)), target))
+        !lay_directions(block, straight_path(linear(position_.base), linear(target.base)), target))
         return;
     if (op == Op::Probe || probes_at_rapid(block)) {
         probing = probe_along(block, target, {position_.here, target.here});

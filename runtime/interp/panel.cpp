@@ -115,7 +115,7 @@ void Executor::put_panel(path::Command& command, const Block& block) const {
     // At rapid an axis has all its speed, whatever it has beside F.
     if (!command.dynamics.empty() && command.op == Op::Rapid)
         command.dynamics.front().speed = path::Dynamics().speed;
-    if (panel_.says_course && !block.is_of_cycle()) put_course(command);
+    if (panel_.has_feed_characteristic && !block.is_of_cycle()) put_feed_law(command);
 }
 
 }  // namespace kadr::interp

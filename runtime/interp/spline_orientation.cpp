@@ -112,7 +112,7 @@ Done Executor::lay_span_orientation(const Block& at, const PoleBlock& said, cons
         orienting_.leans = false;
     } else {
         if (!lay_tool_words(at, said.tool.value_or(ToolWords{}), target)) return kFailed;
-        if (course_) return lay_course(at, span, target);
+        if (course_) return lay_directions(at, span, target);
     }
     settle_orientation(target);
     return kDone;

@@ -195,7 +195,7 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
 /// A block with a point, as its span is executed.
 PoleBlock Executor::pole_block(const Block& block, const AxisValues& to) {
     // A course of the feed counts blocks.
-    if (block.function_count != 0 || panel_.says_course)
+    if (block.function_count != 0 || panel_.has_feed_characteristic)
         said_in_spline_.change(span_as_said(block));
     return {block.line,
             block.source,

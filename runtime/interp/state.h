@@ -54,9 +54,10 @@ struct PanelState {
         }
     };
     Positioning positioning;
-    bool says_course = false;                                // whatever follows was said once
-    path::FeedLawKind course = path::FeedLawKind::Constant;  // of the feeds from here on
-    path::FeedLaw polynomial;                                // … of its block alone
+    bool has_feed_characteristic = false;  // whatever follows was said once
+    path::FeedCharacteristic course =
+        path::FeedCharacteristic::Constant;  // of the feeds from here on
+    path::FeedLaw polynomial;                // … of its block alone
 };
 
 /// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.

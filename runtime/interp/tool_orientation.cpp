@@ -2,7 +2,7 @@
 // there.
 //
 // The way is a cone, a great circle among them, or the axes in proportion; or it is led by the
-// path, so that it waits until the path is known (lay_course). Where the axes are on the way is
+// path, so that it waits until the path is known (lay_directions). Where the axes are on the way is
 // motion's matter (motion/transformed.h).
 #include <cmath>
 #include <numbers>
@@ -326,13 +326,13 @@ Done Executor::lay_cone(const Block& block, const ToolWords& tool, const Vec3& t
     next_orientation_.turning = Turning::Cone;
     next_orientation_.axis = arc->axis;
     next_orientation_.angle = arc->turn;
-    return follow_course(block, {Turning::Cone, 1, from, arc->axis, arc->turn, {}}, path::Point{},
-                         target);
+    return follow_directions(block, {Turning::Cone, 1, from, arc->axis, arc->turn, {}},
+                             path::Point{}, target);
 }
 
 /// The rotary positions at the end of a way of the tool.
-Done Executor::follow_course(const Block& block, const path::Turn& turn, const path::Curve& curve,
-                             Target& target) {
+Done Executor::follow_directions(const Block& block, const path::Turn& turn,
+                                 const path::Curve& curve, Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     const machine::FollowQuery query{joints_of(position_.base), joint_limits()};
     const auto end = machine::follow(chain, query, [&](double fraction) {
@@ -349,7 +349,7 @@ Done Executor::follow_course(const Block& block, const path::Turn& turn, const p
 // ------------------------------------------------------------------------------ led by the path
 
 /// What waited for the path of the block: along it the tool is led, or its end says how it stands.
-Done Executor::lay_course(const Block& block, const path::Curve& curve, Target& target) {
+Done Executor::lay_directions(const Block& block, const path::Curve& curve, Target& target) {
     const ToolWords tool = *std::exchange(course_, std::nullopt);
     if (tool.point.is_said()) {
         if (!lead_by_point(block, tool, curve, target)) return kFailed;
@@ -468,7 +468,7 @@ Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     next_orientation_.axis = arc->axis;
     next_orientation_.angle = arc->turn;
     next_orientation_.lean = lean;
-    return follow_course(block, surface, curve, target);
+    return follow_directions(block, surface, curve, target);
 }
 
 /// A second point of the tool's axis goes straight to the place that the block says, S 7.4
@@ -502,8 +502,8 @@ Done Executor::lead_by_point(const Block& block, const ToolWords& tool, const pa
     next_orientation_.from = start;
     next_orientation_.axis = end - start;
     orienting_.point = end;
-    return follow_course(block, {Turning::Point, length, start, (end - start) / length, 0, {}},
-                         curve, target);
+    return follow_directions(block, {Turning::Point, length, start, (end - start) / length, 0, {}},
+                             curve, target);
 }
 
 /// Where a course begins with another direction than the tool has, the tool turns there first,

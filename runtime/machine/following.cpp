@@ -53,7 +53,8 @@ double pole_distance(const Chain& chain, const Vec3& direction) {
 
 /// The place of the least distance to the pole between two places, by the golden section: the
 /// distance is a V where the pole is passed, which keeps all digits.
-double nearest_to_pole(const Chain& chain, const Course& course, double from, double to) {
+double nearest_to_pole(const Chain& chain, const DirectionFunction& course, double from,
+                       double to) {
     constexpr double kGolden = 0.61803398874989485;
     const auto distance = [&](double f) { return pole_distance(chain, course(f)); };
     double left = to - kGolden * (to - from);
@@ -81,7 +82,7 @@ double nearest_to_pole(const Chain& chain, const Course& course, double from, do
 }
 
 /// How far behind a pole, or behind the beginning, R1 has a meaning again: part of the way.
-double distance_behind(const Chain& chain, const Course& course, double fraction) {
+double distance_behind(const Chain& chain, const DirectionFunction& course, double fraction) {
     double behind = kBehindPole;
     while (2 * behind < 1 - fraction && is_at_pole(chain, course(fraction + behind))) behind *= 2;
     return behind;
@@ -103,7 +104,7 @@ struct Refused {
 /// One way of following a course, which is refused or comes to an end.
 class Walk {
   public:
-    Walk(const Chain& chain, const FollowQuery& query, const Course& course)
+    Walk(const Chain& chain, const FollowQuery& query, const DirectionFunction& course)
         : chain_(chain), query_(query), course_(course) {}
 
     /// From a place of the course with given joints to another one.
@@ -170,7 +171,7 @@ class Walk {
   private:
     const Chain& chain_;
     const FollowQuery& query_;
-    const Course& course_;
+    const DirectionFunction& course_;
 };
 
 PathRefusal refusal_of(const Chain& chain, const FollowQuery& query, const Refused& refused) {
@@ -220,7 +221,8 @@ Vec3 joints_for(const Chain& chain, const Vec3& direction, const Vec3& near) {
     return best;
 }
 
-std::vector<PolePassage> pole_passages(const Chain& chain, const Course& course, double tolerance) {
+std::vector<PolePassage> pole_passages(const Chain& chain, const DirectionFunction& course,
+                                       double tolerance) {
     std::vector<PolePassage> passages;
     if (!chain.orients()) return passages;
     const Vec3& first = chain.joints[kR1].direction;
@@ -245,7 +247,7 @@ std::vector<PolePassage> pole_passages(const Chain& chain, const Course& course,
     return passages;
 }
 
-Vec3 joints_before(const Chain& chain, const Course& course, const Vec3& to) {
+Vec3 joints_before(const Chain& chain, const DirectionFunction& course, const Vec3& to) {
     Vec3 joints = to;
     for (int i = kSteps - 1; i > 0; --i)
         joints = joints_for(chain, course(static_cast<double>(i) / kSteps), joints);
@@ -261,7 +263,7 @@ Vec3 joints_before(const Chain& chain, const Course& course, const Vec3& to) {
 }
 
 Result<PathEnd, PathRefusal> follow(const Chain& chain, const FollowQuery& query,
-                                    const Course& course) {
+                                    const DirectionFunction& course) {
     const Walk walk(chain, query, course);
     const std::vector<PolePassage> passages = pole_passages(chain, course, kPoleWidth);
     std::vector<Vec3> starts = {query.start};

@@ -46,21 +46,21 @@ double greatest(const Value& value) {
 }  // namespace
 
 AxisRates AxisTable::rates_on(const Segment& piece, double u) const {
-    const AxisCourse course(*chain_, piece);
+    const AxisPolynomials course(*chain_, piece);
     AxisRates rates{};
     for (std::size_t i = 0; i < axes_.size(); ++i) rates[i] = course.rate(axes_[i].coordinate, u);
     return rates;
 }
 
 AxisRates AxisTable::bends_on(const Segment& piece, double u) const {
-    const AxisCourse course(*chain_, piece);
+    const AxisPolynomials course(*chain_, piece);
     AxisRates bends{};
     for (std::size_t i = 0; i < axes_.size(); ++i) bends[i] = course.bend(axes_[i].coordinate, u);
     return bends;
 }
 
 AxisTable::Loads AxisTable::transformed_loads(const Segment& piece) const {
-    const AxisCourse course(*chain_, piece);
+    const AxisPolynomials course(*chain_, piece);
     Loads loads;
     loads.curvature = kInfinity;  // along and across are not told apart
     for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -136,7 +136,7 @@ double peak_between(const Value& value, double lower, double upper) {
 
 /// The greatest position in one of the directions, times `sign`, from 0 to 1: samples find the
 /// neighbourhood.
-double reach_of(const AxisCourse& course, std::size_t axis, double sign) {
+double reach_of(const AxisPolynomials& course, std::size_t axis, double sign) {
     constexpr int kPlaces = 2 * kSamples;
     const auto value = [&](double u) { return sign * course.position(axis, u); };
     const auto place = [](int k) { return static_cast<double>(k) / kPlaces; };
@@ -158,7 +158,7 @@ double reach_of(const AxisCourse& course, std::size_t axis, double sign) {
 }  // namespace
 
 AxisTable::Travel AxisTable::transformed_travel(const Segment& piece) const {
-    const AxisCourse course(*chain_, piece);
+    const AxisPolynomials course(*chain_, piece);
     Travel travel;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         travel.lower[i] = -reach_of(course, axes_[i].coordinate, -1);

@@ -38,8 +38,8 @@ LookAhead::Node LookAhead::node_of(const Stretch& stretch) const {
     fresh.gain = 2 * stretch.acceleration * stretch.length;
     fresh.most = stretch.most();
     fresh.corner = stretch.entry_limit * stretch.entry_limit;
-    if (stretch.has_course()) {
-        fresh.has_course = true;
+    if (stretch.has_varying_feed()) {
+        fresh.has_varying_feed = true;
         fresh.entry_feed = stretch.entry_feed * stretch.entry_feed;
         fresh.exit_feed = stretch.exit_feed * stretch.exit_feed;
         fresh.corner *= fresh.entry_feed;
@@ -70,12 +70,12 @@ void LookAhead::grow() {
 
 double LookAhead::Node::entry_speed(const Overrides& overrides) const {
     const double own = most.speed_at(overrides);
-    return own * own * (has_course ? entry_feed : 1);
+    return own * own * (has_varying_feed ? entry_feed : 1);
 }
 
 double LookAhead::Node::exit_speed(const Overrides& overrides) const {
     const double own = most.speed_at(overrides);
-    return own * own * (has_course ? exit_feed : 1);
+    return own * own * (has_varying_feed ? exit_feed : 1);
 }
 
 double LookAhead::Node::reach(double other) const {
@@ -85,11 +85,11 @@ double LookAhead::Node::reach(double other) const {
 }
 
 double LookAhead::Node::entry_by(double after) const {
-    return has_course ? entry_feed * reach(after / exit_feed) : reach(after);
+    return has_varying_feed ? entry_feed * reach(after / exit_feed) : reach(after);
 }
 
 double LookAhead::Node::exit_by(double before) const {
-    return has_course ? exit_feed * reach(before / entry_feed) : reach(before);
+    return has_varying_feed ? exit_feed * reach(before / entry_feed) : reach(before);
 }
 
 /// The entry speed by what comes after.

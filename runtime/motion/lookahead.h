@@ -76,7 +76,7 @@ class LookAhead {
         bool is_cell = false;
         double corner = 0;  // limit of the entry junction whatever the overrides
         OverriddenSpeed most;
-        bool has_course = false;
+        bool has_varying_feed = false;
         double entry_feed = 0;  // squared as well
         double exit_feed = 0;
 

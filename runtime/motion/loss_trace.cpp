@@ -101,7 +101,7 @@ double LossTrace::bend_speed(const BentCell& cell) const {
 LossTrace::Ramps LossTrace::ramps_of(const Piece& piece, double speed) {
     const Profile& profile = piece.segment.profile;
     Ramps ramps;
-    if (profile.has_course()) {
+    if (profile.has_varying_feed()) {
         const double loss = profile.duration() - profile.rate->course.time;
         (profile.rate->exit > profile.rate->entry ? ramps.up : ramps.down) = loss;
         return ramps;

@@ -32,7 +32,7 @@ constexpr double kStraight = 1e-9;  // as in corner.cpp
 /// The greatest acceleration along the path within a tick of an end of a profile, where it is this.
 double acceleration_near(const Profile& profile, double at_end, double tick) {
     const double most = path_acceleration(profile);
-    if (!profile.is_smooth || profile.has_course()) return most;
+    if (!profile.is_smooth || profile.has_varying_feed()) return most;
     return std::min(most, std::abs(at_end) + path_jerk(profile) * tick);
 }
 
@@ -186,7 +186,7 @@ void Planner::State::append_complete() {
 
 /// Speeds along the path in the unit of a stretch; at most its own, but for rounding.
 JunctionSpeeds own_speeds(const Stretch& stretch, const JunctionSpeeds& speeds) {
-    if (!stretch.has_course()) return speeds;
+    if (!stretch.has_varying_feed()) return speeds;
     return {std::min(stretch.speed, speeds.entry / stretch.entry_feed),
             std::min(stretch.speed, speeds.exit / stretch.exit_feed)};
 }
@@ -295,9 +295,9 @@ void Planner::State::plan(Piece& piece, bool is_last) {
     if (piece.is_cell) {
         segment.profile = profile_over(piece.cell, speeds.entry, speeds.exit);
     } else if (given) {
-        segment.profile = piece.course.is_on() ? over_course(*given, piece.course) : *given;
+        segment.profile = piece.course.is_on() ? over_varying_feed(*given, piece.course) : *given;
     } else if (piece.course.is_on()) {
-        plan_course(piece, is_last);
+        plan_varying_feed(piece, is_last);
     } else if (std::isinf(current.jerk)) {
         auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
                                  {piece.speed, piece.acceleration, piece.acceleration});
@@ -313,17 +313,17 @@ void Planner::State::plan(Piece& piece, bool is_last) {
 }
 
 /// Over the time of its feed, as others over their length.
-void Planner::State::plan_course(Piece& piece, bool is_last) {
+void Planner::State::plan_varying_feed(Piece& piece, bool is_last) {
     const FeedCourse& course = piece.course;
     if (std::isfinite(current.jerk)) {
-        piece.segment.profile = over_course(cut.next(course.time, is_last), course);
+        piece.segment.profile = over_varying_feed(cut.next(course.time, is_last), course);
         return;
     }
     const double most = rate_limits(course, piece.acceleration, piece.jerk).acceleration;
     const auto rate = trapezoid(course.time, std::min(1.0, speeds.entry / course.entry()),
                                 std::min(1.0, speeds.exit / course.exit()), {1, most, most});
     KADR_ASSERT(rate.has_value(), "the look-ahead promised a change of speed that does not fit");
-    piece.segment.profile = over_course(*rate, course);
+    piece.segment.profile = over_varying_feed(*rate, course);
 }
 
 void Planner::State::record(const Piece& piece) {

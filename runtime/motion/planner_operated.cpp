@@ -213,7 +213,8 @@ void Planner::State::split_current(double length, double exit_speed) {
         ++rest.pieces;
     }
     rest.pieces -= count;
-    if (rest.has_course()) rest.entry_feed = current.exit_feed = pieces.at(count).course.entry();
+    if (rest.has_varying_feed())
+        rest.entry_feed = current.exit_feed = pieces.at(count).course.entry();
     stretches.push_front(rest);
     speeds.exit = exit_speed * rest.entry_scale();
     lookahead.put_back(rest, speeds.exit);
@@ -232,7 +233,7 @@ void Planner::State::interrupt(const PathMoment& moment) {
     rest.pieces = left;
     rest.length = 0;
     for (std::size_t i = 0; i < left; ++i) rest.length += pieces.at(i).extent();
-    if (rest.has_course()) rest.entry_feed = pieces.front().course.entry();
+    if (rest.has_varying_feed()) rest.entry_feed = pieces.front().course.entry();
     if (rest_follows) {
         rest.length += stretches.front().length;
         rest.exit_feed = stretches.front().exit_feed;
@@ -254,7 +255,8 @@ bool Planner::State::run_for(double passed, Segment& segment) {
     Piece& piece = pieces.front();
     const double time = totals.time + passed;
     const Profile whole_profile = piece.segment.profile;
-    const Profile profile = whole_profile.has_course() ? rate_of(whole_profile) : whole_profile;
+    const Profile profile =
+        whole_profile.has_varying_feed() ? rate_of(whole_profile) : whole_profile;
     const ProfileState state = state_at(profile, passed);
     if (state.distance > piece.extent() - kSamePlace) {
         deliver(segment);
@@ -272,7 +274,7 @@ bool Planner::State::run_for(double passed, Segment& segment) {
         const FeedCourse& course = pieces.front().course;
         Segment& head = pieces.front().segment;
         head.profile = head_of(profile, passed);
-        if (course.is_on()) head.profile = over_course(head.profile, course);
+        if (course.is_on()) head.profile = over_varying_feed(head.profile, course);
         head.duration = passed;
         deliver(segment);
     }

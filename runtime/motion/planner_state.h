@@ -59,7 +59,7 @@ struct Planner::State {
     void issue(Piece& piece);
     static bool is_over_at_once(const Piece& piece);
     void plan(Piece& piece, bool is_last);
-    void plan_course(Piece& piece, bool is_last);
+    void plan_varying_feed(Piece& piece, bool is_last);
     void record(const Piece& piece);
     void record_corner(const Piece& piece);
     void record_jerk(const Piece& piece, double along);

@@ -488,7 +488,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     if (thread_goes_on) check_thread_corner(command, piece);
     if (how.as_cell && piece.ramp == 1 && segment.is_transformed()) {
         const double most = segment.kind == SegmentKind::Rapid ? kInfinity : feed;
-        const auto cell = cell_on(AxisCourse(axes.chain(), segment), axes.bounds(), most);
+        const auto cell = cell_on(AxisPolynomials(axes.chain(), segment), axes.bounds(), most);
         piece.is_cell = cell && how.margin > kCornerTicks * tick * cell->speed;
         if (cell) piece.cell = *cell;
     } else if (how.as_cell && piece.ramp == 1) {
@@ -503,7 +503,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
             std::min(piece.entry_acceleration, corner_acceleration_limit(in));
         take_bend(piece);
     }
-    if (piece.course.is_on() || std::isfinite(last.exit_feed)) take_course(piece, in);
+    if (piece.course.is_on() || std::isfinite(last.exit_feed)) take_varying_feed(piece, in);
     remember(piece);
 }
 

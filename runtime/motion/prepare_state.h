@@ -5,7 +5,7 @@
 // (curves around corners), prepare_transformed.cpp (motions under the machine's transformation),
 // prepare_virtual.cpp (motions on a face, on a cylinder, across an inclined slide),
 // prepare_dynamics.cpp (what the program says of how fast its motions may be),
-// prepare_feed_course.cpp (feeds that change along a motion).
+// prepare_varying_feed.cpp (feeds that change along a motion).
 #pragma once
 
 #include <array>
@@ -249,7 +249,7 @@ struct Preparer::State {
     double programmed_override(const path::Command& command) const;
     double feed_override(const path::Command& command) const;
     Done require_override(const path::Command& command);
-    /// prepare_feed_course.cpp
+    /// prepare_varying_feed.cpp
     void begin_law(double from, double length);
     bool has_law(const path::Command& command) const;
     std::optional<path::FeedPolynomial> law_on(const path::Command& command, const Segment& segment,
@@ -258,9 +258,10 @@ struct Preparer::State {
                      const Emission& how);
     void emit_law_part(path::Command& share, const Segment& segment,
                        const path::FeedPolynomial& feed, const PathPart& part, const Emission& how);
-    std::optional<FeedCourse> course_on(const PathLimits& limits, const path::FeedPolynomial& feed,
-                                        double length) const;
-    void take_course(Piece& piece, const AxisRates& in) const;
+    std::optional<FeedCourse> varying_feed_on(const PathLimits& limits,
+                                              const path::FeedPolynomial& feed,
+                                              double length) const;
+    void take_varying_feed(Piece& piece, const AxisRates& in) const;
 
     std::optional<double> feed_of(const path::Command& command, const Segment& segment,
                                   double length) const;

@@ -80,7 +80,7 @@ void lay_great_circle(const Vec3& from, const Vec3& to, Turn& turn) {
 
 Vec3 end_of(const Segment& leg) { return path::direction_at(leg.turn, leg.curve, leg.turn.length); }
 
-machine::Course course_of(const Segment& leg) {
+machine::DirectionFunction course_of(const Segment& leg) {
     return [&leg](double fraction) {
         return path::direction_at(leg.turn, leg.curve, fraction * leg.turn.length);
     };

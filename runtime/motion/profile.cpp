@@ -97,7 +97,7 @@ Profile rate_of(const Profile& profile) {
     return rate;
 }
 
-Profile over_course(const Profile& rate, const FeedCourse& course) {
+Profile over_varying_feed(const Profile& rate, const FeedCourse& course) {
     const Profile phased = rate.is_smooth ? rate : in_phases(rate);
     Profile profile = phased;
     profile.rate = std::make_shared<const Profile::Rate>(
@@ -120,7 +120,7 @@ Profile over_course(const Profile& rate, const FeedCourse& course) {
     return profile;
 }
 
-ProfileState state_on_course(const Profile& profile, double time) {
+ProfileState state_on_varying_feed(const Profile& profile, double time) {
     const FeedCourse& course = profile.rate->course;
     const ProfileState rate = state_in_phases(rate_of(profile), time);
     const double place = place_at(course, rate.distance);

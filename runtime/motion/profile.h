@@ -13,7 +13,7 @@
 #include <memory>
 
 #include "base/result.h"
-#include "motion/feed_course.h"
+#include "motion/varying_feed.h"
 
 namespace kadr::motion {
 
@@ -53,7 +53,7 @@ struct Profile {
     std::array<double, kPhases> phases{};  // smooth: how long each lasts, s
 
     /// Of a feed that changes along the piece: the phases are those of its rate ρ, with these
-    /// limits in 1/s and 1/s², and what is above is of the path all the same (feed_course.h).
+    /// limits in 1/s and 1/s², and what is above is of the path all the same (varying_feed.h).
     struct Rate {
         FeedCourse course;
         double entry = 0;
@@ -65,7 +65,7 @@ struct Profile {
     };
     std::shared_ptr<const Rate> rate;  // hardly a piece has one
 
-    bool has_course() const { return rate != nullptr; }
+    bool has_varying_feed() const { return rate != nullptr; }
     double duration() const { return accelerating + cruising + braking; }
 };
 
@@ -92,7 +92,7 @@ void for_each_phase(const Profile& profile, const Visit& visit) {
 
 /// Greatest acceleration along the path of a profile, either way.
 inline double path_acceleration(const Profile& profile) {
-    if (profile.has_course()) return profile.acceleration;
+    if (profile.has_varying_feed()) return profile.acceleration;
     if (profile.is_smooth) {
         double greatest = 0;
         for_each_phase(profile, [&](const Phase& phase) {
@@ -109,7 +109,7 @@ inline double path_acceleration(const Profile& profile) {
 
 /// Greatest jerk along the path of a profile, either way; infinite if the acceleration jumps.
 inline double path_jerk(const Profile& profile) {
-    if (profile.has_course()) return profile.jerk;
+    if (profile.has_varying_feed()) return profile.jerk;
     if (!profile.is_smooth) return path_acceleration(profile) > 0 ? profile.jerk : 0;
     const auto& lasts = profile.phases;
     const bool changes = lasts[0] > 0 || lasts[2] > 0 || lasts[4] > 0 || lasts[6] > 0;
@@ -155,10 +155,10 @@ inline ProfileState advanced(const ProfileState& from, const Phase& phase, doubl
 }
 
 /// The profile over a piece with such a feed by the one of its rate, over its time.
-Profile over_course(const Profile& rate, const FeedCourse& course);
+Profile over_varying_feed(const Profile& rate, const FeedCourse& course);
 /// … and back: the profile of the rate of one that has a course.
 Profile rate_of(const Profile& profile);
-ProfileState state_on_course(const Profile& profile, double time);
+ProfileState state_on_varying_feed(const Profile& profile, double time);
 
 /// `state_at` of a run of phases. At most seven are added up, so nothing accumulates over pieces.
 inline ProfileState state_in_phases(const Profile& profile, double time) {
@@ -179,8 +179,8 @@ inline ProfileState state_in_phases(const Profile& profile, double time) {
 /// accumulates; at the duration and after it the distance is the length, exactly.
 inline ProfileState state_at(const Profile& profile, double time) {
     if (profile.is_smooth) {
-        return profile.has_course() ? state_on_course(profile, time)
-                                    : state_in_phases(profile, time);
+        return profile.has_varying_feed() ? state_on_varying_feed(profile, time)
+                                          : state_in_phases(profile, time);
     }
     if (time < profile.accelerating) {
         const double t = std::max(0.0, time);

@@ -61,8 +61,8 @@ bool StretchBuilder::joins(const Part& part) const {
     const Stretch& open = open_.limits;
     const Stretch& piece = part.limits;
     if (!(piece.entry_limit > 0)) return false;
-    if (open.has_course() != piece.has_course()) return false;
-    if (open.has_course() && !is_same(open.exit_feed, piece.entry_feed)) return false;
+    if (open.has_varying_feed() != piece.has_varying_feed()) return false;
+    if (open.has_varying_feed() && !is_same(open.exit_feed, piece.entry_feed)) return false;
     // A thread goes on when what is before and behind it is held.
     if (!open.most().is_operated_as(piece.most())) return false;
     const double speed = std::min({open.speed, piece.speed, piece.entry_limit});

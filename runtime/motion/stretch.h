@@ -68,13 +68,13 @@ struct Stretch {
     double rapid_asked = std::numeric_limits<double>::infinity();
     bool can_be_held = false;
     /// Feeds at its ends where it changes along it: length and limits are of its rate then
-    /// (feed_course.h), s and 1/s.
+    /// (varying_feed.h), s and 1/s.
     double entry_feed = 0;
     double exit_feed = 0;
-    bool has_course() const { return entry_feed > 0; }
+    bool has_varying_feed() const { return entry_feed > 0; }
     /// Path speed for a speed of 1 in its own unit, at its ends.
-    double entry_scale() const { return has_course() ? entry_feed : 1; }
-    double exit_scale() const { return has_course() ? exit_feed : 1; }
+    double entry_scale() const { return has_varying_feed() ? entry_feed : 1; }
+    double exit_scale() const { return has_varying_feed() ? exit_feed : 1; }
     bool follows_spindle = false;  // its speed is the spindle's: another one would be another feed
 };
 

@@ -313,7 +313,8 @@ std::array<double, kIntervals + 1> through(std::array<double, kIntervals + 1> va
 
 }  // namespace
 
-AxisCourse::AxisCourse(const Chain& chain, const Segment& piece) : length_(piece.turn.length) {
+AxisPolynomials::AxisPolynomials(const Chain& chain, const Segment& piece)
+    : length_(piece.turn.length) {
     const auto nodes = nodes_of(chain, piece);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         std::array<double, kNodes> values{};
@@ -322,26 +323,26 @@ AxisCourse::AxisCourse(const Chain& chain, const Segment& piece) : length_(piece
     }
 }
 
-double AxisCourse::position(std::size_t axis, double u) const {
+double AxisPolynomials::position(std::size_t axis, double u) const {
     const auto& c = coefficients_[axis];
     const double t = kIntervals * u;
     return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
 }
 
-double AxisCourse::rate(std::size_t axis, double u) const {
+double AxisPolynomials::rate(std::size_t axis, double u) const {
     const auto& c = coefficients_[axis];
     const double t = kIntervals * u;
     return (c[1] + t * (2 * c[2] + t * (3 * c[3] + t * 4 * c[4]))) * kIntervals / length_;
 }
 
-double AxisCourse::bend(std::size_t axis, double u) const {
+double AxisPolynomials::bend(std::size_t axis, double u) const {
     const auto& c = coefficients_[axis];
     const double t = kIntervals * u;
     const double step = kIntervals / length_;
     return (2 * c[2] + t * (6 * c[3] + t * 12 * c[4])) * step * step;
 }
 
-double AxisCourse::third(std::size_t axis, double u) const {
+double AxisPolynomials::third(std::size_t axis, double u) const {
     const auto& c = coefficients_[axis];
     const double t = kIntervals * u;
     const double step = kIntervals / length_;
@@ -387,7 +388,7 @@ bool is_continuous(const Chain& chain, const Segment& piece) {
 
 /// The most acceleration along the path that no axis forbids at either end, where the path does not
 /// bend it.
-double most_along(const AxisCourse& course, const AxisBounds& bounds) {
+double most_along(const AxisPolynomials& course, const AxisBounds& bounds) {
     double along = std::numeric_limits<double>::infinity();
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const double rate =
@@ -401,7 +402,7 @@ double most_along(const AxisCourse& course, const AxisBounds& bounds) {
 /// limits allow. The error of a polynomial through five places is greatest in its derivatives at
 /// the ends: there it is 30 and 64 times what it is an eighth of the way inside, per step² and
 /// step³.
-bool is_exact(const Chain& chain, const Segment& piece, const AxisCourse& course,
+bool is_exact(const Chain& chain, const Segment& piece, const AxisPolynomials& course,
               const AxisBounds& bounds, double speed, const PartWishes& wishes) {
     if (std::isinf(speed)) return true;
     const double slight = wishes.as_cells ? kCourseErrorOfCell : kCourseError;
@@ -430,7 +431,7 @@ bool is_exact(const Chain& chain, const Segment& piece, const AxisCourse& course
 bool is_even(const Chain& chain, const Segment& piece, const AxisBounds& bounds,
              const PartWishes& wishes) {
     if (!is_continuous(chain, piece)) return false;
-    const AxisCourse course(chain, piece);
+    const AxisPolynomials course(chain, piece);
     Range slowness;
     Range stiffness;
     for (std::size_t i = 0; i <= kIntervals; ++i) {

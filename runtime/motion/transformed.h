@@ -63,9 +63,9 @@ std::vector<Segment> tip_lines(const machine::Chain& chain, const Segment& piece
 path::Vec3 tip_at(const machine::Chain& chain, const LogicalAxes& axes, const path::Vec3& carrier);
 
 /// Positions of the axes over a piece as polynomials of the fourth degree in u = s / length, 0 … 1.
-class AxisCourse {
+class AxisPolynomials {
   public:
-    AxisCourse(const machine::Chain& chain, const Segment& piece);
+    AxisPolynomials(const machine::Chain& chain, const Segment& piece);
 
     double length() const { return length_; }
     double position(std::size_t axis, double u) const;
@@ -93,8 +93,8 @@ struct PartWishes {
 };
 
 /// A piece as parts, in order, so that one speed suits each of them, or that each is a cell, and
-/// its AxisCourse is exact to far below a thousandth of a millimetre. `follower_start` of each is
-/// where the one before it ends.
+/// its AxisPolynomials is exact to far below a thousandth of a millimetre. `follower_start` of each
+/// is where the one before it ends.
 std::vector<Segment> even_parts(const machine::Chain& chain, const Segment& whole,
                                 const AxisBounds& bounds, const PartWishes& wishes);
 

@@ -46,7 +46,7 @@ struct AxisView {
     double rate_miss = 0;  // greatest differences from the straight lines between these
     double bend_miss = 0;
 
-    AxisView(const AxisCourse& course, std::size_t axis)
+    AxisView(const AxisPolynomials& course, std::size_t axis)
         : entry_rate(course.rate(axis, 0)),
           exit_rate(course.rate(axis, 1)),
           entry_bend(course.bend(axis, 0)),
@@ -71,7 +71,7 @@ struct AxisView {
 
 using Views = std::vector<AxisView>;  // of the logical axes
 
-Views views_of(const AxisCourse& course) {
+Views views_of(const AxisPolynomials& course) {
     Views views;
     for (std::size_t i = 0; i < kAxes; ++i) views.emplace_back(course, i);
     return views;
@@ -163,11 +163,12 @@ bool is_nearly_straight(const Views& views, const AxisBounds& bounds, double spe
 
 }  // namespace
 
-bool is_nearly_straight(const AxisCourse& course, const AxisBounds& bounds, double speed) {
+bool is_nearly_straight(const AxisPolynomials& course, const AxisBounds& bounds, double speed) {
     return is_nearly_straight(views_of(course), bounds, speed);
 }
 
-std::optional<BentCell> cell_on(const AxisCourse& course, const AxisBounds& bounds, double speed) {
+std::optional<BentCell> cell_on(const AxisPolynomials& course, const AxisBounds& bounds,
+                                double speed) {
     const Views views = views_of(course);
     if (is_nearly_straight(views, bounds, speed)) return std::nullopt;
     BentCell cell;

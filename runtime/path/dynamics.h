@@ -17,7 +17,7 @@ namespace kadr::path {
 inline constexpr double kRadiusOfDegrees = 180 / std::numbers::pi;
 
 /// How the feed comes to F along a motion.
-enum class FeedLawKind : std::uint8_t {
+enum class FeedCharacteristic : std::uint8_t {
     Constant,    // F from its start on
     Linear,      // evenly over the way, from the feed before
     Spline,      // by a cubic spline over the way of several blocks
@@ -26,7 +26,7 @@ enum class FeedLawKind : std::uint8_t {
 
 /// What the program says of the course of the feed along a motion, and what has come of it.
 struct FeedLaw {
-    FeedLawKind kind = FeedLawKind::Constant;
+    FeedCharacteristic kind = FeedCharacteristic::Constant;
     std::uint32_t block = 0;  // of the program: its motions have one course together
     double square = 0;        // Polynomial: coefficients, unit of F, over the way of the block
     double cube = 0;

@@ -14,7 +14,7 @@ namespace {
 using kadr::driver::block_name;
 using kadr::driver::hold_events;
 using kadr::driver::operator_event;
-using kadr::driver::override_course;
+using kadr::driver::override_sequence;
 using kadr::motion::OperatorAct;
 using kadr::motion::OperatorEvent;
 using kadr::test::Row;
@@ -83,7 +83,7 @@ TEST(OperatorEvents, Holds) {
 
 TEST(OperatorEvents, CoursesOfASwitch) {
     const auto said = [](const char* text) {
-        const auto course = override_course(text, OperatorAct::FeedOverride, 2);
+        const auto course = override_sequence(text, OperatorAct::FeedOverride, 2);
         if (!course) return std::string("none");
         return std::to_string(course->at_start).substr(0, 4) + ": " + shown(course->events);
     };

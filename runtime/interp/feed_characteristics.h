@@ -1,4 +1,5 @@
-// feed_courses.h — how the feed of motions comes to F: evenly, by a polynomial, by a spline.
+// feed_characteristics.h — how the feed of motions comes to F: evenly, by a polynomial, by a
+// spline.
 //
 // Behind everything that makes commands: a block may have become several motions, which have its
 // course together, and a spline runs over blocks that have to be known first. Motions without such
@@ -16,7 +17,7 @@
 
 namespace kadr::interp {
 
-class FeedCourses {
+class FeedCharacteristics {
   public:
     /// Asked whether a command with a course may be among those that were pulled.
     using Asks = std::function<bool()>;
@@ -24,8 +25,10 @@ class FeedCourses {
     using Tells = std::function<void(const path::Command&, double)>;
 
     /// All outlive this.
-    FeedCourses(Stream<path::Command>& commands, Asks has_course, Tells tell)
-        : commands_(commands), has_course_(std::move(has_course)), tell_(std::move(tell)) {}
+    FeedCharacteristics(Stream<path::Command>& commands, Asks has_varying_feed, Tells tell)
+        : commands_(commands),
+          has_varying_feed_(std::move(has_varying_feed)),
+          tell_(std::move(tell)) {}
 
     /// Commands whose feed law says the feed along each of them.
     ///
@@ -57,7 +60,7 @@ class FeedCourses {
     bool continues(const path::Command& command, const path::Command& next) const;
 
     Stream<path::Command>& commands_;
-    Asks has_course_;
+    Asks has_varying_feed_;
     Tells tell_;
     std::vector<path::Command> batch_;
     std::vector<path::Command> held_;

@@ -1,4 +1,4 @@
-#include "motion/feed_course.h"
+#include "motion/varying_feed.h"
 
 #include <algorithm>
 #include <cmath>

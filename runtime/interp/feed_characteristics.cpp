@@ -1,4 +1,4 @@
-#include "interp/feed_courses.h"
+#include "interp/feed_characteristics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace kadr::interp {
 
 using path::Command;
-using path::FeedLawKind;
+using path::FeedCharacteristic;
 using path::FeedPolynomial;
 using path::linear;
 using path::Op;
@@ -31,8 +31,9 @@ constexpr double kStill = 1e-9;  // mm or deg
 
 bool has_feed(Op op) { return op >= Op::Line && op <= Op::Parametric; }
 
-FeedLawKind kind_of(const Command& command) {
-    return command.dynamics.empty() ? FeedLawKind::Constant : command.dynamics.front().law.kind;
+FeedCharacteristic kind_of(const Command& command) {
+    return command.dynamics.empty() ? FeedCharacteristic::Constant
+                                    : command.dynamics.front().law.kind;
 }
 
 /// Words behind which lengths are not known, or no motion goes on.
@@ -47,7 +48,7 @@ FeedPolynomial part_of(const FeedPolynomial& feed, double from, double to) {
 
 }  // namespace
 
-std::size_t FeedCourses::pull(std::span<Command> out) {
+std::size_t FeedCharacteristics::pull(std::span<Command> out) {
     std::size_t written = 0;
     if (taken_ == held_.size()) {
         held_.clear();
@@ -55,9 +56,9 @@ std::size_t FeedCourses::pull(std::span<Command> out) {
         if (is_drained_) return 0;
         written = commands_.pull(out);
         std::size_t plain = written;
-        if (has_course_()) {
+        if (has_varying_feed_()) {
             const auto first = std::ranges::find_if(out.first(written), [](const Command& c) {
-                return kind_of(c) != FeedLawKind::Constant;
+                return kind_of(c) != FeedCharacteristic::Constant;
             });
             plain = static_cast<std::size_t>(first - out.begin());
         }
@@ -80,7 +81,7 @@ std::size_t FeedCourses::pull(std::span<Command> out) {
 }
 
 /// False: no command comes any more.
-bool FeedCourses::read() {
+bool FeedCharacteristics::read() {
     if (is_drained_) return false;
     batch_.resize(kBatch);
     const std::size_t count = commands_.pull(batch_);
@@ -91,33 +92,33 @@ bool FeedCourses::read() {
 }
 
 /// Lets some of what is held be ready.
-void FeedCourses::settle() {
+void FeedCharacteristics::settle() {
     if (ready_ > kBatch) {
         held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(taken_));
         taken_ = ready_ = 0;
     }
     if (ready_ == held_.size()) return;
     const Command& next = held_[ready_];
-    if (!path::is_motion(next.op) || kind_of(next) == FeedLawKind::Constant) {
+    if (!path::is_motion(next.op) || kind_of(next) == FeedCharacteristic::Constant) {
         note(next);
         ++ready_;
         return;
     }
     const Run run = run_from(ready_);
     // Reading has moved what is held.
-    if (kind_of(held_[ready_]) == FeedLawKind::Spline) settle_spline(run);
+    if (kind_of(held_[ready_]) == FeedCharacteristic::Spline) settle_spline(run);
     else settle_block(run);
 }
 
 /// Whether the next motion belongs to the same block.
-bool FeedCourses::continues(const Command& command, const Command& next) const {
+bool FeedCharacteristics::continues(const Command& command, const Command& next) const {
     const path::FeedLaw& law = command.dynamics.front().law;
     return kind_of(next) == law.kind && next.dynamics.front().law.block == law.block &&
            next.feed == command.feed && next.feed_mode == command.feed_mode;
 }
 
 /// The motions of the block that begins here; reads until it is known where it ends.
-FeedCourses::Run FeedCourses::run_from(std::size_t first) {
+FeedCharacteristics::Run FeedCharacteristics::run_from(std::size_t first) {
     Run run{first, first, 0};
     for (std::size_t i = first; i < first + kMostOfBlock; ++i) {
         if (i == held_.size() && !read()) break;
@@ -141,7 +142,7 @@ FeedCourses::Run FeedCourses::run_from(std::size_t first) {
 }
 
 /// mm, or deg where only rotary axes move.
-double FeedCourses::length_of(const Command& command, const AxisValues& from) const {
+double FeedCharacteristics::length_of(const Command& command, const AxisValues& from) const {
     const double length = path::length(path::curve_of(command, linear(from), linear(command.to)));
     if (length > kStill) return length;
     double turned = 0;
@@ -150,7 +151,7 @@ double FeedCourses::length_of(const Command& command, const AxisValues& from) co
 }
 
 /// What was put out last says where the next motion begins, and with which feed.
-void FeedCourses::note(const Command& command) {
+void FeedCharacteristics::note(const Command& command) {
     if (!path::is_motion(command.op)) return;
     at_ = command.to;
     if (has_feed(command.op)) reached_ = {command.feed, command.feed_mode, 0, false};
@@ -158,17 +159,18 @@ void FeedCourses::note(const Command& command) {
 }
 
 /// Over the way of the block: from the feed before to F.
-FeedPolynomial FeedCourses::polynomial_of(const Run& run, double from) const {
+FeedPolynomial FeedCharacteristics::polynomial_of(const Run& run, double from) const {
     const Command& command = held_[run.first];
     const path::FeedLaw& law = command.dynamics.front().law;
     return {from, command.feed - from - law.square - law.cube, law.square, law.cube};
 }
 
-void FeedCourses::settle_block(const Run& run) {
+void FeedCharacteristics::settle_block(const Run& run) {
     const Command& command = held_[run.first];
     const bool goes_on = reached_ && reached_->mode == command.feed_mode;
     const auto feed = polynomial_of(run, goes_on ? reached_->feed : command.feed);
-    const bool is_tangent = kind_of(command) == FeedLawKind::Polynomial && run.length > kStill;
+    const bool is_tangent =
+        kind_of(command) == FeedCharacteristic::Polynomial && run.length > kStill;
     const Reached behind{command.feed, command.feed_mode,
                          is_tangent ? (feed[1] + 2 * feed[2] + 3 * feed[3]) / run.length : 0,
                          is_tangent};
@@ -176,7 +178,7 @@ void FeedCourses::settle_block(const Run& run) {
 }
 
 /// The blocks of a spline, as many as are settled at once: its slopes by those that come behind.
-void FeedCourses::settle_spline(const Run& first) {
+void FeedCharacteristics::settle_spline(const Run& first) {
     const Command& start = held_[first.first];
     const path::FeedMode mode = start.feed_mode;
     const bool goes_on = reached_ && reached_->mode == mode;
@@ -195,9 +197,9 @@ void FeedCourses::settle_spline(const Run& first) {
         while ((i < held_.size() || read()) && !path::is_motion(held_[i].op))
             is_broken |= breaks(held_[i++]);
         is_open = i < held_.size() && !is_broken && held_[i].feed_mode == mode &&
-                  kind_of(held_[i]) == FeedLawKind::Spline;
+                  kind_of(held_[i]) == FeedCharacteristic::Spline;
         const bool is_polynomial = i < held_.size() && !is_broken && held_[i].feed_mode == mode &&
-                                   kind_of(held_[i]) == FeedLawKind::Polynomial;
+                                   kind_of(held_[i]) == FeedCharacteristic::Polynomial;
         if (!is_open && !is_polynomial) break;
         const Run next = run_from(i);
         if (is_open) {
@@ -225,7 +227,7 @@ void FeedCourses::settle_spline(const Run& first) {
 
 /// The motions of a block have this feed over the way of all of them, and may go out. False: the
 /// feed falls to 0, which was told, and nothing is held from there on.
-bool FeedCourses::lay(const Run& run, const FeedPolynomial& feed) {
+bool FeedCharacteristics::lay(const Run& run, const FeedPolynomial& feed) {
     const double lowest = path::feed_range(feed, 0, 1).least;
     double way = 0;
     for (std::size_t i = ready_; i < run.end; ++i) {

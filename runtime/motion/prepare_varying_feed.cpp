@@ -1,6 +1,6 @@
-// prepare_feed_course.cpp — motions whose feed changes along them.
+// prepare_varying_feed.cpp — motions whose feed changes along them.
 //
-// Where the axes can follow the feed, a piece has it as its course (feed_course.h). Where they
+// Where the axes can follow the feed, a piece has it as its course (varying_feed.h). Where they
 // cannot, or the pulses of a laser change the speed meanwhile, it goes in steps: short pieces, each
 // with the least feed on it, whose limits are those of any other piece.
 #include <algorithm>
@@ -104,7 +104,7 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
     const bool is_even = range.most <= kEven * range.least;
     if (is_even || most <= range.least) return emit_at(range.least);
     if (!is_glide && range.most <= kCourse * range.least && most >= range.most / kEven) {
-        if (const auto course = course_on(limits, path::feed_from(feed, part.from), length)) {
+        if (const auto course = varying_feed_on(limits, path::feed_from(feed, part.from), length)) {
             own.course = &*course;
             return emit_at(range.most);
         }
@@ -116,9 +116,9 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
 }
 
 /// The course of a piece, if its axes have enough beside it.
-std::optional<FeedCourse> Preparer::State::course_on(const PathLimits& limits,
-                                                     const path::FeedPolynomial& feed,
-                                                     double length) const {
+std::optional<FeedCourse> Preparer::State::varying_feed_on(const PathLimits& limits,
+                                                           const path::FeedPolynomial& feed,
+                                                           double length) const {
     if (has_pulses()) return std::nullopt;
     const FeedCourse course = course_of(feed, length);
     if (course.acceleration > kOfAcceleration * limits.acceleration) return std::nullopt;
@@ -128,7 +128,7 @@ std::optional<FeedCourse> Preparer::State::course_on(const PathLimits& limits,
 
 /// The corner before a piece, or behind one, whose feed changes: its speed is the feed's, and the
 /// acceleration changes by what both feeds differ in. At the speed v a feed f takes f'/f·v².
-void Preparer::State::take_course(Piece& piece, const AxisRates& in) const {
+void Preparer::State::take_varying_feed(Piece& piece, const AxisRates& in) const {
     const FeedCourse& course = piece.course;
     if (course.is_on()) piece.segment.feed = piece.length / course.time;
     const double entry = course.is_on() ? course.entry() : kInfinity;

@@ -1,4 +1,4 @@
-// feed_course.h — a feed that changes along a piece of path, and how it is run.
+// varying_feed.h — a feed that changes along a piece of path, and how it is run.
 //
 // Where f(s) is the feed at the way s, the piece has a time of its own: τ(s) = ∫ ds/f. To run it as
 // it is means that τ goes by like the time. What the axes need to come up to it, to brake and to

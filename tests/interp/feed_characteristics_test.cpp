@@ -23,7 +23,7 @@ void expect_laws(const Ran& ran, const std::vector<Law>& expected) {
     }
 }
 
-TEST(FeedCourses, LinearBeginsWithTheFeedBefore) {
+TEST(FeedCharacteristics, LinearBeginsWithTheFeedBefore) {
     const Ran ran = run({
         line().x(10).f(100),
         course(1).x(20).f(300),
@@ -37,7 +37,7 @@ TEST(FeedCourses, LinearBeginsWithTheFeedBefore) {
 }
 
 /// A feed that no motion has had is none to begin with; and none of another mode is.
-TEST(FeedCourses, WithoutAFeedBeforeFIsConstant) {
+TEST(FeedCharacteristics, WithoutAFeedBeforeFIsConstant) {
     const Ran ran = run({
         course(1).motion(Function::Line).x(10).f(100),
         fn(Function::FeedInverseTime).x(20).f(5),
@@ -48,7 +48,7 @@ TEST(FeedCourses, WithoutAFeedBeforeFIsConstant) {
     expect_laws(ran, {{}, {}, {5, 3, 0, 0}, {}, {}});
 }
 
-TEST(FeedCourses, PolynomialsOfOneBlock) {
+TEST(FeedCharacteristics, PolynomialsOfOneBlock) {
     const Ran ran = run({
         line().x(10).f(100),
         fn(Function::FeedPolynomial, {{0, 300}, {1, -50}, {2, 20}}).x(20),
@@ -61,7 +61,7 @@ TEST(FeedCourses, PolynomialsOfOneBlock) {
 
 /// Through 100 at the start and 200, 100 at the ends of blocks of 10 mm, without curvature at the
 /// ends: slopes 15, 0, −15 by the mm of 10 mean ones.
-TEST(FeedCourses, ASplineThroughTheFeeds) {
+TEST(FeedCharacteristics, ASplineThroughTheFeeds) {
     const Ran ran = run({
         line().x(10).f(100),
         course(2).x(20).f(200),
@@ -72,7 +72,7 @@ TEST(FeedCourses, ASplineThroughTheFeeds) {
 }
 
 /// What a window holds makes the same spline as the whole: where it is cut feed and slope go on.
-TEST(FeedCourses, ALongSplineHasNoSeam) {
+TEST(FeedCharacteristics, ALongSplineHasNoSeam) {
     std::vector<Block> program = {line().x(1).f(1000)};
     program.push_back(course(2).x(2).f(1100));
     for (int i = 3; i < 300; ++i) program.push_back(line().x(i).f(1000 + 100 * (i % 3)));
@@ -88,7 +88,7 @@ TEST(FeedCourses, ALongSplineHasNoSeam) {
 }
 
 /// The motions of a block share its course by their lengths.
-TEST(FeedCourses, AChamferIsAPartOfItsBlock) {
+TEST(FeedCharacteristics, AChamferIsAPartOfItsBlock) {
     const Ran ran = run({
         line().x(10).f(100),
         course(1).x(20).f(300).fn(Function::CornerChamfer, {{0, 2}}),
@@ -105,7 +105,7 @@ TEST(FeedCourses, AChamferIsAPartOfItsBlock) {
     EXPECT_NEAR(at, 400, 1e-9);
 }
 
-TEST(FeedCourses, AFeedThatFallsTo0IsAnAlarm) {
+TEST(FeedCharacteristics, AFeedThatFallsTo0IsAnAlarm) {
     const Ran ran = run({
         line().x(10).f(100),
         fn(Function::FeedPolynomial, {{0, 100}, {1, 800}}).x(20),
