@@ -474,7 +474,7 @@ class Executor {
     double virtual_angle() const;
     std::optional<path::VirtualAxes> wanted_virtual(const nc::Block& block,
                                                     const nc::Invocation& invocation);
-    std::optional<path::VirtualAxes> wanted_face(const nc::Block& block);
+    std::optional<path::VirtualAxes> wanted_polar_interpolation(const nc::Block& block);
     std::optional<path::VirtualAxes> wanted_cylinder(const nc::Block& block,
                                                      const nc::Invocation& invocation);
     std::optional<path::VirtualAxes> wanted_inclined(const nc::Block& block,

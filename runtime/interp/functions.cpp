@@ -597,9 +597,9 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::TcpOn:
         case Function::TcpBased:
         case Function::TcpOff:
-        case Function::FaceOn:
-        case Function::CylinderOn:
-        case Function::InclinedOn:
+        case Function::PolarInterpolationOn:
+        case Function::CylindricalInterpolationOn:
+        case Function::InclinedAxisOn:
         case Function::OrientGreatCircle:
         case Function::OrientAxes:
         case Function::OrientSurface:

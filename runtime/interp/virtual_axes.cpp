@@ -15,8 +15,8 @@
 #include "base/units.h"
 #include "interp/executor.h"
 #include "path/curve_of.h"
-#include "path/face_poles.h"
 #include "path/linear.h"
+#include "path/polar_passages.h"
 
 namespace kadr::interp {
 
@@ -87,7 +87,7 @@ bool stands_there(Function function, VirtualKind kind) {
     if (nc::has_fact(function, nc::Fact::UnderVirtualAxes)) return true;
     switch (function) {
         case Function::TcpOff: return kind == VirtualKind::Face;
-        case Function::CylinderOn: return kind == VirtualKind::Cylinder;
+        case Function::CylindricalInterpolationOn: return kind == VirtualKind::Cylinder;
         default: return kind == VirtualKind::Cylinder && plane_said_by(function).has_value();
     }
 }
@@ -95,8 +95,8 @@ bool stands_there(Function function, VirtualKind kind) {
 /// The word that ends it.
 Function ending_function(VirtualKind kind) {
     switch (kind) {
-        case VirtualKind::Cylinder: return Function::CylinderOn;
-        case VirtualKind::Inclined: return Function::InclinedOn;
+        case VirtualKind::Cylinder: return Function::CylindricalInterpolationOn;
+        case VirtualKind::Inclined: return Function::InclinedAxisOn;
         case VirtualKind::Face:
         case VirtualKind::None: break;
     }
@@ -108,8 +108,8 @@ Function ending_function(VirtualKind kind) {
 // ------------------------------------------------------------------------------ begin and end
 
 void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
-    constexpr std::size_t kRadius = parameter_of<Function::CylinderOn>("radius");
-    const bool ends_cylinder = invocation.function == Function::CylinderOn &&
+    constexpr std::size_t kRadius = parameter_of<Function::CylindricalInterpolationOn>("radius");
+    const bool ends_cylinder = invocation.function == Function::CylindricalInterpolationOn &&
                                invocation.has(kRadius) && block.argument(invocation, kRadius) == 0;
     if (ends_cylinder) {
         if (virtual_.axes.kind == VirtualKind::Cylinder) return end_virtual(block);
@@ -177,15 +177,17 @@ double Executor::virtual_angle() const {
 std::optional<VirtualAxes> Executor::wanted_virtual(const Block& block,
                                                     const Invocation& invocation) {
     switch (invocation.function) {
-        case Function::FaceOn: return wanted_face(block);
-        case Function::CylinderOn: return wanted_cylinder(block, invocation);
+        case Function::PolarInterpolationOn: return wanted_polar_interpolation(block);
+        case Function::CylindricalInterpolationOn: return wanted_cylinder(block, invocation);
         default: return wanted_inclined(block, invocation);
     }
 }
 
-std::optional<VirtualAxes> Executor::wanted_face(const Block& block) {
+std::optional<VirtualAxes> Executor::wanted_polar_interpolation(const Block& block) {
     const auto refuse = [&](std::string_view why) {
-        report(diag::FaceUnavailable, block, Function::FaceOn).arg(machine_.name).arg(why);
+        report(diag::FaceUnavailable, block, Function::PolarInterpolationOn)
+            .arg(machine_.name)
+            .arg(why);
         return std::nullopt;
     };
     constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z) | bit(Axis::C);
@@ -210,7 +212,9 @@ std::optional<VirtualAxes> Executor::wanted_face(const Block& block) {
         axes.zero = rad_from_deg(angle);
         if (const double said = position_.here[index(Axis::C)];
             std::abs(std::remainder(said, 360)) > kAtZero)
-            report(diag::FaceStart, block, Function::FaceOn).arg("C").arg(round_to(said, 4));
+            report(diag::FaceStart, block, Function::PolarInterpolationOn)
+                .arg("C")
+                .arg(round_to(said, 4));
     }
     if ((axes_.present & bit(Axis::Y)) != 0) {
         const double beside = position_.base[1] - axes.center_y;
@@ -225,10 +229,11 @@ std::optional<VirtualAxes> Executor::wanted_face(const Block& block) {
 
 std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
                                                      const Invocation& invocation) {
-    constexpr std::size_t kRadius = parameter_of<Function::CylinderOn>("radius");
-    constexpr std::size_t kDiameter = parameter_of<Function::CylinderOn>("diameter");
-    const std::int64_t axis =
-        std::llround(block.argument(invocation, parameter_of<Function::CylinderOn>("axis")));
+    constexpr std::size_t kRadius = parameter_of<Function::CylindricalInterpolationOn>("radius");
+    constexpr std::size_t kDiameter =
+        parameter_of<Function::CylindricalInterpolationOn>("diameter");
+    const std::int64_t axis = std::llround(
+        block.argument(invocation, parameter_of<Function::CylindricalInterpolationOn>("axis")));
     const std::array<Axis, 4> named = {Axis::C, Axis::A, Axis::B, Axis::C};
     VirtualAxes axes;
     axes.kind = VirtualKind::Cylinder;
@@ -238,21 +243,22 @@ std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
         axes.rotary = (axes_.present & bit(Axis::A)) != 0 ? Axis::A : Axis::B;
     const AxisMask needed = bit(axes.rotary) | bit(axis_along(axes.rotary));
     if ((axes_.present & needed) != needed) {
-        report(diag::CylinderUnavailable, block, Function::CylinderOn)
+        report(diag::CylinderUnavailable, block, Function::CylindricalInterpolationOn)
             .arg(machine_.name)
             .arg(axis == 0 ? "it needs a rotary axis, and the linear one along it"
                            : "it needs the axes " + std::string(kAxisNames[index(axes.rotary)]) +
                                  " and " + std::string(kAxisNames[index(axis_along(axes.rotary))]));
         return std::nullopt;
     }
-    if (block.argument(invocation, parameter_of<Function::CylinderOn>("walls")) != 0) {
-        report(diag::IsoNotSupported, block, Function::CylinderOn)
+    if (block.argument(invocation, parameter_of<Function::CylindricalInterpolationOn>("walls")) !=
+        0) {
+        report(diag::IsoNotSupported, block, Function::CylindricalInterpolationOn)
             .arg("a cylinder with the width of a groove");
         return std::nullopt;
     }
     axes.size = block.argument(invocation, kRadius, block.argument(invocation, kDiameter) / 2);
     if (!(axes.size > 0)) {
-        report(diag::CylinderWrong, block, Function::CylinderOn)
+        report(diag::CylinderWrong, block, Function::CylindricalInterpolationOn)
             .arg("radius " + format_shortest(round_to(axes.size, 6)))
             .arg("it must be above 0");
         return std::nullopt;
@@ -270,15 +276,15 @@ std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
                                                      const Invocation& invocation) {
     constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z);
     if ((axes_.present & kNeeded) != kNeeded) {
-        report(diag::InclinedUnavailable, block, Function::InclinedOn)
+        report(diag::InclinedUnavailable, block, Function::InclinedAxisOn)
             .arg(machine_.name)
             .arg("it needs the axes X and Z");
         return std::nullopt;
     }
-    constexpr std::size_t kAngle = parameter_of<Function::InclinedOn>("angle");
+    constexpr std::size_t kAngle = parameter_of<Function::InclinedAxisOn>("angle");
     const double angle = block.argument(invocation, kAngle, 90);
     if (!(std::abs(angle) < 90)) {
-        report(diag::InclinedAngle, block, Function::InclinedOn)
+        report(diag::InclinedAngle, block, Function::InclinedAxisOn)
             .arg(invocation.has(kAngle) ? format_shortest(angle) + "°" : "not said");
         return std::nullopt;
     }

@@ -8,7 +8,7 @@
 
 #include "motion/prepare_state.h"
 #include "motion/transformed.h"
-#include "path/face_poles.h"
+#include "path/polar_passages.h"
 
 namespace kadr::motion {
 

@@ -181,9 +181,9 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::TcpOn:
         case Function::TcpBased:
         case Function::TcpOff:
-        case Function::FaceOn:
-        case Function::CylinderOn:
-        case Function::InclinedOn: does.at_once(Kind::SwitchesTcp); break;
+        case Function::PolarInterpolationOn:
+        case Function::CylindricalInterpolationOn:
+        case Function::InclinedAxisOn: does.at_once(Kind::SwitchesTcp); break;
         case Function::OrientReset: does.before_motion(Kind::TurnsAxes).own(); break;
         case Function::Tilt: does.at_once(Kind::Tilts).before_motion(Kind::TurnsAxes).own(); break;
         case Function::TiltedPlaneEuler:

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "path/face_poles.h"
+#include "path/polar_passages.h"
 
 namespace kadr::path {
 namespace {
@@ -67,7 +67,7 @@ TEST(VirtualPlaces, FaceByHand) {
     EXPECT_NEAR(rotary_at(axes, tip, 0), 0.5 - angle, 1e-12);
 }
 
-TEST(FacePoles, CurvesThroughTheCentreAreFoundAndOthersNot) {
+TEST(PolarPassages, CurvesThroughTheCentreAreFoundAndOthersNot) {
     const VirtualAxes axes = face();
     const Curve through = make_line({10, 20, 0}, {-5, -10, 3});
     const std::vector<double> found = pole_passages(axes, through);
@@ -84,7 +84,7 @@ TEST(FacePoles, CurvesThroughTheCentreAreFoundAndOthersNot) {
     EXPECT_NEAR(on_circle[0], 10 * kPi, 1e-6);
 }
 
-TEST(FacePoles, HalfATurnInTheCentreGoesBackTowardsZero) {
+TEST(PolarPassages, HalfATurnInTheCentreGoesBackTowardsZero) {
     const VirtualAxes axes = face();
     const Curve leg = make_line({0, 0, 0}, {-10, 0, 0});
     EXPECT_NEAR(rotary_to_leave(axes, leg, 0), kPi, 1e-12);
@@ -94,7 +94,7 @@ TEST(FacePoles, HalfATurnInTheCentreGoesBackTowardsZero) {
     EXPECT_EQ(rotary_to_leave(axes, make_line({0, 0, 0}, {0, 0, 5}), 1.25), 1.25);
 }
 
-TEST(FacePoles, RotaryAxisCountsTurns) {
+TEST(PolarPassages, RotaryAxisCountsTurns) {
     const VirtualAxes axes = face();
     const Curve around = make_helix({10, 0, 0}, {10, 0, -3}, {0, 0, 0}, Vec3::UnitZ(), 6 * kPi);
     EXPECT_NEAR(rotary_behind(axes, around, 0), 6 * kPi, 1e-9);

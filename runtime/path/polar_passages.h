@@ -1,5 +1,5 @@
-// face_poles.h — curves on a face that meet the centre, where the rotary axis would have to turn at
-// once.
+// polar_passages.h — curves on a face that meet the centre, where the rotary axis would have to
+// turn at once.
 //
 // Between two passages of the centre a curve is a leg; in the centre the tool stands while the
 // rotary axis turns to where the next leg leads away. Without a face there is one leg.

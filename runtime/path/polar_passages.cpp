@@ -1,4 +1,4 @@
-#include "path/face_poles.h"
+#include "path/polar_passages.h"
 
 #include <algorithm>
 #include <cmath>
