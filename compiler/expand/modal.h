@@ -69,8 +69,8 @@ struct ModalState {
     Tcp tcp = Tcp::Off;
     double tcp_offset = 0;  // Length: number of the offset
     nc::Function before_tcp = nc::Function::LengthCompOff;
-    bool is_leaning = false;  // the tool has been turned away from Z under it
-    bool is_turned = false;   // rotary axes may stand elsewhere than at 0
+    bool is_inclined = false;  // the tool has been turned away from Z under it
+    bool is_turned = false;    // rotary axes may stand elsewhere than at 0
     SourceId frame_by;
     SourceId feed_by;
     SourceId speed_by;

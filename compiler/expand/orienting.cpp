@@ -190,7 +190,7 @@ Done Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
     modal.before_tcp = modal[Group::LengthComp];
     modal.tcp_offset = *length_number();
     modal.tcp = Tcp::Length;
-    modal.is_leaning = false;
+    modal.is_inclined = false;
     modal.active[static_cast<std::size_t>(Group::Transformation)] = Function::TcpOn;
     modal.changed_by[static_cast<std::size_t>(Group::Transformation)] = source;
     modal.lost &= ~sema::group_bit(Group::Transformation);
@@ -231,7 +231,7 @@ Done Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth)
             say_function(Function::TcpOff, {}, source, at, depth);
         return Done(!has_failed);
     }
-    if (modal.is_leaning) {
+    if (modal.is_inclined) {
         fault(diag::TcpLeaning, at)
             .arg(target.name())
             .fix("let it stand along Z before: `orient(k: 1)`");
@@ -295,7 +295,7 @@ Done Expander::State::settle_direction(Block& block, std::uint32_t at) {
         block.set_argument(part, kValue, direction[i]);
     });
     const double aside = std::hypot(direction.x(), direction.y());
-    modal.is_leaning = !(direction.z() > 0) || aside > kRounding * direction.z();
+    modal.is_inclined = !(direction.z() > 0) || aside > kRounding * direction.z();
     modal.is_turned = true;
     modal.known &= static_cast<AxisMask>(~kRotary);
     if (modal.restate_motion && block.motion == Function::None) {

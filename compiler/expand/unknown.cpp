@@ -122,7 +122,7 @@ void ModalState::join(const ModalState& without, SourceId block) {
     note_lost_positions(without.known, block, Loss::SkippedBlock);
     // The tool may stand as it did; what was unknown of the drift stays so (take_words).
     is_turned |= without.is_turned;
-    is_leaning |= without.is_leaning;
+    is_inclined |= without.is_inclined;
     has_tool &= without.has_tool && tool == without.tool;
     has_tool_in &= without.has_tool_in && tool_in == without.tool_in;
     if (has_feed != without.has_feed || feed != without.feed) restate |= sema::kFeedBit;

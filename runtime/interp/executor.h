@@ -330,11 +330,11 @@ class Executor {
     // tool_words.cpp: what a block says of the tool
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
                           Actions& actions);
-    void take_lean(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    void take_lead_tilt(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     void take_opening(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     Done require_one_turn(const nc::Block& block, const ToolWords& tool);
     Done require_no_idle_words(const nc::Block& block, const ToolWords& tool);
-    bool leans_on_surface() const;
+    bool keeps_lead_tilt_to_surface() const;
     bool is_led_by_surface(const ToolWords& tool) const;
     machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
     machine::Mat3 turn_into_base() const;
@@ -359,10 +359,11 @@ class Executor {
     Done follow_directions(const nc::Block& block, const path::Turn& turn, const path::Curve& curve,
                            Target& target);
     Done lay_directions(const nc::Block& block, const path::Curve& curve, Target& target);
-    Done lean_at_end(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
-                     Target& target);
-    std::optional<path::Vec3> lean_on(const nc::Block& block, const path::Vec3& normal,
-                                      const path::Vec3& tangent, const path::Lean& lean);
+    Done apply_lead_tilt_at_end(const nc::Block& block, const ToolWords& tool,
+                                const path::Curve& curve, Target& target);
+    std::optional<path::Vec3> direction_on_surface(const nc::Block& block, const path::Vec3& normal,
+                                                   const path::Vec3& tangent,
+                                                   const path::Lean& lean);
     Done require_small_rise(const nc::Block& block, double rise);
     Done require_small_rise_along(const nc::Block& block, const path::Turn& surface,
                                   const path::Curve& curve);

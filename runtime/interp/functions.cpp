@@ -357,8 +357,8 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::ToolVector:
         case Function::ToolAngle:
         case Function::ToolLead:
-        case Function::LeanLead:
-        case Function::LeanTilt:
+        case Function::SurfaceLead:
+        case Function::SurfaceTilt:
         case Function::SurfaceNormal:
         case Function::ConeAxis:
         case Function::ConeOpening:

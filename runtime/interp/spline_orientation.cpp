@@ -32,7 +32,7 @@ Done Executor::require_orientation_along(const Block& block, const ToolWords& to
     if (!orienting_.is_on && !tool.is_any()) return kDone;
     const bool is_alone = orienting_.is_on && !orienting_.has_length && !is_any_comp_on();
     // What is modal would act on the spans that wait, too.
-    bool is_refused = tool.is_any() && (!is_alone || (tool.changes_lean && is_in_spline()));
+    bool is_refused = tool.is_any() && (!is_alone || (tool.changes_lead_tilt && is_in_spline()));
     if (modal_.motion == Function::Spline) {
         const OrientInterpolation turning = orienting_.turning;
         const bool is_free =

@@ -223,13 +223,13 @@ struct ToolWords {
     std::optional<double> lead;     // deg, from the vector towards the direction of travel
     std::optional<double> spin;     // deg, about the tool
     std::optional<double> spin_by;  // deg
-    bool changes_lean = false;
+    bool changes_lead_tilt = false;
     std::optional<unsigned> signs;    // bit i: axis i of the machine shall stand below 0
     bool says_configuration = false;  // of the rotary axes
 
     bool says_direction() const { return vector.is_said() || angles.is_said(); }
     bool says_surface() const {
-        return changes_lean || normals[0].is_said() || normals[1].is_said();
+        return changes_lead_tilt || normals[0].is_said() || normals[1].is_said();
     }
     /// Whether the block turns the tool even where no axis is named. A lead and a tilt act on ways.
     bool turns() const {
@@ -237,8 +237,8 @@ struct ToolWords {
         return says_direction() || has_normal || point.is_said() || spin || spin_by;
     }
     bool is_any() const {
-        return turns() || changes_lean || cone_axis.is_said() || between.is_said() || opening ||
-               lead;
+        return turns() || changes_lead_tilt || cone_axis.is_said() || between.is_said() ||
+               opening || lead;
     }
 };
 

@@ -63,7 +63,7 @@ Done Executor::lay_surface(const Block& block, const ToolWords& tool) {
     face_.turn = arc->turn;
     // Where the tool is led by the surface too, that is still to be asked where the block before
     // ended.
-    if (!leans_on_surface()) orienting_.normal = (*normals)[1];
+    if (!keeps_lead_tilt_to_surface()) orienting_.normal = (*normals)[1];
     return kDone;
 }
 

@@ -354,7 +354,7 @@ Done Executor::lay_directions(const Block& block, const path::Curve& curve, Targ
     if (tool.point.is_said()) {
         if (!lead_by_point(block, tool, curve, target)) return kFailed;
     } else if (tool.lead) {
-        if (!lean_at_end(block, tool, curve, target)) return kFailed;
+        if (!apply_lead_tilt_at_end(block, tool, curve, target)) return kFailed;
     } else if (is_led_by_surface(tool)) {
         if (!lead_by_surface(block, tool, curve, target)) return kFailed;
     }
@@ -364,20 +364,20 @@ Done Executor::lay_directions(const Block& block, const path::Curve& curve, Targ
 }
 
 /// The direction that the block says, leant towards the direction of travel at its end. F 4.7 Q.
-Done Executor::lean_at_end(const Block& block, const ToolWords& tool, const path::Curve& curve,
-                           Target& target) {
+Done Executor::apply_lead_tilt_at_end(const Block& block, const ToolWords& tool,
+                                      const path::Curve& curve, Target& target) {
     const std::optional<Vec3> normal = wanted_direction(block, tool);
     if (!normal) return kFailed;
     const path::Lean lean{rad_from_deg(*tool.lead), 0, path::TiltAbout::Tangent};
-    const std::optional<Vec3> to =
-        lean_on(block, *normal, path::evaluate(curve, path::length(curve)).tangent, lean);
+    const std::optional<Vec3> to = direction_on_surface(
+        block, *normal, path::evaluate(curve, path::length(curve)).tangent, lean);
     if (!to) return kFailed;
     return orient_to(block, tool, *to, target);
 }
 
 /// The tool as it leans on a surface; nothing if it was reported.
-std::optional<Vec3> Executor::lean_on(const Block& block, const Vec3& normal, const Vec3& tangent,
-                                      const path::Lean& lean) {
+std::optional<Vec3> Executor::direction_on_surface(const Block& block, const Vec3& normal,
+                                                   const Vec3& tangent, const path::Lean& lean) {
     if (lean.lead == 0 && lean.tilt == 0) return normal;
     if (tangent.isZero(0)) {
         report(diag::LeanWithoutTravel, block);
@@ -440,16 +440,18 @@ Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     if (mirrors_words()) lean.tilt = -lean.tilt;
     lean.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
     const double length = path::length(curve);
-    const bool is_still_leant = length == 0 && !leans_on_surface() && !tool.says_surface();
+    const bool is_still_leant =
+        length == 0 && !keeps_lead_tilt_to_surface() && !tool.says_surface();
     if (is_still_leant) return kDone;
     // Where the tip stands there is no path to be led by, and where the control only looks at the
     // block's end it is not.
-    const bool is_led = length > 0 && leans_on_surface();
-    const auto start = is_led
-                           ? lean_on(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean)
-                           : normals->front();
+    const bool is_led = length > 0 && keeps_lead_tilt_to_surface();
+    const auto start =
+        is_led ? direction_on_surface(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean)
+               : normals->front();
     if (!start) return kFailed;
-    const auto end = lean_on(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
+    const auto end =
+        direction_on_surface(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
     if (!end) return kFailed;
     orienting_.normal = (*normals)[1];
     if (!is_led) return orient_to(block, tool, *end, target);

@@ -24,7 +24,7 @@ using path::Vec3;
 namespace {
 
 /// A lead or a tilt leans the tool out of the surface by less than this, deg.
-constexpr double kMostLean = 90;
+constexpr double kMostLeadTilt = 90;
 /// … and a cone opens by no more, deg; a sign says another form of the same.
 constexpr double kMostOpening = 180;
 
@@ -92,8 +92,8 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
             if (invocation.has(kSpinAt)) tool.spin = block.argument(invocation, kSpinAt);
             return;
         }
-        case Function::LeanLead:
-        case Function::LeanTilt: return take_lean(block, invocation, tool);
+        case Function::SurfaceLead:
+        case Function::SurfaceTilt: return take_lead_tilt(block, invocation, tool);
         default: return;
     }
 }
@@ -107,17 +107,18 @@ void Executor::take_opening(const Block& block, const nc::Invocation& invocation
     }
 }
 
-void Executor::take_lean(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
-    const bool is_lead = invocation.function == Function::LeanLead;
+void Executor::take_lead_tilt(const Block& block, const nc::Invocation& invocation,
+                              ToolWords& tool) {
+    const bool is_lead = invocation.function == Function::SurfaceLead;
     const double angle = block.argument(
-        invocation, parameter_of_all<"angle", Function::LeanLead, Function::LeanTilt>());
-    if (!(std::abs(angle) < kMostLean)) {
+        invocation, parameter_of_all<"angle", Function::SurfaceLead, Function::SurfaceTilt>());
+    if (!(std::abs(angle) < kMostLeadTilt)) {
         report(is_lead ? diag::LeadTooLarge : diag::TiltTooLarge, block, invocation.function)
             .arg(angle);
         return;
     }
     (is_lead ? orienting_.lean.lead : orienting_.lean.tilt) = rad_from_deg(angle);
-    tool.changes_lean = true;
+    tool.changes_lead_tilt = true;
     orienting_.leans |= surface_leads_end();
 }
 
@@ -126,9 +127,11 @@ Done Executor::require_one_turn(const Block& block, const ToolWords& tool) {
     const bool has_axes = (block.given & joint_axes()) != 0;
     const bool has_vector = tool.vector.is_said();
     const bool has_angles = tool.angles.is_said();
-    const bool leads = leans_on_surface() || surface_leads_end() || !comp_.takes_surface_normals();
+    const bool leads =
+        keeps_lead_tilt_to_surface() || surface_leads_end() || !comp_.takes_surface_normals();
     const bool has_surface = leads && tool.says_surface();
-    const bool is_on_surface = leans_on_surface() || (surface_leads_end() && tool.says_surface());
+    const bool is_on_surface =
+        keeps_lead_tilt_to_surface() || (surface_leads_end() && tool.says_surface());
     const DiagnosticRow* row = has_vector && has_angles  ? &diag::OrientVectorAngles
                                : has_vector && has_axes  ? &diag::OrientVectorAxes
                                : has_angles && has_axes  ? &diag::OrientAnglesAxes
@@ -151,13 +154,13 @@ Done Executor::require_axes_for_direction(const Block& block) {
 }
 
 /// Whether the tool is led by a surface in every block.
-bool Executor::leans_on_surface() const {
+bool Executor::keeps_lead_tilt_to_surface() const {
     return orienting_.turning == OrientInterpolation::Surface;
 }
 
 /// Whether a surface tells how the tool stands in this block: along it, or at its end.
 bool Executor::is_led_by_surface(const ToolWords& tool) const {
-    if (leans_on_surface()) return true;
+    if (keeps_lead_tilt_to_surface()) return true;
     return surface_leads_end() && (orienting_.leans || tool.says_surface());
 }
 
@@ -199,8 +202,9 @@ Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) 
         {tool.point.is_said() && turning != OrientInterpolation::Point, Function::ToolPoint},
         {tool.normals[0].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.normals[1].is_said() && !takes_surface, Function::SurfaceNormal},
-        {tool.changes_lean && tool.says_direction(),
-         block.find(Function::LeanLead) != nullptr ? Function::LeanLead : Function::LeanTilt},
+        {tool.changes_lead_tilt && tool.says_direction(),
+         block.find(Function::SurfaceLead) != nullptr ? Function::SurfaceLead
+                                                      : Function::SurfaceTilt},
         {tool.says_direction() && tool.point.is_said(), Function::ToolVector},
     };
     for (const auto& check : checks) {

@@ -126,9 +126,9 @@ Result<Varying, OrientationFault> by_lead_tilt(const Varying& tangent, const Var
     if (!n) return n.error();
     if (!t) return t.error();
     const double lean = t->value.dot(n->value);
-    const double lean_rate = t->rate.dot(n->value) + t->value.dot(n->rate);
+    const double lead_tilt_rate = t->rate.dot(n->value) + t->value.dot(n->rate);
     const auto forward = unit_of(
-        Varying{t->value - lean * n->value, t->rate - lean_rate * n->value - lean * n->rate});
+        Varying{t->value - lean * n->value, t->rate - lead_tilt_rate * n->value - lean * n->rate});
     if (!forward) return OrientationFault::NormalAlongTangent;
     const Varying side = {n->value.cross(forward->value),
                           n->rate.cross(forward->value) + n->value.cross(forward->rate)};

@@ -33,7 +33,7 @@ constexpr double kExact = 1e-6;
 /// arm. Mm.
 constexpr double kExactBehindTurn = 1e-4;
 /// … and the direction of a tool, rad. At a pole it is known less well.
-constexpr double kExactLean = 1e-5;
+constexpr double kExactDirection = 1e-5;
 /// Motions with a greater tolerance may be beside each other within it, as a path that goes forth
 /// and back: which end was passed is then not known, mm.
 constexpr double kSureEnd = 1e-3;
@@ -46,7 +46,7 @@ constexpr double kBehind = 8;
 constexpr double kLonger = 2;
 
 bool keeps(const ProgrammedMotion& motion, const Nearness& near) {
-    return near.distance <= motion.tolerance && near.lean <= near.lean_allowed &&
+    return near.distance <= motion.tolerance && near.lean <= near.direction_tolerance &&
            near.off <= near.off_allowed;
 }
 
@@ -54,7 +54,7 @@ bool keeps(const ProgrammedMotion& motion, const Nearness& near) {
 double room_of(const path::Blending& blending) {
     return blending.kind == path::BlendKind::None ? 0 : blending.size;
 }
-double lean_of(const path::Blending& blending) {
+double direction_error_of(const path::Blending& blending) {
     const bool leans = blending.kind != path::BlendKind::None || blending.smooths_orientation;
     return leans ? blending.orientation : 0;
 }
@@ -186,7 +186,8 @@ class Layer {
         const double curved =
             is_distance ? room + command.compress : std::max(room, command.compress);
         out.tolerance = curved + (was_turned_ ? kExactBehindTurn : kExact);
-        out.lean = kExactLean + pole_ + std::max(lean_of(before_), lean_of(behind));
+        out.lean = kExactDirection + pole_ +
+                   std::max(direction_error_of(before_), direction_error_of(behind));
         out.pole = pole_;
         if (!out.motion) return;
         out.motion->length = out.length;
@@ -323,8 +324,8 @@ PathDeviation PathCheck::State::deviation_of(PathFault fault, const Waiting& wai
 void PathCheck::State::fail_near(const Waiting& waiting, const Nearness& near) {
     if (near.distance > waiting.tolerance)
         deviation = deviation_of(PathFault::Tip, waiting, near.distance, waiting.tolerance);
-    else if (near.lean > near.lean_allowed)
-        deviation = deviation_of(PathFault::Tool, waiting, near.lean, near.lean_allowed);
+    else if (near.lean > near.direction_tolerance)
+        deviation = deviation_of(PathFault::Tool, waiting, near.lean, near.direction_tolerance);
     else deviation = deviation_of(PathFault::Followers, waiting, near.off, near.off_allowed);
 }
 

@@ -250,18 +250,18 @@ double parameter_on(const Chain& chain, const ProgrammedMotion& motion, Walk wal
 
 void judge_tool(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
                 double distance, Nearness& near) {
-    near.lean_allowed = motion.lean;
+    near.direction_tolerance = motion.lean;
     const Vec3 wanted = direction_on(chain, motion.way, distance);
     near.lean = path::angle_between(wanted, tool.tool);
     if (!(near.lean > motion.lean)) return;
     // Where axes run evenly past a pole the tool may be on one side of it, its path on the other.
     const Vec3 pole = chain.joints[machine::kR1].direction;
-    if (wanted.cross(pole).norm() <= motion.pole) near.lean_allowed += motion.pole;
+    if (wanted.cross(pole).norm() <= motion.pole) near.direction_tolerance += motion.pole;
     // Where the tip may be beside its path, it may be on as well.
     const double beside = 2 * motion.tolerance;
     const Vec3 before = direction_on(chain, motion.way, std::max(0.0, distance - beside));
     const Vec3 behind = direction_on(chain, motion.way, std::min(motion.length, distance + beside));
-    near.lean_allowed += path::angle_between(before, behind);
+    near.direction_tolerance += path::angle_between(before, behind);
 }
 
 void judge_followers(const ProgrammedMotion& motion, const StandingTool& tool, double distance,

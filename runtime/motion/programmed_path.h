@@ -43,7 +43,7 @@ struct Nearness {
     double lean = 0;      // of the tool from its direction there, rad
     double off = 0;       // of an axis that follows, rad or mm
     /// What the last two may be: where the tip may be beside its path, it also may be behind.
-    double lean_allowed = 0;
+    double direction_tolerance = 0;
     double off_allowed = 0;
 };
 

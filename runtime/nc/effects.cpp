@@ -246,8 +246,8 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::ToolVector:
         case Function::ToolAngle:
         case Function::ToolLead:
-        case Function::LeanLead:
-        case Function::LeanTilt:
+        case Function::SurfaceLead:
+        case Function::SurfaceTilt:
         case Function::SurfaceNormal:
         case Function::ConeAxis:
         case Function::ConeOpening:

@@ -22,7 +22,8 @@ struct ParameterName {
 };
 
 /// The parameter of this name of functions that all have it at the same place:
-/// `parameter_of_all<"angle", Function::LeanLead, Function::LeanTilt>()`. Else it does not compile.
+/// `parameter_of_all<"angle", Function::SurfaceLead, Function::SurfaceTilt>()`. Else it does not
+/// compile.
 template <ParameterName name, Function first, Function... others>
 consteval std::size_t parameter_of_all() {
     constexpr std::size_t kPlace = parameter_of<first>(name.view());

@@ -149,8 +149,8 @@ Block any_mode(bool is_axioma) {
 Block any_turn(Function turning) {
     Block block = any_move();
     if (turning == Function::OrientSurface) {
-        if (maybe()) add(block, Function::LeanLead, {any_angle(25)});
-        if (maybe()) add(block, Function::LeanTilt, {any_angle(25)});
+        if (maybe()) add(block, Function::SurfaceLead, {any_angle(25)});
+        if (maybe()) add(block, Function::SurfaceTilt, {any_angle(25)});
         return block;
     }
     const bool is_cone = turning == Function::OrientConeCw || turning == Function::OrientConeCcw;
