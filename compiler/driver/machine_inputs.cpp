@@ -261,7 +261,7 @@ std::optional<std::vector<macro::ProgramInputs>> machine_inputs(Session& session
     return out;
 }
 
-nc::MachineAxisNames axis_names(const machine::Machine& machine, const machine::MachineTold& told) {
+nc::MachineAxisNames axis_names(const machine::Machine& machine, const machine::MachineData& told) {
     std::vector<Axis> axes;
     for (const machine::MachineAxis& axis : machine.axes) axes.push_back(axis.axis);
     nc::MachineAxisNames names = nc::usual_axis_names(axes);

@@ -280,7 +280,8 @@ void Run::execute() {
         check_ = std::make_unique<motion::PathCheck>(machine, session_.options().tick.value_or(0));
         onlookers.command = [this](const path::Command& command) { check_->read(command); };
     }
-    if (limits_) options.tell_loss = [this](const motion::SpeedLoss& loss) { limits_->lose(loss); };
+    if (limits_)
+        options.report_loss = [this](const motion::SpeedLoss& loss) { limits_->lose(loss); };
     execution_->place_messages(options);
     process::PlannedMotion motion(tap, machine, options, execution_->sink(), std::move(onlookers));
     SegmentTap segments(

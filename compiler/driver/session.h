@@ -82,7 +82,7 @@ class Session {
     /// The machine of the options, or the stock one; null, with messages, if it has mistakes.
     const machine::Machine* machine();
     /// What it tells programs; behind `machine`, which has loaded it.
-    const machine::MachineTold& told() const { return told_; }
+    const machine::MachineData& told() const { return told_; }
 
     /// Called now and then while a long command works.
     void set_progress(std::function<void(const Progress&)> progress) {
@@ -112,7 +112,7 @@ class Session {
     std::map<std::string, std::unique_ptr<nc::Dialect>> dialects_;
     std::map<std::string, std::unique_ptr<syntax::KeywordTable>> keywords_;
     std::unique_ptr<machine::Machine> machine_;
-    machine::MachineTold told_;
+    machine::MachineData told_;
     bool machine_was_loaded_ = false;
     bool is_usage_ = false;
     std::function<void(const Progress&)> progress_;

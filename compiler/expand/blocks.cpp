@@ -168,7 +168,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
     if ((plan.customs & kOfCycles) != 0) [[unlikely]]
-        said_cycle.motion = modal[Group::Motion];
+        active_cycle.motion = modal[Group::Motion];
     block.motion = plan.motion;
     block.given = plan.given;
     block.incremental = plan.incremental;
@@ -290,7 +290,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     if (modal.tcp != ModalState::Tcp::Off && !check_leading(block, at)) return kFailed;
     if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
         say_diameter(block);
-    if (options.warns_of_cuts && !modal.told.has_told(Once::Rapid) && recordings.empty())
+    if (options.warns_of_cuts && !modal.told.has_reported(Once::Rapid) && recordings.empty())
         check_rapid(block, at);
     modal.take_words(block);
     if (owes_behind) [[unlikely]]

@@ -160,7 +160,8 @@ void Expander::State::keep_back_rounding(std::uint32_t where, int coordinates,
     const double rounding = std::sqrt(coordinates) * increment / 2;
     const double asked = fit.tolerance;
     fit.tolerance = std::max(asked - rounding, asked / 2);
-    if (fit.tolerance + rounding <= asked || !told_at.first_time(OnceAt::Tolerance, where)) return;
+    if (fit.tolerance + rounding <= asked || !told_at.first_time(NoticeAt::Tolerance, where))
+        return;
     fault(diag::CurveIncrement, where)
         .arg(quantity_text(increment, sema::kLength))
         .arg(quantity_text(round_to(fit.tolerance + rounding, 5), sema::kLength))
@@ -175,7 +176,7 @@ Done Expander::State::start_fit(const Instruction& instruction, std::uint32_t wh
         target.can_write(Function::Spline) &&
         (target.can_write(Function::SplineInterval) || target.can_write(Function::SplineKnot));
     if (wants_nurbs && has_splines) return fit_spline(instruction, where, fit);
-    if (wants_nurbs && told_at.first_time(OnceAt::Spline, where)) {
+    if (wants_nurbs && told_at.first_time(NoticeAt::Spline, where)) {
         fault(diag::SplineFallback, where)
             .arg(target.name())
             .arg(fit.kind == path::FitKind::Biarcs ? "arcs" : "lines");

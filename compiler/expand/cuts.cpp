@@ -94,10 +94,10 @@ void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
     if (!is_zx && block.find(Function::PlaneYz) == nullptr) return;
     const bool is_turned = modal[Group::Diameter] != Function::None;
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !is_turned;
-    if (!is_mill || !modal.has_tool_in || told.has_told(Once::Plane) ||
+    if (!is_mill || !modal.has_tool_in || told.has_reported(Once::Plane) ||
         target.rules().length_axis == nc::LengthAxis::Z)
         return;
-    if (!is_allowed(diag::LengthTurns, at)) told.count_as_told(Once::Plane);
+    if (!is_allowed(diag::LengthTurns, at)) told.count_as_reported(Once::Plane);
     fault(diag::LengthTurns, at)
         .arg(target.name())
         .arg(is_zx ? "G18" : "G19")
@@ -160,12 +160,12 @@ void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
         fault(diag::FeedNeverSet, at);
     }
     if (modal.is_spindle_turning() && misses_tool()) {
-        modal.told.count_as_told(Once::NoTool);
+        modal.told.count_as_reported(Once::NoTool);
         if (!modal.has_tool) fault(diag::ToolNeverCalled, at);
         else if (!nc::selects_at_once(target.rules(), changer()))
             warn_of_selection(fault(diag::ToolNeverCalled, at), modal.tool);
     }
-    if (!modal.is_spindle_turning() && !modal.told.has_told(Once::SpindleStopped))
+    if (!modal.is_spindle_turning() && !modal.told.has_reported(Once::SpindleStopped))
         warn_of_spindle(at);
 }
 
@@ -175,7 +175,7 @@ void Expander::State::warn_of_spindle(std::uint32_t at) {
     const DiagnosticRow& row = is_on && modal.lacks_speed
                                    ? static_cast<const DiagnosticRow&>(diag::SpindleWithoutSpeed)
                                    : diag::FeedWithSpindleStopped;
-    if (!is_allowed(row, at)) modal.told.count_as_told(Once::SpindleStopped);
+    if (!is_allowed(row, at)) modal.told.count_as_reported(Once::SpindleStopped);
     DiagnosticBuilder builder = fault(row, at);
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Spindle)];
     if (modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
@@ -202,7 +202,7 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     const double way = block.at(nc::Slot::Z);
     const double target_z = is_way ? modal.position[kZ] + way : way;
     if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
-    if (!is_allowed(diag::RapidBelowPlane, at)) modal.told.count_as_told(Once::Rapid);
+    if (!is_allowed(diag::RapidBelowPlane, at)) modal.told.count_as_reported(Once::Rapid);
     // As a word of the program says it.
     const bool is_inch = modal[Group::Units] == Function::Inch;
     fault(diag::RapidBelowPlane, at).arg(is_inch ? target_z / kMmPerInch : target_z);

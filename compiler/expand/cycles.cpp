@@ -27,13 +27,13 @@ namespace {
 constexpr std::size_t kToolAxis = index(Axis::Z);  // cycles of the library work in X-Y
 constexpr double kSpindleStop = 5;                 // as in M5
 
-void set_argument(SaidCycle& cycle, std::optional<std::size_t> parameter, double value) {
+void set_argument(ActiveCycle& cycle, std::optional<std::size_t> parameter, double value) {
     if (!parameter) return;
     cycle.arguments[*parameter] = value;
     cycle.given |= 1u << *parameter;
 }
 
-bool is_given(const SaidCycle& cycle, std::optional<std::size_t> parameter) {
+bool is_given(const ActiveCycle& cycle, std::optional<std::size_t> parameter) {
     return parameter && (cycle.given >> *parameter & 1u) != 0;
 }
 
@@ -46,10 +46,10 @@ bool has(const sema::Plan& plan, Function function) {
 
 Done Expander::State::refuse_beside_cycle(std::string_view what, std::uint32_t at) {
     fault(diag::SourceCycleActive, at)
-        .arg(said_cycle.said->word)
+        .arg(active_cycle.said->word)
         .arg(what)
-        .fix(said_cycle.said->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
-                                                                : "end it before: `G80;`");
+        .fix(active_cycle.said->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
+                                                                  : "end it before: `G80;`");
     return kFailed;
 }
 
@@ -72,30 +72,30 @@ Done Expander::State::require_between_positions(const sema::Plan& plan,
 Done Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool begins = (plan.customs & custom::kCyclePosition) != 0;
     const bool ends = plan.motion != Function::None || has(plan, Function::CycleOff);
-    if (ends) said_cycle.taps_rigidly = false;
+    if (ends) active_cycle.taps_rigidly = false;
     const bool is_called =
-        said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Called;
+        active_cycle.is_active && active_cycle.said->kind == SourceCycle::Kind::Called;
     if (begins && is_called) return refuse_beside_cycle("another cycle", at);
-    if (!begins && !said_cycle.is_active) {
+    if (!begins && !active_cycle.is_active) {
         if ((plan.customs & custom::kRepeats) == 0) return kDone;
         fault(diag::SourceRepeats, at).arg("K").arg("none is active");
         return kFailed;
     }
     if (ends && !is_called) {
-        said_cycle.is_active = false;
+        active_cycle.is_active = false;
         return kDone;
     }
     const nc::SlotMask words = block.given & (nc::kTargetSlots | nc::kArcSlots);
     if (words == 0) return kDone;
     if (plan.skip >= 0) return refuse_beside_cycle("a block that may be left out", at);
     if (is_called) {
-        said_cycle.is_due = (words & nc::kTargetSlots) != 0;
+        active_cycle.is_due = (words & nc::kTargetSlots) != 0;
         return kDone;
     }
     if ((words & (nc::kCenterSlots | bit(nc::Slot::Turns))) != 0)
         return refuse_beside_cycle("a word of an arc", at);
     if (!begins) {
-        said_cycle.is_due = true;
+        active_cycle.is_due = true;
         take_levels(block);
     }
     if ((block.given & nc::kTargetSlots) == 0) return kDone;
@@ -114,18 +114,18 @@ Done Expander::State::take_cycle_words(const Block& block, const nc::Invocation&
         if (!invocation.has(said)) continue;
         const auto word = std::ranges::find(kHeldWords, name, &HeldWord::parameter);
         const bool is_place =
-            said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Modal;
+            active_cycle.is_active && active_cycle.said->kind == SourceCycle::Kind::Modal;
         if (!is_place) {
             fault(diag::SourceCycleWord, at).arg(std::string(1, word->letter));
             return kFailed;
         }
         const double value = block.argument(invocation, said);
         const auto parameter =
-            find_parameter(code.functions[said_cycle.said->function].parameters, name);
+            find_parameter(code.functions[active_cycle.said->function].parameters, name);
         // A cycle without such a word keeps it for the next one.
-        if (parameter && is_given(said_cycle, parameter))
-            set_argument(said_cycle, parameter, value);
-        else said_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())] = value;
+        if (parameter && is_given(active_cycle, parameter))
+            set_argument(active_cycle, parameter, value);
+        else active_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())] = value;
     }
     return require_no_stroke(at);
 }
@@ -135,17 +135,19 @@ Done Expander::State::take_cycle_words(const Block& block, const nc::Invocation&
 Done Expander::State::require_no_stroke(std::uint32_t at) {
     const auto word = std::ranges::find(kHeldWords, "peck", &HeldWord::parameter);
     const double stroke =
-        said_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())].value_or(0);
-    if (!said_cycle.said->has_other_in_strokes || stroke == 0) return kDone;
-    fault(diag::SourceCycleStroke, at).arg(std::string(1, word->letter)).arg(said_cycle.said->word);
+        active_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())].value_or(0);
+    if (!active_cycle.said->has_other_in_strokes || stroke == 0) return kDone;
+    fault(diag::SourceCycleStroke, at)
+        .arg(std::string(1, word->letter))
+        .arg(active_cycle.said->word);
     return kFailed;
 }
 
 /// `X10. Z-12. R3.` among the places: from here on the cycle has these levels.
 void Expander::State::take_levels(Block& block) {
-    const nc::Rules& rules = said_cycle.said->rules;
+    const nc::Rules& rules = active_cycle.said->rules;
     const bool is_incremental = modal[Group::Distance] == Function::Incremental;
-    control::CycleLevels& levels = said_cycle.levels;
+    control::CycleLevels& levels = active_cycle.levels;
     if (block.has(nc::Slot::Radius)) {
         levels.retract = control::cycle_retract(rules, block.at(nc::Slot::Radius), is_incremental);
     }
@@ -166,16 +168,16 @@ Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
     if (!recordings.empty()) return refuse_in_contour("a cycle", at);
     const SourceCycle& said =
         code.cycles[static_cast<std::size_t>(instruction.immediate.pair.first)];
-    const bool goes_on = said_cycle.is_active &&
-                         said_cycle.said->kind == SourceCycle::Kind::Modal &&
+    const bool goes_on = active_cycle.is_active &&
+                         active_cycle.said->kind == SourceCycle::Kind::Modal &&
                          said.kind == SourceCycle::Kind::Modal;
-    if (said_cycle.is_active && !goes_on && said.kind != SourceCycle::Kind::Called)
+    if (active_cycle.is_active && !goes_on && said.kind != SourceCycle::Kind::Called)
         return refuse_beside_cycle("another cycle", at);
     if (goes_on) keep_words();
-    else said_cycle.held = {}, said_cycle.levels = {};
-    said_cycle.said = &said;
-    said_cycle.given = 0;
-    for (const auto& [parameter, value] : said.fixed) set_argument(said_cycle, parameter, value);
+    else active_cycle.held = {}, active_cycle.levels = {};
+    active_cycle.said = &said;
+    active_cycle.given = 0;
+    for (const auto& [parameter, value] : said.fixed) set_argument(active_cycle, parameter, value);
     for (std::size_t i = 0; i < said.arguments.size(); ++i) {
         const sema::Slot slot = registers[instruction.a + i];
         const SourceCycle::Argument argument = said.arguments[i];
@@ -190,17 +192,17 @@ Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
             math_fault(sema::MathFault::Overflow, at);
             return kFailed;
         }
-        set_argument(said_cycle, argument.parameter, value);
+        set_argument(active_cycle, argument.parameter, value);
     }
     if (!goes_on) {
-        said_cycle.initial = modal.position[kToolAxis];
-        said_cycle.is_initial_known = (modal.known >> kToolAxis & 1u) != 0;
-        said_cycle.frame = modal.frame;
-        said_cycle.work_offset = modal.work_offset;
+        active_cycle.initial = modal.position[kToolAxis];
+        active_cycle.is_initial_known = (modal.known >> kToolAxis & 1u) != 0;
+        active_cycle.frame = modal.frame;
+        active_cycle.work_offset = modal.work_offset;
     }
-    said_cycle.is_active = said.kind != SourceCycle::Kind::Once;
-    said_cycle.is_due = said.kind != SourceCycle::Kind::Called;
-    const std::uint32_t own = said_cycle.given;
+    active_cycle.is_active = said.kind != SourceCycle::Kind::Once;
+    active_cycle.is_due = said.kind != SourceCycle::Kind::Called;
+    const std::uint32_t own = active_cycle.given;
     if (said.kind == SourceCycle::Kind::Modal) take_said_levels(own);
     if (goes_on) take_kept_words();
     return require_no_stroke(at) ? require_words(at) : kFailed;
@@ -209,71 +211,71 @@ Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
 /// What the cycle so far had said holds for the next one of the mode, too. What its code says by
 /// itself is no word: `G81` does not dwell, and a P from before waits for the next `G82`.
 void Expander::State::keep_words() {
-    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
         const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
         const bool is_fixed = std::ranges::any_of(
-            said_cycle.said->fixed, [&](const auto& fixed) { return fixed.first == parameter; });
-        if (is_given(said_cycle, parameter) && !is_fixed)
-            said_cycle.held[i] = said_cycle.arguments[*parameter];
+            active_cycle.said->fixed, [&](const auto& fixed) { return fixed.first == parameter; });
+        if (is_given(active_cycle, parameter) && !is_fixed)
+            active_cycle.held[i] = active_cycle.arguments[*parameter];
     }
 }
 
 void Expander::State::take_kept_words() {
-    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
         const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
-        if (said_cycle.held[i] && !is_given(said_cycle, parameter))
-            set_argument(said_cycle, parameter, *said_cycle.held[i]);
+        if (active_cycle.held[i] && !is_given(active_cycle, parameter))
+            set_argument(active_cycle, parameter, *active_cycle.held[i]);
     }
 }
 
 /// Whether a modal cycle has its levels, and what else has no value of its own.
 Done Expander::State::require_words(std::uint32_t at) {
-    if (said_cycle.said->kind != SourceCycle::Kind::Modal) return kDone;
-    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    if (active_cycle.said->kind != SourceCycle::Kind::Modal) return kDone;
+    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
     std::string missing;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const sema::ParameterInfo& parameter = function.parameters[i];
         const auto word = std::ranges::find(kHeldWords, parameter.name, &HeldWord::parameter);
         const bool is_level = parameter.name == "to" || parameter.name == "retract";
-        if (is_given(said_cycle, i) || parameter.name == "pitch") continue;  // F says the pitch
+        if (is_given(active_cycle, i) || parameter.name == "pitch") continue;  // F says the pitch
         if (!is_level && parameter.has_default) continue;
         if (!missing.empty()) missing += ' ';
         if (word != kHeldWords.end()) missing += word->letter;
         else missing += parameter.name;
     }
     if (missing.empty()) return kDone;
-    fault(diag::BlockWordMissing, at).arg(said_cycle.said->word).arg(missing);
+    fault(diag::BlockWordMissing, at).arg(active_cycle.said->word).arg(missing);
     return kFailed;
 }
 
 /// `said`: the arguments that the block itself has.
 void Expander::State::take_said_levels(std::uint32_t said) {
-    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
-    const nc::Rules& rules = said_cycle.said->rules;
+    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
+    const nc::Rules& rules = active_cycle.said->rules;
     const bool is_incremental = modal[Group::Distance] == Function::Incremental;
     const auto value = [&](std::string_view name) -> std::optional<double> {
         const std::optional<std::size_t> parameter = find_parameter(function.parameters, name);
         if (!parameter || (said >> *parameter & 1u) == 0) return std::nullopt;
-        return said_cycle.arguments[*parameter];
+        return active_cycle.arguments[*parameter];
     };
     if (const auto retract = value("retract"))
-        said_cycle.levels.retract = control::cycle_retract(rules, *retract, is_incremental);
+        active_cycle.levels.retract = control::cycle_retract(rules, *retract, is_incremental);
     if (const auto depth = value("to"))
-        said_cycle.levels.depth = control::cycle_depth(rules, *depth, is_incremental);
+        active_cycle.levels.depth = control::cycle_depth(rules, *depth, is_incremental);
 }
 
 /// The level where the mode began, in the present frame.
 std::optional<double> Expander::State::initial_level(std::uint32_t at) {
     control::KnownPoint begin;
-    begin.value[kToolAxis] = said_cycle.initial;
-    begin.is_known[kToolAxis] = said_cycle.is_initial_known;
-    const control::KnownPoint here = control::change_frame(begin, said_cycle.frame, modal.frame);
-    if (here.is_known[kToolAxis] && modal.work_offset == said_cycle.work_offset)
+    begin.value[kToolAxis] = active_cycle.initial;
+    begin.is_known[kToolAxis] = active_cycle.is_initial_known;
+    const control::KnownPoint here = control::change_frame(begin, active_cycle.frame, modal.frame);
+    if (here.is_known[kToolAxis] && modal.work_offset == active_cycle.work_offset)
         return here.value[kToolAxis];
     fault(diag::SourceCycleLevel, at)
-        .arg(said_cycle.said->word)
+        .arg(active_cycle.said->word)
         .fix("move the tool axis before the cycle begins: `G0 Z50.`");
     return std::nullopt;
 }
@@ -287,26 +289,28 @@ Done Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
     const bool is_known = modal.has_feed && (is_pitch || has_speed) &&
                           modal[Group::FeedMode] != Function::FeedInverseTime;
     if (!is_known) {
-        fault(diag::SourceCyclePitch, at).arg(said_cycle.said->word).arg(is_pitch ? "" : " and S");
+        fault(diag::SourceCyclePitch, at)
+            .arg(active_cycle.said->word)
+            .arg(is_pitch ? "" : " and S");
         return kFailed;
     }
-    set_argument(said_cycle, pitch, is_pitch ? modal.feed : modal.feed / modal.speed);
+    set_argument(active_cycle, pitch, is_pitch ? modal.feed : modal.feed / modal.speed);
     return kDone;
 }
 
 Done Expander::State::complete_cycle(const sema::FunctionCode& function, std::uint32_t at) {
-    if (said_cycle.taps_rigidly) {
-        set_argument(said_cycle, find_parameter(function.parameters, "floating"), 0);
-        if (said_cycle.said->rules.rigid_tap_stops_spindle)
-            set_argument(said_cycle, find_parameter(function.parameters, "after"), kSpindleStop);
+    if (active_cycle.taps_rigidly) {
+        set_argument(active_cycle, find_parameter(function.parameters, "floating"), 0);
+        if (active_cycle.said->rules.rigid_tap_stops_spindle)
+            set_argument(active_cycle, find_parameter(function.parameters, "after"), kSpindleStop);
     }
     const std::optional<std::size_t> pitch = find_parameter(function.parameters, "pitch");
-    const bool is_said =
-        std::ranges::any_of(said_cycle.said->arguments, [&](const SourceCycle::Argument& argument) {
+    const bool is_said = std::ranges::any_of(
+        active_cycle.said->arguments, [&](const SourceCycle::Argument& argument) {
             return argument.parameter == pitch.value_or(nc::kMaxArguments);
         });
     if (pitch && !is_said && !complete_pitch(*pitch, at)) return kFailed;
-    if (said_cycle.said->kind != SourceCycle::Kind::Modal) return kDone;
+    if (active_cycle.said->kind != SourceCycle::Kind::Modal) return kDone;
     return complete_levels(function, at);
 }
 
@@ -314,8 +318,8 @@ Done Expander::State::complete_cycle(const sema::FunctionCode& function, std::ui
 Done Expander::State::complete_levels(const sema::FunctionCode& function, std::uint32_t at) {
     const bool is_incremental = modal[Group::Distance] == Function::Incremental;
     const auto complete = [&](std::optional<double> initial) {
-        return control::complete_levels(said_cycle.said->rules, said_cycle.levels, is_incremental,
-                                        initial, said_cycle.returns_low);
+        return control::complete_levels(active_cycle.said->rules, active_cycle.levels,
+                                        is_incremental, initial, active_cycle.returns_low);
     };
     std::optional<control::CallLevels> levels = complete(std::nullopt);
     if (!levels) {
@@ -324,7 +328,7 @@ Done Expander::State::complete_levels(const sema::FunctionCode& function, std::u
         levels = complete(initial);
     }
     const auto set = [&](std::string_view name, double level) {
-        set_argument(said_cycle, find_parameter(function.parameters, name), level);
+        set_argument(active_cycle, find_parameter(function.parameters, name), level);
     };
     set("retract", levels->retract);
     set("to", levels->depth);
@@ -334,14 +338,15 @@ Done Expander::State::complete_levels(const sema::FunctionCode& function, std::u
 
 Done Expander::State::call_cycle(const Instruction& instruction, const sema::Slot* registers,
                                  std::uint32_t at) {
-    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
-    said_cycle.is_due = false;
-    said_cycle.is_running = true;
+    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
+    active_cycle.is_due = false;
+    active_cycle.is_running = true;
     if (!complete_cycle(function, at)) return kFailed;
-    if (said_cycle.said->kind != SourceCycle::Kind::Modal) said_cycle.motion = modal[Group::Motion];
-    said_cycle.was_incremental = modal[Group::Distance] == Function::Incremental;
+    if (active_cycle.said->kind != SourceCycle::Kind::Modal)
+        active_cycle.motion = modal[Group::Motion];
+    active_cycle.was_incremental = modal[Group::Distance] == Function::Incremental;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.first)};
-    if (said_cycle.was_incremental) say_distance(Function::Absolute, source, at, instruction.c);
+    if (active_cycle.was_incremental) say_distance(Function::Absolute, source, at, instruction.c);
     if (has_failed) return kFailed;
     if (frames.size() > options.limits.call_depth) {
         fault(diag::CallDepthLimit, at).arg(static_cast<std::int64_t>(options.limits.call_depth));
@@ -353,13 +358,13 @@ Done Expander::State::call_cycle(const Instruction& instruction, const sema::Slo
     frame.function = &function;
     frame.return_to = at + 1;
     frame.base = base;
-    frame.given = said_cycle.given;
+    frame.given = active_cycle.given;
     frame.promises = static_cast<std::uint32_t>(promises.size());
     frame.loops = options.trace ? outer_loops + instruction.c : 0;
     reserve_stack(std::size_t{base} + function.registers + 8);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-        if ((said_cycle.given >> i & 1u) == 0) continue;
-        set_number(function.parameters[i], said_cycle.arguments[i],
+        if ((active_cycle.given >> i & 1u) == 0) continue;
+        set_number(function.parameters[i], active_cycle.arguments[i],
                    stack[base + function.parameters[i].slot]);
     }
     return kDone;
@@ -376,11 +381,12 @@ void Expander::State::say_distance(Function function, SourceId source, std::uint
 
 void Expander::State::leave_cycle(const Instruction& instruction, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    said_cycle.is_running = false;
-    modal.active[static_cast<std::size_t>(Group::Motion)] = said_cycle.motion;
+    active_cycle.is_running = false;
+    modal.active[static_cast<std::size_t>(Group::Motion)] = active_cycle.motion;
     modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
     modal.restate_motion = true;
-    if (said_cycle.was_incremental) say_distance(Function::Incremental, source, at, instruction.c);
+    if (active_cycle.was_incremental)
+        say_distance(Function::Incremental, source, at, instruction.c);
 }
 
 }  // namespace kadr::expand

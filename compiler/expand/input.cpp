@@ -110,7 +110,7 @@ bool Expander::State::needs_frame(const sema::Plan& plan, std::size_t invocation
         case Function::ScaleOff:
             return !target.can_write(function) || modal.frame_fault != control::FrameFault::None ||
                    !control::is_same(frame_behind(modal.steps, plan, invocation),
-                                     frame_behind(modal.said_steps, plan, invocation));
+                                     frame_behind(modal.written_steps, plan, invocation));
         case Function::Rotate:
             return (plan.customs & custom::kRotateReplaces) != 0 && modal.frame.angle_deg != 0;
         default: return false;
@@ -247,9 +247,9 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
                 break;
             case Function::CycleReturnInitial:
             case Function::CycleReturnRetract:
-                said_cycle.returns_low = invocation.function == Function::CycleReturnRetract;
+                active_cycle.returns_low = invocation.function == Function::CycleReturnRetract;
                 break;
-            case Function::TapRigid: said_cycle.taps_rigidly = true; break;
+            case Function::TapRigid: active_cycle.taps_rigidly = true; break;
             case Function::CycleWords:
                 if (adapted) adapted = Done(take_cycle_words(block, invocation, at));
                 break;

@@ -127,7 +127,7 @@ void ModalState::lose_corrected(double axis) {
 void ModalState::say_frame(const control::ProgramFrame& next, SourceId source) {
     const AxisMask before = known;
     steps.say(next);
-    said_steps = steps;
+    written_steps = steps;
     frame_fault = control::FrameFault::None;
     set_frame(next, source);
     note_lost_positions(before, source, Loss::Control);
@@ -137,7 +137,7 @@ void ModalState::say_frame(const control::ProgramFrame& next, SourceId source) {
 template <typename Change>
 void ModalState::change_steps(SourceId source, Change change) {
     change(steps);
-    change(said_steps);
+    change(written_steps);
     frame_from_steps(source);
 }
 
@@ -161,8 +161,8 @@ void ModalState::rotate(const nc::FrameChange& change, SourceId source, const nc
     const Function plane = (*this)[Group::Plane];
     steps.rotate(change.angle_deg, plane, change.values);
     if (target.rotate_outside_scale)
-        said_steps.rotate_scaled(change.angle_deg, plane, change.values);
-    else said_steps.rotate(change.angle_deg, plane, change.values);
+        written_steps.rotate_scaled(change.angle_deg, plane, change.values);
+    else written_steps.rotate(change.angle_deg, plane, change.values);
     frame_from_steps(source);
 }
 

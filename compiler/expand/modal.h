@@ -9,7 +9,7 @@
 #include "base/axes.h"
 #include "control/frame_steps.h"
 #include "control/program_frame.h"
-#include "expand/told_once.h"
+#include "expand/reported_in_program.h"
 #include "nc/block.h"
 #include "nc/effects.h"
 #include "sema/code.h"
@@ -55,9 +55,9 @@ struct ModalState {
     bool owes_incremental = false;  // the text is under absolute dimensions for one block
     bool is_diameter = false;       // words of X
     control::ProgramFrame frame;
-    bool is_stretched = false;       // the frame makes ellipses of the circles of some plane
-    control::FrameSteps steps;       // of the program, that make the frame …
-    control::FrameSteps said_steps;  // … and of its text
+    bool is_stretched = false;          // the frame makes ellipses of the circles of some plane
+    control::FrameSteps steps;          // of the program, that make the frame …
+    control::FrameSteps written_steps;  // … and of its text
     control::FrameFault frame_fault = control::FrameFault::None;  // no frame is what they make
     /// A tilted plane that acts: of the control, which has frames in it (Own) or none (Closed), or
     /// a frame that stands for it.
@@ -94,7 +94,7 @@ struct ModalState {
     sema::ModalMask restate = 0;    // set by a block that may be left out: the output says it again
     bool spindle_in_doubt = false;  // likewise, but the operator's choice
     bool lacks_speed = true;        // no S was said, and no text of unknown meaning stood there
-    ToldInProgram told;             // of this state; a change of it renews that
+    ReportedInProgram told;         // of this state; a change of it renews that
     bool has_ended = false;         // behind M30
     SourceId ended_by;
 

@@ -63,7 +63,7 @@ void Expander::State::go_back(std::span<const sema::ParameterInfo> parameters, s
 /// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own
 /// program does not say the cycle.
 bool Expander::State::spares_distances(nc::CycleId cycle, std::uint32_t given) const {
-    if (said_cycle.is_active && said_cycle.is_running) return false;
+    if (active_cycle.is_active && active_cycle.is_running) return false;
     const nc::CycleInfo::Roles& roles = target.cycles()[cycle].roles;
     const auto is_given = [&](int role) { return role >= 0 && (given >> role & 1u) != 0; };
     return (is_given(roles.stroke) || is_given(roles.shift)) &&
@@ -88,7 +88,7 @@ void Expander::State::warn_of_tap() {
     const bool is_called = frames.size() > 1 && frame.return_to > 0;
     if (!is_called || !target.rules().modal_cycles) return;
     const std::uint32_t at = frame.return_to - 1;
-    if (!told_at.first_time(OnceAt::Tap, at)) return;
+    if (!told_at.first_time(NoticeAt::Tap, at)) return;
     fault_in(diag::TapByMoves, at, frames.size() - 1).arg(frame.function->name);
 }
 
@@ -132,7 +132,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
     if (!target.has_native_cycle(cycle, given, arguments, options.refusals)) {
         // A call in the control's own words: what it does not say, the control has by itself.
         given &= frame.given;
-        const bool is_said = said_cycle.is_running;
+        const bool is_said = active_cycle.is_running;
         if (!is_said || !target.has_native_cycle(cycle, given, arguments, options.refusals)) {
             if (turns_spindle(parameters, given, values)) warn_of_tap();
             return CycleOutcome::Moves;

@@ -75,7 +75,7 @@ Vec3 written(const Vec3& said, int digits) {
 }  // namespace
 
 /// A block of nothing but one function; what is NaN is not given.
-void Expander::State::say_function(Function function, std::span<const Argument> arguments,
+void Expander::State::put_function(Function function, std::span<const Argument> arguments,
                                    SourceId source, std::uint32_t at, unsigned depth) {
     if (has_failed || !require_room(at)) return;
     Block& block = next_block(source);
@@ -177,12 +177,12 @@ Done Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
     for (const nc::Invocation& invocation : said)
         if (nc::info(invocation.function).group == Group::Turning) turning = invocation.function;
     if (has_own) {
-        say_function(Function::TcpOn, {}, source, at, depth);
+        put_function(Function::TcpOn, {}, source, at, depth);
         say_offset_again(source, at, depth);
         if (target.rules().transformation_wants_offset) say_frame_again(source, at, depth);
         for (const nc::Invocation& invocation : said) {
             if (invocation.function != Function::TcpOn && target.can_write(invocation.function))
-                say_function(invocation.function, {}, source, at, depth);
+                put_function(invocation.function, {}, source, at, depth);
         }
         modal.tcp = Tcp::Own;
         return Done(!has_failed);
@@ -206,7 +206,7 @@ void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsign
     if (modal[Group::WorkOffsets] == Function::None && modal.due_offset == 0) return;
     const double offset = modal.due_offset != 0 ? modal.due_offset : modal.work_offset;
     constexpr std::size_t kNumber = nc::parameter_of<Function::WorkOffset>("number");
-    say_function(Function::WorkOffset, {{kNumber, offset}}, source, at, depth);
+    put_function(Function::WorkOffset, {{kNumber, offset}}, source, at, depth);
 }
 
 /// Great circles or the rotary axes in proportion, on a control that says so with the length.
@@ -217,7 +217,7 @@ Done Expander::State::choose_turning(Function turning, SourceId source, std::uin
     const double plane = turning == Function::OrientAxes ? 0 : 1;
     constexpr std::size_t kOffset = nc::parameter_of<Function::TcpVector>("offset");
     constexpr std::size_t kPlane = nc::parameter_of<Function::TcpVector>("plane");
-    say_function(Function::TcpVector, {{kOffset, modal.tcp_offset}, {kPlane, plane}}, source, at,
+    put_function(Function::TcpVector, {{kOffset, modal.tcp_offset}, {kPlane, plane}}, source, at,
                  depth);
     return Done(!has_failed);
 }
@@ -228,7 +228,7 @@ Done Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth)
     if (modal.tcp != Tcp::Length) {
         modal.tcp = Tcp::Off;
         if (target.can_write(Function::TcpOff))
-            say_function(Function::TcpOff, {}, source, at, depth);
+            put_function(Function::TcpOff, {}, source, at, depth);
         return Done(!has_failed);
     }
     if (modal.is_inclined) {
@@ -238,7 +238,7 @@ Done Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth)
         return kFailed;
     }
     constexpr std::size_t kOffset = nc::parameter_of<Function::LengthCompOn>("offset");
-    say_function(Function::LengthCompOn, {{kOffset, modal.tcp_offset}}, source, at, depth);
+    put_function(Function::LengthCompOn, {{kOffset, modal.tcp_offset}}, source, at, depth);
     modal.tcp = Tcp::Off;
     modal.active[static_cast<std::size_t>(Group::LengthComp)] = modal.before_tcp;
     modal.active[static_cast<std::size_t>(Group::Transformation)] = Function::TcpOff;

@@ -154,10 +154,11 @@ Done Expander::State::check_needs(std::uint32_t at) {
         const bool is_called = frames.size() > 1 && frame.return_to > 0;
         if (is_lost) {
             const std::string words = lost_needs(*frame.function, modal.lost);
-            tell_loss(is_called ? fault_in(diag::StateLost, frame.return_to - 1, frames.size() - 1)
-                                : fault(diag::StateLost, at),
-                      "whether `" + words + "` acts, as `" + frame.function->name + "` needs,",
-                      "say `" + words + "` before it");
+            report_loss(is_called
+                            ? fault_in(diag::StateLost, frame.return_to - 1, frames.size() - 1)
+                            : fault(diag::StateLost, at),
+                        "whether `" + words + "` acts, as `" + frame.function->name + "` needs,",
+                        "say `" + words + "` before it");
             return kFailed;
         }
         DiagnosticBuilder builder =

@@ -21,7 +21,7 @@
 #include "expand/expander.h"
 #include "expand/heap.h"
 #include "expand/modal.h"
-#include "expand/told_once.h"
+#include "expand/reported_in_program.h"
 #include "path/command.h"
 #include "path/contour.h"
 #include "path/contour_offset.h"
@@ -93,7 +93,7 @@ inline constexpr std::array<HeldWord, 4> kHeldWords = {
     {{"to", 'Z'}, {"retract", 'R'}, {"peck", 'Q'}, {"dwell", 'P'}}};
 
 /// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
-struct SaidCycle {
+struct ActiveCycle {
     const sema::SourceCycle* said = nullptr;
     bool is_active = false;   // further blocks are places of it
     bool is_due = false;      // RunCycle calls it
@@ -203,11 +203,11 @@ struct Expander::State {
         std::size_t parameter;  // of the function, as parameter_of<> counts
         double value;
     };
-    void say_function(nc::Function function, std::span<const Argument> arguments, SourceId source,
+    void put_function(nc::Function function, std::span<const Argument> arguments, SourceId source,
                       std::uint32_t at, unsigned depth);
-    void say_function(nc::Function function, std::initializer_list<Argument> arguments,
+    void put_function(nc::Function function, std::initializer_list<Argument> arguments,
                       SourceId source, std::uint32_t at, unsigned depth) {
-        say_function(function, std::span(arguments.begin(), arguments.size()), source, at, depth);
+        put_function(function, std::span(arguments.begin(), arguments.size()), source, at, depth);
     }
     enum class ToolTaken : std::uint8_t {
         Failed,
@@ -268,7 +268,7 @@ struct Expander::State {
 
     // ---- cycles.cpp: cycles as the control of the input dialect has them
     bool is_between_positions() const {
-        return said_cycle.is_active && !said_cycle.is_running && recordings.empty();
+        return active_cycle.is_active && !active_cycle.is_running && recordings.empty();
     }
     Done refuse_beside_cycle(std::string_view what, std::uint32_t at);
     Done require_between_positions(const sema::Plan& plan, const Instruction& instruction,
@@ -322,7 +322,7 @@ struct Expander::State {
         return options.is_allowed && options.is_allowed(row, code.places[at]);
     }
     /// Whether no tool was called, and that has not been told yet.
-    bool misses_tool() const { return modal.lacks_tool && !modal.told.has_told(Once::NoTool); }
+    bool misses_tool() const { return modal.lacks_tool && !modal.told.has_reported(Once::NoTool); }
     bool is_cut_doubtful() const {
         return !modal.has_feed ||
                (options.warns_of_cuts && (misses_tool() || !modal.is_spindle_turning()));
@@ -377,7 +377,7 @@ struct Expander::State {
     Done require_speed_mode(std::uint32_t at);
     Done refuse_lost_state(std::string_view what, std::string_view fix, std::uint32_t at);
     void tell_lost_position(DiagnosticBuilder& builder, std::size_t axis) const;
-    void tell_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
+    void report_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
     void say_again(nc::Block& block);
     void say_again_alone(SourceId source, std::uint32_t at, std::size_t depth);
     void warn_of_choice(DiagnosticBuilder builder);
@@ -496,9 +496,9 @@ struct Expander::State {
     ModalState modal;
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
-    SaidCycle said_cycle;
-    ToldInProgram told;  // of the whole program; see also ModalState::told
-    ToldAt told_at;
+    ActiveCycle active_cycle;
+    ReportedInProgram told;  // of the whole program; see also ModalState::told
+    ReportedAt told_at;
 
     /// A contour whose blocks are being kept.
     struct Recording {

@@ -136,7 +136,7 @@ Done Expander::State::read_plane(const sema::Plan& plan, const Instruction& inst
 Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId source,
                                 std::uint32_t at, unsigned depth) {
     const auto add = [&](Function function, std::span<const Argument> arguments) {
-        say_function(function, arguments, source, at, depth);
+        put_function(function, arguments, source, at, depth);
     };
     const Vec3 turns = three(values, kAngles) * rad_from_deg(1);
     const Vec3 euler = machine::euler_zxz_of(machine::rpy_xyz(turns))[0];

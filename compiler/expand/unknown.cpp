@@ -173,12 +173,12 @@ void Expander::State::tell_lost_position(DiagnosticBuilder& builder, std::size_t
 
 Done Expander::State::refuse_lost_state(std::string_view what, std::string_view fix,
                                         std::uint32_t at) {
-    tell_loss(fault(diag::StateLost, at), what, fix);
+    report_loss(fault(diag::StateLost, at), what, fix);
     return kFailed;
 }
 
-void Expander::State::tell_loss(DiagnosticBuilder builder, std::string_view what,
-                                std::string_view fix) {
+void Expander::State::report_loss(DiagnosticBuilder builder, std::string_view what,
+                                  std::string_view fix) {
     builder.arg(what);
     if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size()) {
         builder.note(code.statements[modal.lost_by.index], words_of(modal.lost_in));

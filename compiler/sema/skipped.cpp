@@ -13,7 +13,7 @@ namespace kadr::sema {
 /// it; a frame or a tool that is there or not changes all of it.
 void Checker::check_skipped(const Plan& plan, std::span<const syntax::Word> words) {
     for (const nc::Invocation& invocation : plan.functions) {
-        if (!nc::has_fact(invocation.function, nc::Fact::StaysUnsaid)) continue;
+        if (!nc::has_fact(invocation.function, nc::Fact::LeavesUnstated)) continue;
         report(diag::SkipState, words[0].range).arg(nc::info(invocation.function).name);
         return;
     }

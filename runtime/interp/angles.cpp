@@ -32,7 +32,7 @@ Vec2 direction_of(double angle_deg) {
 }  // namespace
 
 path::Plane Executor::plane_in(const Block& block) const {
-    const Function said = nc::said_of(block, Group::Plane);
+    const Function said = nc::programmed_in(block, Group::Plane);
     return said == Function::None ? modal_.plane : plane_of(said);
 }
 
@@ -61,7 +61,7 @@ void Executor::close_line(const Block& block) {
         return;
     }
     const path::Plane plane = plane_in(first);
-    if (nc::said_of(block, Group::Plane) != Function::None && plane_in(block) != plane) {
+    if (nc::programmed_in(block, Group::Plane) != Function::None && plane_in(block) != plane) {
         report(diag::AnglePlane, block);
         return;
     }
@@ -102,8 +102,8 @@ void Executor::close_line(const Block& block) {
 bool Executor::is_open_distance(const Block& first, const Block& second, Slot slot) const {
     if (((second.absolute | second.incremental) & bit(slot)) != 0)
         return (second.incremental & bit(slot)) != 0;
-    Function said = nc::said_of(second, Group::Distance);
-    if (said == Function::None) said = nc::said_of(first, Group::Distance);
+    Function said = nc::programmed_in(second, Group::Distance);
+    if (said == Function::None) said = nc::programmed_in(first, Group::Distance);
     return said == Function::None ? modal_.is_incremental : said == Function::Incremental;
 }
 

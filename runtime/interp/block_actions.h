@@ -24,7 +24,7 @@ struct Actions {
     bool length_changed = false;
     bool suspends_length = false;
     bool tool_change = false;
-    bool says_carrier = false;  // the tool's, or what leads it
+    bool programs_carrier = false;  // the tool's, or what leads it
     bool flood = false;
     bool mist = false;
     bool coolant_off = false;

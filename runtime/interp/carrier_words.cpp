@@ -60,12 +60,12 @@ void Executor::choose_carrier(const Block& block, const Invocation& invocation, 
             break;
         default: carrier_.frame_axis = 0;
     }
-    actions.says_carrier = true;
+    actions.programs_carrier = true;
 }
 
 /// Whether the carrier has to be worked out anew: it, its angles, or a tool on it is said.
 bool Executor::takes_carrier(const Block& block, const Actions& actions) const {
-    if (actions.says_carrier)
+    if (actions.programs_carrier)
         return carrier_.number != 0 || carrier_.stand || block.find(Function::ToolCarrier);
     return carrier_.stand && (actions.tool_change || block.find(Function::ToolEdge) != nullptr);
 }

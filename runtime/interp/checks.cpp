@@ -9,7 +9,7 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/said_words.h"
+#include "interp/word_hints.h"
 #include "path/helix.h"
 
 namespace kadr::interp {

@@ -353,7 +353,7 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
     const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;
     const bool is_gap = (radius == 0 || has_no_tip) && number != 0;
-    if (is_gap && told_.first_time(OnceEach::Radius, number)) {
+    if (is_gap && told_.first_time(NoticeEach::Radius, number)) {
         report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block,
                function_of(comp_.side))
             .arg(ToolOffsets::tool_of(number));

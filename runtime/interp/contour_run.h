@@ -11,8 +11,8 @@
 namespace kadr::interp {
 
 using macro::ContourElement;
+using macro::ContourElements;
 using macro::ContourModes;
-using macro::ContourSaid;
 
 struct ContourRun {
     std::vector<path::Command> commands;  // of the blocks

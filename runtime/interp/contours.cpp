@@ -39,7 +39,7 @@ std::string_view Executor::begin_contour() {
     finish_open_spline();
     if (is_compensated()) return "cutter radius compensation";
     if (is_transformed()) return "a transformation";
-    if (cycles_said_.modal.is_active || cycles_said_.behind_motions) return "a modal cycle";
+    if (modal_cycles_.modal.is_active || modal_cycles_.behind_motions) return "a modal cycle";
     if (shape_ || !patterns_.empty()) return "a cycle";
     if (corners_.is_active()) leave_corners(diag::CornerWithoutMotion);
     contour_.emplace();
@@ -96,7 +96,7 @@ void Executor::note_contour_block(const Block& block) {
         report(diag::ContourTableSmall, block).arg("every table").arg("fewer");
 }
 
-std::optional<ContourSaid> Executor::end_contour() {
+std::optional<ContourElements> Executor::end_contour() {
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return std::nullopt;
     const ContourRun run = std::move(*contour_);
@@ -111,14 +111,14 @@ std::optional<ContourSaid> Executor::end_contour() {
 }
 
 /// The motions of a contour in the working plane; nothing: one was reported.
-std::optional<ContourSaid> Executor::contour_of(const ContourRun& run) {
+std::optional<ContourElements> Executor::contour_of(const ContourRun& run) {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const auto in_plane = [&](const AxisValues& base) -> Vec2 {
         const AxisValues here = frames_.from_base(base);
         return {here[index(axes.first)], here[index(axes.second)]};
     };
     const bool is_mirrored = frames_.is_mirrored(modal_.plane);
-    ContourSaid out;
+    ContourElements out;
     Vec2 from = in_plane(run.position.base);
     std::size_t at = 0;  // of what the blocks have said
     for (const Command& command : run.commands) {

@@ -5,7 +5,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
 #include "interp/executor.h"
-#include "interp/said_words.h"
+#include "interp/word_hints.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {

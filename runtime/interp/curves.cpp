@@ -79,7 +79,7 @@ void Executor::move_along_curve(const Block& block, const nc::Invocation& call) 
     };
     if ((block.given & nc::kTargetSlots) != 0) return refuse("its block moves an axis as well");
     if (shape_ || block.is_of_cycle()) return refuse("it stands in a contour or in a cycle");
-    if (cycles_said_.modal.is_active) return refuse("a cycle is called by every block here");
+    if (modal_cycles_.modal.is_active) return refuse("a cycle is called by every block here");
     if (comp_.is_on())
         return refuse("cutter radius compensation is on, and knows lines and arcs alone");
 

@@ -17,7 +17,7 @@
 namespace kadr::interp {
 
 /// What holds for the cycles that follow.
-struct CyclesSaid {
+struct ModalCycles {
     ModalCycle modal;
     CycleData data;
     std::optional<nc::Block> behind_motions;  // the call that every motion is followed by

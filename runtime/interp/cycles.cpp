@@ -12,7 +12,7 @@
 #include "interp/block_words.h"
 #include "interp/cycle_strokes.h"
 #include "interp/executor.h"
-#include "interp/said_words.h"
+#include "interp/word_hints.h"
 #include "macro/named_shape.h"
 #include "nc/parameters.h"
 
@@ -143,13 +143,13 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
             report(diag::CycleBesideMotion, block, Function::Cycle).arg("the cycle");
         // The level where the cycle mode begins stays the initial level until the mode ends.
         const Axis tool_axis = path::axes_of(cycle_plane()).normal;
-        if (!cycles_said_.modal.is_active) {
-            cycles_said_.data = {};
-            cycles_said_.data.initial = position_.here[index(tool_axis)];
+        if (!modal_cycles_.modal.is_active) {
+            modal_cycles_.data = {};
+            modal_cycles_.data.initial = position_.here[index(tool_axis)];
         }
         if (info.roles.depth >= 0 && !names_place(block, call, info.roles)) {
             forget_words(call, info.roles);
-            cycles_said_.modal = call;
+            modal_cycles_.modal = call;
             return warn_levels(block);
         }
         keep_call(call);
@@ -159,7 +159,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     }
     // A pattern leaves the modal cycle as it is, which is called at its places.
     if (find_parameter(info.parameters, kPatternParameter)) return start_cycle(block, call);
-    cycles_said_.modal = call;
+    modal_cycles_.modal = call;
     if (count_times(actions.cycle_words)) start_cycle(block, call);
 }
 
@@ -171,7 +171,7 @@ void Executor::call_behind_motion(const Block& block) {
     const bool is_path = ((block.given & nc::kTargetSlots) != 0 || is_circle_said) &&
                          block.find(Function::RapidOnce) == nullptr;
     if (ended_ || cycle_.blocks || shape_ || !is_path) return;
-    Block call = *cycles_said_.behind_motions;
+    Block call = *modal_cycles_.behind_motions;
     call.line = block.line;
     call.source = block.source;
     call.context = block.context;
@@ -188,7 +188,7 @@ void Executor::call_behind_motion(const Block& block) {
 
 /// The cycle that was defined last, with the parameters of its definition.
 void Executor::call_defined(const Block& block) {
-    if (!cycles_said_.defined) {
+    if (!modal_cycles_.defined) {
         report(diag::CycleUndefined, block, Function::CycleCall);
         return;
     }
@@ -196,8 +196,8 @@ void Executor::call_defined(const Block& block) {
     call.line = block.line;
     call.source = block.source;
     call.context = block.context;
-    call.cycle = *cycles_said_.defined;
-    call.add(Function::Cycle, dialect_.cycles()[*cycles_said_.defined].parameters.size());
+    call.cycle = *modal_cycles_.defined;
+    call.add(Function::Cycle, dialect_.cycles()[*modal_cycles_.defined].parameters.size());
     Actions actions;
     actions.cycle = call.find(Function::Cycle);
     call_cycle(call, actions);
@@ -267,18 +267,18 @@ void Executor::keep_call(const ModalCycle& call) {
     const auto value = [&](int parameter) {
         return call.arguments[static_cast<std::size_t>(parameter)];
     };
-    if (says(roles.depth)) cycles_said_.data.levels.depth = depth_now(value(roles.depth));
-    if (says(roles.retract)) cycles_said_.data.levels.retract = retract_now(value(roles.retract));
+    if (says(roles.depth)) modal_cycles_.data.levels.depth = depth_now(value(roles.depth));
+    if (says(roles.retract)) modal_cycles_.data.levels.retract = retract_now(value(roles.retract));
     // A stroke and a shift have no direction: their sign does not count.
-    if (says(roles.stroke)) cycles_said_.data.stroke = std::abs(value(roles.stroke));
+    if (says(roles.stroke)) modal_cycles_.data.stroke = std::abs(value(roles.stroke));
     if (says(roles.shift) && !has_shift_vector(info, call))
-        cycles_said_.data.stroke = std::abs(value(roles.shift));
-    if (says(roles.dwell)) cycles_said_.data.dwell = value(roles.dwell);
+        modal_cycles_.data.stroke = std::abs(value(roles.shift));
+    if (says(roles.dwell)) modal_cycles_.data.dwell = value(roles.dwell);
 }
 
 void Executor::keep_words(const CycleWords& words) {
-    if (words.stroke) cycles_said_.data.stroke = std::abs(*words.stroke);
-    if (words.dwell) cycles_said_.data.dwell = *words.dwell;
+    if (words.stroke) modal_cycles_.data.stroke = std::abs(*words.stroke);
+    if (words.dwell) modal_cycles_.data.dwell = *words.dwell;
 }
 
 void Executor::keep_levels(const Block& block) {
@@ -286,19 +286,19 @@ void Executor::keep_levels(const Block& block) {
     if (block.has(depth)) {
         const bool is_distance = (block.incremental & bit(depth)) != 0;
         const double scale = cycle_.is_across ? x_scale(block, is_distance) : 1;
-        cycles_said_.data.levels.depth = depth_now(block.at(depth) * scale);
-        cycles_said_.data.levels.depth.is_distance |= is_distance;
+        modal_cycles_.data.levels.depth = depth_now(block.at(depth) * scale);
+        modal_cycles_.data.levels.depth.is_distance |= is_distance;
     }
     if (block.has(Slot::Radius))
-        cycles_said_.data.levels.retract = retract_now(block.at(Slot::Radius));
+        modal_cycles_.data.levels.retract = retract_now(block.at(Slot::Radius));
 }
 
 void Executor::warn_levels(const Block& block) {
     if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
     // A distance that nobody says is none: the cycle begins where the tool stands.
-    if (!cycles_said_.data.levels.retract.is_given && !retract_now(0).is_distance)
+    if (!modal_cycles_.data.levels.retract.is_given && !retract_now(0).is_distance)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
-    if (!cycles_said_.data.levels.depth.is_given)
+    if (!modal_cycles_.data.levels.depth.is_given)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
 }
 
@@ -311,9 +311,9 @@ void Executor::complete_words(ModalCycle& call) {
         if (parameter >= 0 && (call.by_form >> parameter & 1u) == 0)
             set_argument(call, static_cast<std::size_t>(parameter), value);
     };
-    const CycleData& said = cycles_said_.data;
+    const CycleData& said = modal_cycles_.data;
     const control::CallLevels levels = *complete_levels(
-        rules_, said.levels, modal_.is_incremental, said.initial, cycles_said_.returns_to_retract);
+        rules_, said.levels, modal_.is_incremental, said.initial, modal_cycles_.returns_to_retract);
     set(roles.retract, levels.retract);
     set(roles.depth, levels.depth);
     const double stroke = said.stroke.value_or(0);
@@ -378,11 +378,11 @@ void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
             .arg(dialect_.cycles()[block.cycle].name);
         return;
     }
-    const auto old = std::ranges::find(cycles_said_.presets, block.cycle, &ModalCycle::cycle);
+    const auto old = std::ranges::find(modal_cycles_.presets, block.cycle, &ModalCycle::cycle);
     ModalCycle& preset =
-        old != cycles_said_.presets.end() ? *old : cycles_said_.presets.emplace_back();
+        old != modal_cycles_.presets.end() ? *old : modal_cycles_.presets.emplace_back();
     preset.cycle = block.cycle;
-    cycles_said_.defined = block.cycle;
+    modal_cycles_.defined = block.cycle;
     preset.given = invocation.given;
     const std::size_t count = dialect_.cycles()[block.cycle].parameters.size();
     for (std::size_t i = 0; i < count; ++i) preset.arguments[i] = block.argument(invocation, i);
@@ -390,7 +390,7 @@ void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
 
 /// What the call does not give has been given before.
 void Executor::complete_call(ModalCycle& call) const {
-    for (const ModalCycle& preset : cycles_said_.presets) {
+    for (const ModalCycle& preset : modal_cycles_.presets) {
         if (preset.cycle != call.cycle) continue;
         const std::size_t count = dialect_.cycles()[call.cycle].parameters.size();
         for (std::size_t i = 0; i < count; ++i) {
@@ -440,11 +440,11 @@ void Executor::take_ends(const Block& block, ModalCycle& call) const {
 void Executor::complete_ends(ModalCycle& call) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (!is_modal(call.cycle) || !find_parameter(info.parameters, "x")) return;
-    const bool goes_on = cycles_said_.modal.is_active && cycles_said_.modal.cycle == call.cycle;
+    const bool goes_on = modal_cycles_.modal.is_active && modal_cycles_.modal.cycle == call.cycle;
     for (std::size_t i = 0; goes_on && i < info.parameters.size(); ++i) {
         if (static_cast<int>(i) == info.roles.start) continue;  // of its block alone
-        if (!is_given(call, i) && is_given(cycles_said_.modal, i))
-            set_argument(call, i, cycles_said_.modal.arguments[i]);
+        if (!is_given(call, i) && is_given(modal_cycles_.modal, i))
+            set_argument(call, i, modal_cycles_.modal.arguments[i]);
     }
     end_where_tool_stands(call);
 }
@@ -461,7 +461,7 @@ void Executor::end_where_tool_stands(ModalCycle& call) const {
 /// A code of a single motion is executed in the mode of a cycle to an end in X and Z; what the
 /// calls before have said of the end holds no longer.
 void Executor::forget_ends() {
-    ModalCycle& modal = cycles_said_.modal;
+    ModalCycle& modal = modal_cycles_.modal;
     for (const std::string_view name : {"x", "z", "taper"}) {
         const std::optional<std::size_t> said =
             find_parameter(dialect_.cycles()[modal.cycle].parameters, name);
@@ -471,7 +471,7 @@ void Executor::forget_ends() {
 
 /// Whether a modal cycle acts among whose places no other motion stands.
 bool Executor::is_among_positions() const {
-    const ModalCycle& modal = cycles_said_.modal;
+    const ModalCycle& modal = modal_cycles_.modal;
     return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle].parameters, "x");
 }
 
@@ -480,7 +480,7 @@ bool Executor::is_among_positions() const {
 Done Executor::require_words_of_cycle(const Block& block, const Actions& actions) {
     const bool is_called = actions.cycle != nullptr;
     const nc::CycleInfo& info =
-        dialect_.cycles()[is_called ? block.cycle : cycles_said_.modal.cycle];
+        dialect_.cycles()[is_called ? block.cycle : modal_cycles_.modal.cycle];
     const bool is_turning = info.takes_shape() || find_parameter(info.parameters, "x").has_value();
     if (!rules_.modal_cycles || !is_turning || info.roles.depth >= 0) return kDone;
     const CycleWords& words = actions.cycle_words;
@@ -502,29 +502,29 @@ Done Executor::require_words_of_cycle(const Block& block, const Actions& actions
 
 void Executor::repeat_cycle(const Block& block, const Actions& actions) {
     if (!require_words_of_cycle(block, actions)) return;
-    const nc::CycleInfo& info = dialect_.cycles()[cycles_said_.modal.cycle];
+    const nc::CycleInfo& info = dialect_.cycles()[modal_cycles_.modal.cycle];
     if (const SlotMask centers = block.given & nc::kCenterSlots; centers != 0)
         warn_arc_word(block, centers);
     keep_levels(block);
     keep_words(actions.cycle_words);
-    ModalCycle ends = cycles_said_.modal;
+    ModalCycle ends = modal_cycles_.modal;
     ends.given = 0;  // what the calls before have said are places already
     take_ends(block, ends);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-        if ((ends.given >> i & 1u) != 0) set_argument(cycles_said_.modal, i, ends.arguments[i]);
+        if ((ends.given >> i & 1u) != 0) set_argument(modal_cycles_.modal, i, ends.arguments[i]);
     }
-    if (find_parameter(info.parameters, "x")) end_where_tool_stands(cycles_said_.modal);
+    if (find_parameter(info.parameters, "x")) end_where_tool_stands(modal_cycles_.modal);
     if (block.has(Slot::Radius)) {
-        set_argument(cycles_said_.modal, find_parameter(info.parameters, "taper"),
+        set_argument(modal_cycles_.modal, find_parameter(info.parameters, "taper"),
                      block.at(Slot::Radius));
     }
     if (info.roles.start >= 0) {
         const auto start = static_cast<std::size_t>(info.roles.start);
-        cycles_said_.modal.given &= ~(1u << start);
+        modal_cycles_.modal.given &= ~(1u << start);
         if (actions.cycle_words.start_deg)
-            set_argument(cycles_said_.modal, start, *actions.cycle_words.start_deg);
+            set_argument(modal_cycles_.modal, start, *actions.cycle_words.start_deg);
     }
-    if (count_times(actions.cycle_words)) start_cycle(block, cycles_said_.modal);
+    if (count_times(actions.cycle_words)) start_cycle(block, modal_cycles_.modal);
 }
 
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
@@ -542,7 +542,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
         line(block, target_of(block, place), path::Op::Rapid, stops_exactly());
     if (ended_) return;
 
-    if (is_modal(call.cycle) && cycles_said_.data.stroke.value_or(0) > 0) {
+    if (is_modal(call.cycle) && modal_cycles_.data.stroke.value_or(0) > 0) {
         if (const auto in_strokes = call_in_strokes(dialect_, call)) {
             call = *in_strokes;
             complete_call(call);
@@ -594,8 +594,8 @@ void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blo
     modal_.is_incremental = false;
     modal_.motion = Function::Rapid;
     // The cycle's own motions neither repeat it nor end its mode.
-    cycle_.is_modal_behind = cycles_said_.modal.is_active;
-    cycles_said_.modal.is_active = false;
+    cycle_.is_modal_behind = modal_cycles_.modal.is_active;
+    modal_cycles_.modal.is_active = false;
     if (corners_.is_active()) settle(block);
     leave_corners(diag::CornerWithoutMotion);
     cycle_.blocks.emplace(*cycle_.stream, kCycleBatch, &cycle_.context);
@@ -718,7 +718,8 @@ void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const
     const std::int64_t offset =
         is_given(call, said) ? std::llround(call.arguments[*said]) : tool_.radius_offset;
     set_argument(call, find_parameter(info.parameters, "offset_r"), tool_offsets_.radius(offset));
-    const bool calls = calls_program || cycles_said_.behind_motions || cycles_said_.modal.is_active;
+    const bool calls =
+        calls_program || modal_cycles_.behind_motions || modal_cycles_.modal.is_active;
     set_argument(call, find_parameter(info.parameters, kPatternParameter), calls ? 1 : 0);
     const path::Plane plane = cycle_plane();
     set_argument(call, find_parameter(info.parameters, "plane"),
@@ -741,7 +742,7 @@ void Executor::finish_cycle() {
     cycle_.stream.reset();
     modal_ = cycle_.modal_before;
     axes_.word_scale[index(Axis::X)] = cycle_.x_scale_before;
-    cycles_said_.modal.is_active = cycle_.is_modal_behind;
+    modal_cycles_.modal.is_active = cycle_.is_modal_behind;
     if (cycle_.final_level) return_to_level();
     if (ended_) return;
     if (cycle_.frames_outside) {
@@ -754,9 +755,9 @@ void Executor::finish_cycle() {
         const Actions after = cycle_.after;
         // Angles and radii that are distances go on from where the last one has come to.
         const Block* const again =
-            said_in_polar_ ? with_polar_axes(Block(*said_in_polar_)) : &cycle_.caller;
+            polar_original_ ? with_polar_axes(Block(*polar_original_)) : &cycle_.caller;
         const Block caller = *again;
-        start_cycle(caller, cycles_said_.modal);
+        start_cycle(caller, modal_cycles_.modal);
         cycle_.after = after;
         return;
     }

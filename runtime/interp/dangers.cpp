@@ -89,7 +89,7 @@ void Executor::watch_feed(const Block& block) {
 
 /// A motion to this X, a radius in the programmed system, under constant cutting speed.
 void Executor::watch_cutting_speed(const Block& block, double from, double to) {
-    if (told_.has_told(Once::SpeedLimit) || highest_speed() > 0 || contour_) return;
+    if (told_.has_reported(Once::SpeedLimit) || highest_speed() > 0 || contour_) return;
     if (spindle_.mode != path::SpindleMode::Cw && spindle_.mode != path::SpindleMode::Ccw) return;
     const double radius = from * to < 0 ? 0 : std::abs(to);
     const double most = rpm_from_speed(machine_.max_speed_of(spindle_.number));
@@ -98,7 +98,7 @@ void Executor::watch_cutting_speed(const Block& block, double from, double to) {
     const bool is_in_centre = !std::isfinite(wanted);
     if (!(mm_min > 0) || (!is_in_centre && !(most > 0 && wanted > most))) return;
     if (is_allowed(diag::NoSpeedLimit, block)) return;
-    told_.count_as_told(Once::SpeedLimit);
+    told_.count_as_reported(Once::SpeedLimit);
     const std::string shown =
         is_in_centre ? "infinitely many" : std::to_string(std::llround(wanted));
     (block.has(Slot::X) ? report(diag::NoSpeedLimit, block, Slot::X)
@@ -124,7 +124,7 @@ void Executor::watch_length(const Block& block, Axis axis) {
     if (!is_by_number || tool_.current == 0 || number == tool_.current || is_lathe_) return;
     const bool says_offset = block.find(Function::LengthOffset) != nullptr;
     const Function said =
-        says_offset ? Function::LengthOffset : nc::said_of(block, nc::Group::LengthComp);
+        says_offset ? Function::LengthOffset : nc::programmed_in(block, nc::Group::LengthComp);
     (said != Function::None ? report(diag::OtherToolsLength, block, said)
                             : report(diag::OtherToolsLength, block))
         .arg(number)
@@ -189,9 +189,9 @@ void Executor::watch_tap(const Block& block, Function function) {
 
 /// X becomes a diameter, as on a lathe.
 void Executor::watch_diameter(const Block& block, Function function) {
-    if (options_.has_named_machine || is_lathe_ || told_.has_told(Once::DiameterOnMill)) return;
+    if (options_.has_named_machine || is_lathe_ || told_.has_reported(Once::DiameterOnMill)) return;
     if (is_allowed(diag::DiameterOnMill, block)) return;
-    told_.count_as_told(Once::DiameterOnMill);
+    told_.count_as_reported(Once::DiameterOnMill);
     report(diag::DiameterOnMill, block, function)
         .arg(word_of(block, function))
         .fix("`-m lathe` runs it on one");
@@ -206,9 +206,9 @@ void Executor::watch_radius(const Block& block, std::int64_t number) {
     const bool is_other_tool = std::ranges::any_of(
         machine_.tools, [&](const auto& tool) { return tool.number == number; });
     if (is_of_length || !is_other_tool) return;
-    if (told_.has_told(OnceEach::OtherToolsRadius, number)) return;
+    if (told_.has_reported(NoticeEach::OtherToolsRadius, number)) return;
     if (is_allowed(diag::OtherToolsRadius, block)) return;
-    told_.count_as_told(OnceEach::OtherToolsRadius, number);
+    told_.count_as_reported(NoticeEach::OtherToolsRadius, number);
     const bool is_said_here = block.find(Function::RadiusOffset) != nullptr;
     (is_said_here ? report(diag::OtherToolsRadius, block, Function::RadiusOffset)
                   : report(diag::OtherToolsRadius, block, function_of(comp_.side)))

@@ -52,7 +52,7 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
         rules_.arc_tolerance = value == 0 ? 1e6 : value * 0.001;
         return;
     }
-    if (!told_.first_time(OnceEach::Parameter, number)) return;
+    if (!told_.first_time(NoticeEach::Parameter, number)) return;
     report(diag::ParameterIdle, block, Function::ParameterData).arg(number);
 }
 

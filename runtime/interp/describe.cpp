@@ -115,8 +115,8 @@ std::vector<StateItem> Executor::state() const {
     }
     if (!frames_.is_shift()) frame += frame.empty() ? "turned" : ", turned";
     add("origin", frame.empty() ? "as the machine's" : frame);
-    if (cycles_said_.modal.is_active) {
-        add("cycle", dialect_.cycles()[cycles_said_.modal.cycle].name);
+    if (modal_cycles_.modal.is_active) {
+        add("cycle", dialect_.cycles()[modal_cycles_.modal.cycle].name);
     }
     return items;
 }

@@ -10,7 +10,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "interp/unheard.h"
+#include "interp/discarding_sink.h"
 #include "nc/tables.h"
 
 namespace kadr::interp {
@@ -133,7 +133,7 @@ bool Executor::has_stages() const {
 /// The program goes on behind this place, which nobody reads: what waits for its blocks goes as far
 /// as it is known, and nothing is missing.
 void Executor::end_where_stopped() {
-    Unheard nobody;
+    DiscardingSink nobody;
     DiagnosticSink* const sink = std::exchange(sink_, &nobody);
     finish_open_spline();
     leave_corners(diag::CornerWithoutMotion);
@@ -220,7 +220,7 @@ void Executor::run(const Block& block) {
     const Block* places = has_others ? with_positions(block) : &block;
     if (places == nullptr) return;
     move(*places, kNone);
-    if (cycles_said_.behind_motions) call_behind_motion(*places);
+    if (modal_cycles_.behind_motions) call_behind_motion(*places);
 }
 
 void Executor::run_functions(const Block& said) {
@@ -246,7 +246,7 @@ void Executor::run_functions(const Block& said) {
     if (places == nullptr) return;
     move_with_own_feed(*places, actions);
     if (frames_off_) put_frames_back(block);
-    if (cycles_said_.behind_motions) call_behind_motion(*places);
+    if (modal_cycles_.behind_motions) call_behind_motion(*places);
     if (actions.calls_defined && !ended_ && !shape_) call_defined(block);
     if (ended_) return;
     if (cycle_.blocks && !was_in_cycle) {
@@ -288,7 +288,7 @@ Command& Executor::behind_corners() {
 Command& Executor::put(Op op, const Block& block) {
     if (path::is_motion(op)) dangers_.begin_motion(op, position_.base);
     const bool waits = is_in_spline() && op != Op::Spline && !puts_span_;
-    Command& command = waits                  ? said_in_spline_.next()
+    Command& command = waits                  ? spline_commands_.next()
                        : corners_.is_active() ? corners_.next()
                                               : behind_corners();
     command.op = op;

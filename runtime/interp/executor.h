@@ -37,13 +37,13 @@
 #include "interp/interpreter.h"
 #include "interp/output.h"
 #include "interp/program_clocks.h"
+#include "interp/reported_in_run.h"
 #include "interp/shape_run.h"
 #include "interp/smooth_approach.h"
 #include "interp/snapshot.h"
-#include "interp/spline_said.h"
+#include "interp/spline_commands.h"
 #include "interp/state.h"
 #include "interp/through_run.h"
-#include "interp/told_once.h"
 #include "interp/tool_carrier.h"
 #include "interp/tool_names.h"
 #include "interp/tool_offsets.h"
@@ -102,7 +102,7 @@ class Executor {
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return is_any_comp_on() || smooth_approach_.is_active(); }
     std::string_view begin_contour();  // contours.cpp
-    std::optional<ContourSaid> end_contour();
+    std::optional<ContourElements> end_contour();
     bool is_at_pattern_position() const;
     void leave_pattern_position();
     void leave_pattern();
@@ -181,7 +181,7 @@ class Executor {
     void limit_speed(const nc::Block& block, nc::Function function, double limit);
     void bound_speed(const nc::Block& block, nc::Function function, bool is_upper, double bound);
     SpeedLimits speed_limits() const;
-    void tell_speed_limits(const nc::Block& block, const SpeedLimits& before);
+    void put_speed_limits(const nc::Block& block, const SpeedLimits& before);
     double highest_speed() const;
     double bounded_speed(const nc::Block& block);
     double turning_speed() const;
@@ -320,7 +320,7 @@ class Executor {
     void begin_length_transformation(const nc::Block& block, const nc::Invocation& invocation,
                                      Actions& actions);
     void end_length_transformation(Actions& actions);
-    void check_offset_said(const nc::Block& block);
+    void check_offset_programmed(const nc::Block& block);
     Done require_allowed_under_tcp(const nc::Block& block, nc::Function function);
     path::Vec3 joints_of(const AxisValues& base) const;
     AxisMask joint_axes() const;
@@ -412,7 +412,7 @@ class Executor {
     std::optional<path::Frame> plane_by_angles(const nc::Block& block,
                                                const nc::Invocation& invocation);
     void set_plane_by_blocks(const nc::Block& block, const nc::Invocation& invocation);
-    std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const SaidPlane& said);
+    std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const OpenPlane& said);
     std::optional<path::Vec3> origin_of_plane(const nc::Block& block,
                                               const nc::Invocation& invocation, std::size_t first);
     Done require_place_for_plane(const nc::Block& block, const nc::Invocation& invocation,
@@ -600,7 +600,7 @@ class Executor {
     // contours.cpp
     Done require_contour_block(const nc::Block& block);
     void note_contour_block(const nc::Block& block);
-    std::optional<ContourSaid> contour_of(const ContourRun& run);
+    std::optional<ContourElements> contour_of(const ContourRun& run);
 
     // splines.cpp
     bool continues_spline(const nc::Block& block) const;
@@ -630,9 +630,9 @@ class Executor {
     bool is_in_spline() const { return spline_ || through_; }
     bool leaves_spline_open(const nc::Block& block, const nc::Invocation& invocation) const;
     PoleBlock pole_block(const nc::Block& block, const AxisValues& to);
-    path::Command span_as_said(const nc::Block& block);
-    void as_said(path::Command& command) const;
-    void put_said_before(std::uint32_t number);
+    path::Command span_as_programmed(const nc::Block& block);
+    void as_programmed(path::Command& command) const;
+    void put_commands_before(std::uint32_t number);
     void finish_open_spline(const nc::Block* next = nullptr);
 
     // polynomials.cpp
@@ -756,7 +756,7 @@ class Executor {
     void set_dynamics(const nc::Block& block, const nc::Invocation& invocation);
     void set_override(const nc::Block& block, const nc::Invocation& invocation);
     // feed_words.cpp
-    path::Dynamics& said_dynamics();
+    path::Dynamics& programmed_dynamics();
     void set_feed_words(const nc::Block& block, const nc::Invocation& invocation);
     std::optional<Axis> known_axis(const nc::Block& block, const nc::Invocation& invocation,
                                    std::size_t parameter);
@@ -891,7 +891,7 @@ class Executor {
     bool owes_speed_ = false;          // the motion side was not told of a new speed of the spindle
     std::optional<SplineRun> spline_;  // that is being read
     std::optional<ThroughRun> through_;  // … through points
-    SplineSaid said_in_spline_;          // beside the points of the one that is being read
+    SplineCommands spline_commands_;     // beside the points of the one that is being read
     bool puts_span_ = false;             // what is put stands in front of it, not of the next one
     SplineEnds spline_ends_;
     nc::Block spline_end_{};  // place of its latest block
@@ -900,7 +900,7 @@ class Executor {
     PanelState panel_;
     AxisMask unplaced_ = 0;  // axes that want a place behind the end of a rotation
 
-    ToldInRun told_;
+    ReportedInRun told_;
     Dangers dangers_;
 
     AxisData axes_;
@@ -908,7 +908,7 @@ class Executor {
     AxisValues preset_{};        // real position − the one that the program has set
     double tooth_feed_ = 0;      // mm; 0: the feed was said by itself
 
-    CyclesSaid cycles_said_;
+    ModalCycles modal_cycles_;
     CycleRun cycle_;
     std::optional<ShapeRun> shape_;      // whose blocks are coming
     std::optional<ContourRun> contour_;  // likewise, for a table of the program
@@ -918,9 +918,9 @@ class Executor {
     nc::Block centered_{};                         // a block with it
     nc::Block called_{};  // a call whose word of Z is a place, in another plane than X-Y
 
-    nc::Block cartesian_{};                   // a block whose other words have become places
-    std::optional<nc::Block> said_in_polar_;  // … that it was made of
-    std::optional<nc::Block> open_line_;      // waits for the one that tells its end
+    nc::Block cartesian_{};                    // a block whose other words have become places
+    std::optional<nc::Block> polar_original_;  // … that it was made of
+    std::optional<nc::Block> open_line_;       // waits for the one that tells its end
 };
 
 }  // namespace kadr::interp

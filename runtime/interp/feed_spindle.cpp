@@ -65,7 +65,7 @@ void Executor::limit_speed(const Block& block, Function function, double limit) 
     }
     const SpeedLimits before = speed_limits();
     spindle_.limit = limit;
-    tell_speed_limits(block, before);
+    put_speed_limits(block, before);
 }
 
 /// The limit that acts under constant cutting speed, rpm; 0: none.
@@ -78,7 +78,7 @@ double Executor::highest_speed() const {
 SpeedLimits Executor::speed_limits() const { return {spindle_.least, highest_speed()}; }
 
 /// A command where a function of the block has changed the bounds.
-void Executor::tell_speed_limits(const Block& block, const SpeedLimits& before) {
+void Executor::put_speed_limits(const Block& block, const SpeedLimits& before) {
     const SpeedLimits now = speed_limits();
     // Of another spindle it matters when that is the master.
     if (now == before || is_master_away_) return;
@@ -94,7 +94,7 @@ void Executor::bound_speed(const Block& block, Function function, bool is_upper,
     }
     const SpeedLimits before = speed_limits();
     (is_upper ? spindle_.most : spindle_.least) = bound;
-    tell_speed_limits(block, before);
+    put_speed_limits(block, before);
 }
 
 /// The programmed speed within the bounds of the spindle, rpm; said once of each speed.

@@ -34,7 +34,7 @@ void Executor::set_feed_words(const Block& block, const Invocation& invocation) 
 }
 
 /// Of the motions from here on.
-path::Dynamics& Executor::said_dynamics() {
+path::Dynamics& Executor::programmed_dynamics() {
     if (panel_.dynamics.empty()) panel_.dynamics.emplace_back();
     return panel_.dynamics.front();
 }
@@ -64,7 +64,7 @@ void Executor::choose_feed_axes(const Block& block, const Invocation& invocation
     }
     // The geometry axes are what F is about where nothing is said.
     const auto geometry = static_cast<AxisMask>(axes_.present & kLinearXYZ);
-    said_dynamics().feed_axes = axes == geometry ? AxisMask{0} : axes;
+    programmed_dynamics().feed_axes = axes == geometry ? AxisMask{0} : axes;
 }
 
 void Executor::set_feed_radius(const Block& block, const Invocation& invocation) {
@@ -76,7 +76,7 @@ void Executor::set_feed_radius(const Block& block, const Invocation& invocation)
     const std::optional<Axis> axis =
         known_axis(block, invocation, parameter_of<Function::FeedRadius>("axis"));
     if (!axis) return;
-    said_dynamics().feed_radius[index(*axis)] = radius;
+    programmed_dynamics().feed_radius[index(*axis)] = radius;
 }
 
 /// Whether it may matter how much a degree is in F.
@@ -143,7 +143,7 @@ void Executor::set_axis_speed(const Block& block, const Invocation& invocation) 
             .arg(kAxisNames[i]);
         return;
     }
-    AxisValues& speeds = is_positioning ? positioning.speed : said_dynamics().speed;
+    AxisValues& speeds = is_positioning ? positioning.speed : programmed_dynamics().speed;
     speeds[i] = turns ? rad_from_deg(speed) / 60 : feed_from_mm_min(speed);
     positioning.is_said |= is_positioning;
 }

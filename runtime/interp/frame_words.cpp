@@ -63,7 +63,7 @@ void Executor::change_frame(const Block& block, const Invocation& invocation,
 }
 
 Done Executor::require_no_places(const Block& block, const Invocation& invocation) {
-    if (!cycles_said_.modal.is_active) return kDone;
+    if (!modal_cycles_.modal.is_active) return kDone;
     report(diag::SetPositionInCycle, block, invocation.function);
     return kFailed;
 }
@@ -186,7 +186,7 @@ void Executor::pass_machine_function(const Block& block, std::int64_t number) {
         }
     }
     if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
-    if (!told_.first_time(OnceEach::MachineFunction, number)) return;
+    if (!told_.first_time(NoticeEach::MachineFunction, number)) return;
     report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
 }
 

@@ -190,7 +190,7 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
             actions.coolant_off |= member == Function::CoolantOff;
             break;
         case Group::CycleReturn:
-            cycles_said_.returns_to_retract = member == Function::CycleReturnRetract;
+            modal_cycles_.returns_to_retract = member == Function::CycleReturnRetract;
             break;
         case Group::Diameter: set_diameter(block, member); break;
         case Group::Compressor: choose_smoothing(block, effect.invocation_in(block)); break;
@@ -501,7 +501,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::Message: actions.message = &invocation; break;
         case Function::CycleOff:
             actions.cycle_is_cancelled = actions.cycle != nullptr;
-            if (actions.cycle == nullptr) cycles_said_.modal.is_active = taps_rigidly_ = false;
+            if (actions.cycle == nullptr) modal_cycles_.modal.is_active = taps_rigidly_ = false;
             break;
         case Function::CycleCall: actions.calls_defined = true; break;
         case Function::CycleModal: actions.calls_behind_motions = true; break;
@@ -658,8 +658,8 @@ void Executor::change_plane(const Block& block, Function plane) {
     polar_.pole = path::Vec2::Zero();
     polar_.angle_deg = 0;
     // Along another tool axis the holes begin where the tool stands.
-    if (cycles_said_.modal.is_active && !block.is_of_cycle() && !is_lathe_)
-        cycles_said_.data.initial = position_.here[index(path::axes_of(modal_.plane).normal)];
+    if (modal_cycles_.modal.is_active && !block.is_of_cycle() && !is_lathe_)
+        modal_cycles_.data.initial = position_.here[index(path::axes_of(modal_.plane).normal)];
 }
 
 void Executor::act_before_motion(const Block& block, const Actions& actions) {

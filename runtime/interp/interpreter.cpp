@@ -68,7 +68,7 @@ ControlAccess::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t 
 bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
 bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
 std::string_view Interpreter::begin_contour() { return state_->executor.begin_contour(); }
-std::optional<ContourSaid> Interpreter::end_contour() { return state_->executor.end_contour(); }
+std::optional<ContourElements> Interpreter::end_contour() { return state_->executor.end_contour(); }
 bool Interpreter::is_at_pattern_position() const {
     return state_->executor.is_at_pattern_position();
 }

@@ -25,7 +25,7 @@
 
 namespace kadr::interp {
 
-using macro::ContourSaid;
+using macro::ContourElements;
 using macro::ControlAccess;
 
 /// The blocks of a shape that a cycle works along, as geometry of the part.
@@ -143,7 +143,7 @@ class Interpreter final : public Stream<path::Command>, public ControlAccess {
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;
     std::string_view begin_contour() override;
-    std::optional<ContourSaid> end_contour() override;
+    std::optional<ContourElements> end_contour() override;
     bool is_at_pattern_position() const override;
     void leave_pattern_position() override;
     void leave_pattern() override;

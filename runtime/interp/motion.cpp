@@ -8,7 +8,7 @@
 #include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/executor.h"
-#include "interp/said_words.h"
+#include "interp/word_hints.h"
 #include "path/linear.h"
 
 namespace kadr::interp {
@@ -37,7 +37,7 @@ path::Curve straight_path(const Vec3& from, const Vec3& to) {
 /// A block that goes to a machine coordinate or probes stands in no cycle. Behind a single cycle to
 /// an end in X and Z the way to a machine coordinate is a motion of its own.
 Done Executor::require_no_cycle(const Block& block, const Actions& actions) {
-    if (!cycles_said_.modal.is_active && actions.cycle == nullptr) return kDone;
+    if (!modal_cycles_.modal.is_active && actions.cycle == nullptr) return kDone;
     if (actions.cycle == nullptr && !actions.probes && !is_among_positions()) {
         forget_ends();
         return kDone;
@@ -50,8 +50,8 @@ Done Executor::require_no_cycle(const Block& block, const Actions& actions) {
 void Executor::move(const Block& block, const Actions& actions) {
     if (block.motion != Function::None) {
         modal_.motion = block.motion;
-        taps_rigidly_ &= !cycles_said_.modal.is_active;
-        cycles_said_.modal.is_active = false;  // a motion code ends a modal cycle
+        taps_rigidly_ &= !modal_cycles_.modal.is_active;
+        modal_cycles_.modal.is_active = false;  // a motion code ends a modal cycle
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     SlotMask arc_words = block.given & kArcSlots;
@@ -79,14 +79,14 @@ void Executor::move(const Block& block, const Actions& actions) {
         !require_no_cycle(block, actions))
         return;
     if (actions.calls_behind_motions) {
-        cycles_said_.behind_motions.reset();
-        if (actions.cycle != nullptr) cycles_said_.behind_motions = block;
+        modal_cycles_.behind_motions.reset();
+        if (actions.cycle != nullptr) modal_cycles_.behind_motions = block;
         return;
     }
     if (actions.cycle_is_cancelled) return move_instead_of_cycle(block, actions);
     if (actions.cycle != nullptr) return call_cycle(block, actions);
     constexpr SlotMask kCycleSlots = nc::kTargetSlots | bit(Slot::Radius);
-    if (cycles_said_.modal.is_active && (block.given & kCycleSlots) != 0 &&
+    if (modal_cycles_.modal.is_active && (block.given & kCycleSlots) != 0 &&
         !actions.machine_coordinates)
         return repeat_cycle(block, actions);
     if (!require_no_move_before_tap(block, targets)) return;

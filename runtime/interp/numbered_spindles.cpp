@@ -115,7 +115,7 @@ void Executor::select_master(const Block& block, const Invocation& invocation) {
     command.speed = runs ? spindle_.told.speed : 0;
     command.cutting_speed = false;
     command.angle_deg = 0;
-    tell_speed_limits(block, limits);
+    put_speed_limits(block, limits);
 }
 
 /// What a word says of a spindle by its number.

@@ -270,7 +270,7 @@ void Executor::end_length_transformation(Actions& actions) {
 
 /// Whether a machine's transformation takes the work offset off is a matter of its set-up: what is
 /// said behind it acts on each. S 7.1. Said once, of the first motion.
-void Executor::check_offset_said(const Block& block) {
+void Executor::check_offset_programmed(const Block& block) {
     if (!std::exchange(orienting_.owes_offset, false)) return;
     if (!told_.first_time(Once::WorkOffset)) return;
     DiagnosticBuilder warning = report(diag::TransformationOffset, block);

@@ -66,12 +66,12 @@ void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
             .arg(axis < kAxes ? kAxisNames[axis] : std::string_view("of this number"));
         return;
     }
-    parts_of_axes(said_dynamics(), function)[axis] = percent * kPercent;
+    parts_of_axes(programmed_dynamics(), function)[axis] = percent * kPercent;
 }
 
 /// So much of F, or of the speed at rapid.
 void Executor::set_override(const Block& block, const Invocation& invocation) {
-    path::Dynamics& dynamics = said_dynamics();
+    path::Dynamics& dynamics = programmed_dynamics();
     const bool is_feed = invocation.function == Function::FeedOverride;
     const double most = is_feed ? 200 : 100;
     constexpr std::size_t kPart =

@@ -35,7 +35,7 @@ void Executor::go_to_next_position() {
     place_.line = pattern.caller.line;
     pattern.is_held = pattern.calls_program;
     // A modal cycle is repeated by places; a motion code would end it.
-    if (cycles_said_.modal.is_active) place_.motion = Function::None;
+    if (modal_cycles_.modal.is_active) place_.motion = Function::None;
     execute(place_);
 }
 

@@ -18,8 +18,8 @@ using path::Op;
 /// Nothing that waits, repeats or turns acts on a move to a place.
 bool Executor::is_plain_state() const {
     const bool waits =
-        shape_ || contour_ || open_line_ || is_in_spline() || cycles_said_.behind_motions;
-    const bool has_mode = is_transformed() || cycles_said_.modal.is_active || taps_rigidly_ ||
+        shape_ || contour_ || open_line_ || is_in_spline() || modal_cycles_.behind_motions;
+    const bool has_mode = is_transformed() || modal_cycles_.modal.is_active || taps_rigidly_ ||
                           polar_.is_on || polar_.is_by_points || modal_.is_incremental ||
                           unplaced_ != 0 || owes_speed_ || tilted_plane_.carries ||
                           tilted_plane_.on_tables || tilted_plane_.open.has_value();
@@ -41,7 +41,7 @@ Executor::Plainly Executor::move_plainly(const Block& block) {
     if (!is_plain_block(block) || !is_plain_state()) return Plainly::NotPlain;
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_rapid = motion == Function::Rapid;
-    if (is_rapid ? !told_.has_told(Once::Rapid) && spindle_.mode == path::SpindleMode::Stop
+    if (is_rapid ? !told_.has_reported(Once::Rapid) && spindle_.mode == path::SpindleMode::Stop
                  : motion != Function::Line)
         return Plainly::NotPlain;
     if (!is_rapid && may_count_degrees(block)) return Plainly::NotPlain;

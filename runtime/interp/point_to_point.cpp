@@ -108,7 +108,7 @@ void Executor::choose_axes(const Block& block, const nc::Invocation& invocation,
     }
     if (function == Function::AxisConfiguration) {
         orienting_.configuration = static_cast<int>(bits) + 1;
-        tool.says_configuration = true;
+        tool.programs_configuration = true;
     } else {
         tool.signs = bits;
     }
@@ -145,13 +145,13 @@ Done Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Tar
         return kFailed;
     }
     orienting_.point.reset();
-    if (tool.says_direction()) {
+    if (tool.programs_direction()) {
         if (!require_axes_for_direction(block)) return kFailed;
         const std::optional<Vec3> to = wanted_direction(block, tool);
         if (!to || !stand_along(block, tool, *to, target)) return kFailed;
     } else if ((block.given & joint_axes()) != 0) {
         if (!turn_by_signs(block, tool, target)) return kFailed;
-    } else if (tool.signs || tool.says_configuration) {
+    } else if (tool.signs || tool.programs_configuration) {
         const Vec3 stays =
             machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
         if (!stand_along(block, tool, stays, target)) return kFailed;

@@ -86,13 +86,13 @@ void Executor::switch_polar(bool is_on) {
         polar_.angle_deg = deg_from_rad(std::atan2(here.y(), here.x()));
     }
     polar_.is_on = is_on;
-    said_in_polar_.reset();
+    polar_original_.reset();
 }
 
 /// The block with places instead of polar coordinates; the block itself if it has none. Null: it
 /// was reported.
 const Block* Executor::with_positions(const Block& block) {
-    if (said_in_polar_ && !block.is_of_cycle()) said_in_polar_.reset();
+    if (polar_original_ && !block.is_of_cycle()) polar_original_.reset();
     if (!block.is_of_cycle()) {
         if (const Invocation* point = block.find(Function::PolarPoint))
             return with_polar_point(block, *point);
@@ -108,7 +108,7 @@ const Block* Executor::with_positions(const Block& block) {
         block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));
     const bool is_place = block.find(nc::Fact::AtMachinePosition) != nullptr;
     if (words == 0 || is_place) return &block;
-    said_in_polar_ = block;
+    polar_original_ = block;
     return with_polar_axes(block);
 }
 

@@ -180,7 +180,7 @@ void cut_evenly(const Piece& piece, double way, const path::Frame& frame, int cu
 }
 
 /// A span, and what its command says beside it.
-struct SaidSpan {
+struct ProgrammedSpan {
     path::SplineSpan span;
     PoleBlock said;
 };
@@ -188,37 +188,41 @@ struct SaidSpan {
 /// The pieces as spans, which begin and end where the block does.
 ///
 /// shares_time  the feed is that of the block's time, which the pieces share by their lengths
-std::vector<SaidSpan> said_spans(const std::vector<Piece>& pieces, const path::Frame& frame,
-                                 const AxisValues& from, const PoleBlock& said, bool shares_time) {
-    std::vector<SaidSpan> spans;
+std::vector<ProgrammedSpan> programmed_spans(const std::vector<Piece>& pieces,
+                                             const path::Frame& frame, const AxisValues& from,
+                                             const PoleBlock& said, bool shares_time) {
+    std::vector<ProgrammedSpan> spans;
     std::vector<double> lengths;
     double whole = 0;
     for (const Piece& piece : pieces) {
-        SaidSpan& span = spans.emplace_back(SaidSpan{span_of(piece.poles, frame), said});
+        ProgrammedSpan& span =
+            spans.emplace_back(ProgrammedSpan{span_of(piece.poles, frame), said});
         for (std::size_t i = 3; i < kAxes && &piece != &pieces.back(); ++i)
             span.said.to[i] = from[i] + (said.to[i] - from[i]) * piece.to;
     }
     spans.front().span.start = linear(from);
     spans.back().span.end = linear(said.to);
     if (!shares_time || spans.size() == 1) return spans;
-    for (const SaidSpan& span : spans) whole += lengths.emplace_back(span_length(span.span).whole);
+    for (const ProgrammedSpan& span : spans)
+        whole += lengths.emplace_back(span_length(span.span).whole);
     for (std::size_t i = 0; i < spans.size(); ++i)
         if (lengths[i] > 0) spans[i].said.feed = said.feed * whole / lengths[i];
     return spans;
 }
 
 /// Of the whole length.
-std::vector<double> shares_of(const std::vector<SaidSpan>& spans) {
+std::vector<double> shares_of(const std::vector<ProgrammedSpan>& spans) {
     std::vector<double> shares;
     double whole = 0;
-    for (const SaidSpan& span : spans) whole += shares.emplace_back(span_length(span.span).whole);
+    for (const ProgrammedSpan& span : spans)
+        whole += shares.emplace_back(span_length(span.span).whole);
     for (double& share : shares) share = whole > 0 ? share / whole : 1;
     return shares;
 }
 
-std::vector<PoleBlock*> blocks_of(std::vector<SaidSpan>& spans) {
+std::vector<PoleBlock*> blocks_of(std::vector<ProgrammedSpan>& spans) {
     std::vector<PoleBlock*> blocks;
-    for (SaidSpan& span : spans) blocks.push_back(&span.said);
+    for (ProgrammedSpan& span : spans) blocks.push_back(&span.said);
     return blocks;
 }
 
@@ -345,8 +349,8 @@ void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_
     PoleBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
     said.modes = orienting_;
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
-    std::vector<SaidSpan> spans =
-        said_spans(pieces, frames_.total(), position_.base, said, shares_time);
+    std::vector<ProgrammedSpan> spans =
+        programmed_spans(pieces, frames_.total(), position_.base, said, shares_time);
     if (!share_orientation(block, tool, shares_of(spans), blocks_of(spans))) return;
     for (std::size_t i = 0; i < spans.size() && !ended_; ++i) {
         const bool is_last = i + 1 == spans.size();

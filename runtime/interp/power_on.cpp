@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "interp/discarding_sink.h"
 #include "interp/executor.h"
-#include "interp/unheard.h"
 #include "nc/tables.h"
 
 namespace kadr::interp {
@@ -26,7 +26,7 @@ bool is_ruled(const nc::Dialect& dialect, Group group) {
 /// Every default is executed as if it stood in a block of its own. Nobody has written it: there is
 /// no place to tell anything of it. Units are the reader's matter.
 void Executor::power_on() {
-    Unheard nobody;
+    DiscardingSink nobody;
     DiagnosticSink* const sink = std::exchange(sink_, &nobody);
     const nc::BlockLocations* const places = std::exchange(places_, nullptr);
     const nc::DialectTables& tables = dialect_.tables();

@@ -126,7 +126,7 @@ void Executor::measure_length(const Block& block, const Invocation& invocation) 
         report(diag::ProbeCompensated, block, Function::MeasureLength);
         return;
     }
-    if (cycles_said_.modal.is_active) {
+    if (modal_cycles_.modal.is_active) {
         report(diag::MotionInCycle, block, Function::MeasureLength).arg("measure_length");
         return;
     }

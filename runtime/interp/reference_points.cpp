@@ -164,7 +164,7 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
         report(diag::ReferenceInCycle, block, invocation.function);
         return;
     }
-    if (cycles_said_.modal.is_active) forget_ends();
+    if (modal_cycles_.modal.is_active) forget_ends();
     switch (invocation.function) {
         case Function::ReferenceCheck: return check_reference(block);
         case Function::ReferenceLeave: return leave_reference(block);

@@ -37,7 +37,7 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
         report(diag::ShapePlane, block, Function::Cycle);
         return;
     }
-    cycles_said_.modal.is_active = false;
+    modal_cycles_.modal.is_active = false;
     shape_.emplace();
     shape_->block = block;
     shape_->call = call;
@@ -125,7 +125,7 @@ void Executor::finish_shape() {
     set("both",
         (run.approach_axes & bit(nc::Slot::X)) != 0 && (run.approach_axes & bit(nc::Slot::Z)) != 0);
     const CycleShape shape = shape_of(run);
-    cycles_said_.modal = call;
+    modal_cycles_.modal = call;
     start_cycle(run.block, call, &shape);
 }
 

@@ -36,7 +36,8 @@ Snapshot Executor::snapshot() const {
     now.tool_length = tool_.lengths[static_cast<Eigen::Index>(index(tool_.axis))];
     now.work_offset = work_offset_;
     now.coolant = coolant_;
-    if (cycles_said_.modal.is_active) now.cycle = dialect_.cycles()[cycles_said_.modal.cycle].name;
+    if (modal_cycles_.modal.is_active)
+        now.cycle = dialect_.cycles()[modal_cycles_.modal.cycle].name;
     return now;
 }
 

@@ -46,7 +46,7 @@ Done Executor::require_orientation_along(const Block& block, const ToolWords& to
         return kFailed;
     }
     if (!orienting_.is_on) return kDone;
-    check_offset_said(block);
+    check_offset_programmed(block);
     if (!require_one_turn(block, tool)) return kFailed;
     return require_no_idle_words(block, tool);
 }
@@ -55,7 +55,7 @@ Done Executor::require_orientation_along(const Block& block, const ToolWords& to
 /// Nothing where no transformation turns the tool.
 Done Executor::direct_pole(const Block& block, const ToolWords& tool, PoleBlock& pole) {
     if (!orienting_.is_on) return kDone;
-    if (tool.says_direction()) {
+    if (tool.programs_direction()) {
         if (!require_axes_for_direction(block)) return kFailed;
         const std::optional<Vec3> said = wanted_direction(block, tool);
         if (!said) return kFailed;
@@ -130,7 +130,7 @@ Done Executor::share_orientation(const Block& block, const ToolWords& tool,
         return kDone;
     }
     const bool is_plane = orienting_.turning == OrientInterpolation::Plane &&
-                          tool.says_direction() && !is_led && !tool.spin && !tool.spin_by;
+                          tool.programs_direction() && !is_led && !tool.spin && !tool.spin_by;
     if (!is_plane) {
         report(diag::IsoNotSupported, block)
             .arg("a tool that turns so beside a polynomial with such a denominator");

@@ -129,7 +129,7 @@ Done Executor::start_spline(const Block& block, bool by_knots) {
     }
     if (!require_feed(block, "spline")) return kFailed;
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
-    said_in_spline_.begin(span_as_said(block));
+    spline_commands_.begin(span_as_programmed(block));
     spline_.emplace(spline_degree_, by_knots);
     if (by_knots) return kDone;
     PoleBlock start{block.line, block.source, 0, position_.base, {}, {}};
@@ -196,19 +196,19 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
 PoleBlock Executor::pole_block(const Block& block, const AxisValues& to) {
     // A course of the feed counts blocks.
     if (block.function_count != 0 || panel_.has_feed_characteristic)
-        said_in_spline_.change(span_as_said(block));
+        spline_commands_.change(span_as_programmed(block));
     return {block.line,
             block.source,
             modal_.feed,
             to,
-            said_in_spline_.count(),
+            spline_commands_.count(),
             stops_exactly(block.find(Function::ExactStopOnce) != nullptr),
             std::nullopt,
             std::nullopt,
             orienting_};
 }
 
-Command Executor::span_as_said(const Block& block) {
+Command Executor::span_as_programmed(const Block& block) {
     Command span;
     span.op = Op::Spline;
     fill_in(span, block);
@@ -216,8 +216,8 @@ Command Executor::span_as_said(const Block& block) {
 }
 
 /// Puts out what stands in front of the span of a block of the open spline.
-void Executor::put_said_before(std::uint32_t number) {
-    while (auto said = said_in_spline_.take_before(number)) behind_corners() = std::move(*said);
+void Executor::put_commands_before(std::uint32_t number) {
+    while (auto said = spline_commands_.take_before(number)) behind_corners() = std::move(*said);
 }
 
 /// Puts out the spans that are known by now.
@@ -225,15 +225,15 @@ void Executor::move_along_spline() {
     while (!ended_) {
         const std::optional<SplineStep> step = spline_->next();
         if (!step) return;
-        put_said_before(step->block.number);
+        put_commands_before(step->block.number);
         // Between the ends no block ends at a place of its own.
         put_span(step->span, step->block, spline_->moved, step->is_last && step->block.stops);
     }
 }
 
 /// A span of an open spline is as its own block has said, and turns as it was laid just now.
-void Executor::as_said(Command& command) const {
-    const Command laid = std::exchange(command, said_in_spline_.span());
+void Executor::as_programmed(Command& command) const {
+    const Command laid = std::exchange(command, spline_commands_.span());
     command.source = laid.source;
     command.line = laid.line;
     command.turning = laid.turning;
@@ -264,7 +264,7 @@ void Executor::put_span(const path::SplineSpan& span, const PoleBlock& said, Axi
     has_moved_ = true;
     const bool turns = next_orientation_.turning != path::Turning::Axes;
     Command& command = put(Op::Spline, at);
-    if (is_in_spline()) as_said(command);
+    if (is_in_spline()) as_programmed(command);
     command.to = to;
     command.moved = turns ? static_cast<AxisMask>(moved | kLinearXYZ | joint_axes()) : moved;
     command.spline = shape;
@@ -279,7 +279,7 @@ void Executor::finish_spline() {
     } else {
         move_along_spline();
     }
-    put_said_before(SplineSaid::kBehindAll);
+    put_commands_before(SplineCommands::kBehindAll);
     spline_.reset();
 }
 

@@ -224,17 +224,17 @@ struct ToolWords {
     std::optional<double> spin;     // deg, about the tool
     std::optional<double> spin_by;  // deg
     bool changes_lead_tilt = false;
-    std::optional<unsigned> signs;    // bit i: axis i of the machine shall stand below 0
-    bool says_configuration = false;  // of the rotary axes
+    std::optional<unsigned> signs;        // bit i: axis i of the machine shall stand below 0
+    bool programs_configuration = false;  // of the rotary axes
 
-    bool says_direction() const { return vector.is_said() || angles.is_said(); }
-    bool says_surface() const {
+    bool programs_direction() const { return vector.is_said() || angles.is_said(); }
+    bool programs_surface() const {
         return changes_lead_tilt || normals[0].is_said() || normals[1].is_said();
     }
     /// Whether the block turns the tool even where no axis is named. A lead and a tilt act on ways.
     bool turns() const {
         const bool has_normal = normals[0].is_said() || normals[1].is_said();
-        return says_direction() || has_normal || point.is_said() || spin || spin_by;
+        return programs_direction() || has_normal || point.is_said() || spin || spin_by;
     }
     bool is_any() const {
         return turns() || changes_lead_tilt || cone_axis.is_said() || between.is_said() ||
@@ -243,7 +243,7 @@ struct ToolWords {
 };
 
 /// What the blocks of one tilted plane have said so far, if it takes several.
-struct SaidPlane {
+struct OpenPlane {
     bool is_by_points = false;  // or by vectors
     bool is_added = false;
     unsigned next = 0;  // number of the block that has to come
@@ -259,7 +259,7 @@ struct Tilting {
     bool on_tables = false;  // … or the frames do so alone
     path::Vec3 joints = path::Vec3::Zero();  // R1, R2, Ψ there, rad
     int turns = 0;  // rotations in space that made it; the tool lies along its Z
-    std::optional<SaidPlane> open;
+    std::optional<OpenPlane> open;
 };
 
 /// The face, the cylinder or the inclined slide in whose coordinates the program is told.

@@ -120,7 +120,7 @@ Done Executor::start_through(const Block& block) {
         start.tangent = *direction;
     }
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
-    said_in_spline_.begin(span_as_said(block));
+    spline_commands_.begin(span_as_programmed(block));
     const bool is_akima = modal_.motion == Function::AkimaSpline;
     const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::CubicSpline;
     // The contour keeps its shape when a frame turns it.
@@ -139,7 +139,7 @@ void Executor::move_through() {
         const PoleBlock block = through_->blocks.front();
         through_->blocks.pop_front();
         const bool is_last = through_->blocks.empty();
-        put_said_before(block.number);
+        put_commands_before(block.number);
         put_span({span->start, span->end, span->shape}, block, through_->moved, block.stops);
         if (is_last) came_from_ = span->shape.inner[1];
     }
@@ -160,7 +160,7 @@ void Executor::finish_through(const Block* next) {
     }
     through_->spline.finish(end);
     move_through();
-    put_said_before(SplineSaid::kBehindAll);
+    put_commands_before(SplineCommands::kBehindAll);
     through_.reset();
 }
 

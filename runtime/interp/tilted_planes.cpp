@@ -82,7 +82,7 @@ std::optional<std::array<Axis, 3>> axes_in_order(double digits) {
 }
 
 /// The word of the blocks that say it.
-Function function_of(const SaidPlane& said) {
+Function function_of(const OpenPlane& said) {
     return said.is_by_points ? Function::TiltedPlaneByPoints : Function::TiltedPlaneByVectors;
 }
 
@@ -195,7 +195,7 @@ void Executor::set_plane_by_blocks(const Block& block, const Invocation& invocat
         tilted_plane_.open->is_added = is_added;
         tilted_plane_.open->next = is_by_points && number == 0 ? 0 : 1;
     }
-    SaidPlane& said = *tilted_plane_.open;
+    OpenPlane& said = *tilted_plane_.open;
     if (said.is_by_points != is_by_points || said.is_added != is_added || number != said.next) {
         report(diag::TiltFormat, block, invocation.function)
             .arg("its blocks do not stand in their order");
@@ -219,7 +219,7 @@ void Executor::set_plane_by_blocks(const Block& block, const Invocation& invocat
     if (machine_.kinematics) carry(block, joints_of(position_.base));
 }
 
-std::optional<Frame> Executor::plane_by_blocks(const Block& block, const SaidPlane& said) {
+std::optional<Frame> Executor::plane_by_blocks(const Block& block, const OpenPlane& said) {
     const std::array<Vec3, 3> points = {said.values[1], said.values[2], said.values[3]};
     const auto plane = said.is_by_points
                            ? machine::through_points(points)
@@ -469,7 +469,7 @@ void Executor::stand_at(const Block& block, const AxisValues& axes, bool tool_tu
 
 /// A rotary axis that the plane does not follow leads the tool out of it. F 4.8.
 void Executor::check_carried(const Block& block) {
-    if (told_.has_told(Once::TiltTurned) || !machine_.kinematics) return;
+    if (told_.has_reported(Once::TiltTurned) || !machine_.kinematics) return;
     const nc::SlotMask turned = block.given & joint_axes();
     if (turned == 0) return;
     const Vec3 now = tilted_plane_.joints;
@@ -481,7 +481,7 @@ void Executor::check_carried(const Block& block) {
         const double place = deg_from_rad(now[static_cast<Eigen::Index>(k)]);
         constexpr double kWidth = 0.0005;  // deg: half an increment
         if (std::abs(std::remainder(block.at(slot) - place, 360)) < kWidth) continue;
-        told_.count_as_told(Once::TiltTurned);
+        told_.count_as_reported(Once::TiltTurned);
         report(diag::TiltTurned, block, slot)
             .arg(kAxisNames[index(chain.joints[k].axis)])
             .arg(round_to(place, 4));

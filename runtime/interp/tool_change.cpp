@@ -41,7 +41,7 @@ void Executor::check_edge(const Block& block) {
         report(diag::EdgeMissing, block, Function::ToolEdge).arg(tool_.current).arg(tool_.edge);
         return;
     }
-    if (!told_.first_time(OnceEach::Edge, number)) return;
+    if (!told_.first_time(NoticeEach::Edge, number)) return;
     report(diag::EdgeUnknown, block, Function::ToolEdge).arg(tool_.edge).arg(tool_.current);
 }
 
@@ -87,7 +87,7 @@ std::int64_t Executor::named_tool(const Block& block) {
     const std::vector<std::int64_t> known = tool_names_.numbers(block.text);
     if (known.empty()) {
         const std::int64_t number = tool_names_.invent(block.text, tool_offsets_.last_tool());
-        told_.count_as_told(OnceEach::Tool, number);
+        told_.count_as_reported(NoticeEach::Tool, number);
         report(diag::ToolUnknown, block).arg(block.text);
         return number;
     }

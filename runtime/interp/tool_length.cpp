@@ -72,7 +72,7 @@ void Executor::check_length_known(const Block& block) {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
     const std::int64_t tool = ToolOffsets::tool_of(number);
-    if (!told_.first_time(OnceEach::Tool, tool)) return;
+    if (!told_.first_time(NoticeEach::Tool, tool)) return;
     report(diag::ToolUnknown, block).arg(tool);
 }
 

@@ -99,7 +99,7 @@ Done Executor::orient(const Block& block, const Actions& actions, Target& target
     next_orientation_ = {};
     course_.reset();
     const ToolWords& tool = actions.tool;
-    check_offset_said(block);
+    check_offset_programmed(block);
     if (!require_one_turn(block, tool) || !require_no_idle_words(block, tool)) return kFailed;
     if (orienting_.takes_vectors && is_arc(modal_.motion)) {
         report(diag::TcpArc, block, modal_.motion);
@@ -116,13 +116,13 @@ Done Executor::orient(const Block& block, const Actions& actions, Target& target
 /// How the tool turns by what a block says; what depends on the block's path waits for it in
 /// `course_`.
 Done Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
-    if (tool.says_direction() || tool.point.is_said() || (block.given & joint_axes()) != 0)
+    if (tool.programs_direction() || tool.point.is_said() || (block.given & joint_axes()) != 0)
         orienting_.leans = false;
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
     const bool waits = spins_with_path(tool);
     if (is_led || waits) course_ = tool;
     if (!is_led) {
-        if (tool.says_direction()) {
+        if (tool.programs_direction()) {
             if (!require_axes_for_direction(block)) return kFailed;
             const std::optional<Vec3> to = wanted_direction(block, tool);
             if (!to || !orient_to(block, tool, *to, target)) return kFailed;
@@ -441,7 +441,7 @@ Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     lean.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
     const double length = path::length(curve);
     const bool is_still_leant =
-        length == 0 && !keeps_lead_tilt_to_surface() && !tool.says_surface();
+        length == 0 && !keeps_lead_tilt_to_surface() && !tool.programs_surface();
     if (is_still_leant) return kDone;
     // Where the tip stands there is no path to be led by, and where the control only looks at the
     // block's end it is not.

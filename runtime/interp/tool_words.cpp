@@ -129,9 +129,9 @@ Done Executor::require_one_turn(const Block& block, const ToolWords& tool) {
     const bool has_angles = tool.angles.is_said();
     const bool leads =
         keeps_lead_tilt_to_surface() || surface_leads_end() || !comp_.takes_surface_normals();
-    const bool has_surface = leads && tool.says_surface();
+    const bool has_surface = leads && tool.programs_surface();
     const bool is_on_surface =
-        keeps_lead_tilt_to_surface() || (surface_leads_end() && tool.says_surface());
+        keeps_lead_tilt_to_surface() || (surface_leads_end() && tool.programs_surface());
     const DiagnosticRow* row = has_vector && has_angles  ? &diag::OrientVectorAngles
                                : has_vector && has_axes  ? &diag::OrientVectorAxes
                                : has_angles && has_axes  ? &diag::OrientAnglesAxes
@@ -161,7 +161,7 @@ bool Executor::keeps_lead_tilt_to_surface() const {
 /// Whether a surface tells how the tool stands in this block: along it, or at its end.
 bool Executor::is_led_by_surface(const ToolWords& tool) const {
     if (keeps_lead_tilt_to_surface()) return true;
-    return surface_leads_end() && (orienting_.leans || tool.says_surface());
+    return surface_leads_end() && (orienting_.leans || tool.programs_surface());
 }
 
 /// Whether surface words of a block say how the tool stands at its end. Where a cutter is
@@ -202,10 +202,10 @@ Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) 
         {tool.point.is_said() && turning != OrientInterpolation::Point, Function::ToolPoint},
         {tool.normals[0].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.normals[1].is_said() && !takes_surface, Function::SurfaceNormal},
-        {tool.changes_lead_tilt && tool.says_direction(),
+        {tool.changes_lead_tilt && tool.programs_direction(),
          block.find(Function::SurfaceLead) != nullptr ? Function::SurfaceLead
                                                       : Function::SurfaceTilt},
-        {tool.says_direction() && tool.point.is_said(), Function::ToolVector},
+        {tool.programs_direction() && tool.point.is_said(), Function::ToolVector},
     };
     for (const auto& check : checks) {
         if (!check.is_idle) continue;
@@ -214,7 +214,7 @@ Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) 
             .arg(spelling_of(function_of(turning)));
         return kFailed;
     }
-    if (is_on_cone(turning) && !tool.says_direction() && tool.is_any() && !tool.spin &&
+    if (is_on_cone(turning) && !tool.programs_direction() && tool.is_any() && !tool.spin &&
         !tool.spin_by) {
         report(diag::ConeEndMissing, block);
         return kFailed;

@@ -21,7 +21,7 @@ struct MachineDatum {
     SourceRange place;  // in the machine file
 };
 
-struct MachineTold {
+struct MachineData {
     std::vector<MachineDatum> data;          // in the order of the file
     std::map<std::string, Axis> axis_names;  // of axes as an index, besides AX1, X1 …
     std::optional<ProbeScene> probe;         // what its touch probe meets, if the file says so
@@ -29,7 +29,7 @@ struct MachineTold {
 
 struct DescribedMachine {
     Machine machine;
-    MachineTold told;
+    MachineData told;
 };
 
 /// Loads a machine as `load_machine` does, with what it tells.

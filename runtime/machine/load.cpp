@@ -502,7 +502,7 @@ class MachineBuilder {
     Sources& sources_;
     DiagnosticSink& sink_;
     Machine machine_;
-    MachineTold told_;
+    MachineData told_;
     SourceRange laser_place_;
     /// A further edge of a tool, and where the file says it.
     struct EdgeLocation {

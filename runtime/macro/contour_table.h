@@ -38,7 +38,7 @@ struct ContourElement {
 
 /// What the control says of a contour that was read: mm, degrees; the units of its modes are those
 /// of the text, and the program's to say.
-using ContourSaid = std::vector<ContourElement>;
+using ContourElements = std::vector<ContourElement>;
 
 /// How the material in front of a contour is to be taken away: it tells what an undercut is.
 struct ContourCut {

@@ -63,7 +63,7 @@ class ControlAccess {
     /// which there is no contour.
     virtual std::string_view begin_contour() = 0;
     /// Ends that: the control is where it was. Nothing: what is wrong was reported.
-    virtual std::optional<ContourSaid> end_contour() = 0;
+    virtual std::optional<ContourElements> end_contour() = 0;
     /// Whether the tool stands at a place of a pattern, where a program is to be called.
     virtual bool is_at_pattern_position() const = 0;
     /// Behind the block that is next the tool goes on to the next place.

@@ -149,7 +149,7 @@ bool ControlVariables::has_spindle(std::int64_t number) const {
     return state_ == nullptr ? number <= 1 : state_->has_spindle(number);
 }
 
-void ControlVariables::say_units(ContourSaid& contour) const {
+void ControlVariables::say_units(ContourElements& contour) const {
     const double unit = axis_unit(Axis::X);
     const double feed = text_scale(nc::Dimension::Feed, reader_.units(), true);
     const nc::Function function = reader_.units().inch ? nc::Function::Inch : nc::Function::Metric;

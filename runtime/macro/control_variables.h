@@ -86,7 +86,7 @@ class ControlVariables final : public Variables {
     std::string word_of(nc::Operation operation) const override;
     bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;
     /// A contour in mm gets the units of the text, and tells which those are.
-    void say_units(ContourSaid& contour) const;
+    void say_units(ContourElements& contour) const;
 
     const Store& globals() const { return globals_; }
     Level& level() { return *level_; }

@@ -19,7 +19,7 @@ namespace kadr::motion {
 
 /// What has been told of the axes: that one is missing is told once, that one is outside of its
 /// limits again when it has been back.
-class ToldAxes {
+class ReportedAxes {
   public:
     bool first_time_missing(std::size_t logical) { return !std::exchange(missing_[logical], true); }
     bool first_time_outside(std::size_t slot) { return !std::exchange(outside_[slot], true); }
@@ -59,7 +59,7 @@ class AxisCheck {
     DiagnosticSink& sink_;
     std::vector<Axis> missing_;  // logical axes without a machine axis
     AxisMask missing_mask_ = 0;  // … the same
-    ToldAxes told_;
+    ReportedAxes told_;
     AxisTable::Travel reached_;  // of the piece that was checked last
     AxisTable::Travel travel_;
 };

@@ -37,7 +37,7 @@ struct Planner::State {
           tick(machine.tick),
           machine_plc(machine),
           plc(options.plc != nullptr ? *options.plc : machine_plc),
-          losses(machine, axes, options_in.tell_loss) {
+          losses(machine, axes, options_in.report_loss) {
         lookahead.set_overrides(panel.acting());
         record_travel();
     }

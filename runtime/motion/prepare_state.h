@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "base/done.h"
-#include "base/told_once.h"
+#include "base/reported_once.h"
 #include "motion/axis_check.h"
 #include "motion/compressor.h"
 #include "motion/orientation_corner.h"
@@ -314,7 +314,7 @@ struct Preparer::State {
     bool is_drained = false;  // no command is left to read
     bool has_ended = false;
     bool has_alarmed = false;
-    ToldOnce<Once> told;
+    ReportedOnce<Once> told;
     bool is_threading = false;    // the latest motion is a thread …
     bool thread_goes_on = false;  // … that goes on with the one before it
     bool leaves_thread = false;   // the latest motion is none, and the one before it was

@@ -129,7 +129,7 @@ const Invocation* Block::find(Function function) const {
     return nullptr;
 }
 
-Function said_of(const Block& block, Group group) {
+Function programmed_in(const Block& block, Group group) {
     if (group == Group::Motion && block.motion != Function::None) return block.motion;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (info(block.functions[i].function).group == group) return block.functions[i].function;

@@ -190,7 +190,7 @@ struct Block {
 static_assert(sizeof(Block) <= 736, "blocks travel in batches of a thousand");
 
 /// The function of the group that the block says by itself, the motion code among them; None: none.
-Function said_of(const Block& block, Group group);
+Function programmed_in(const Block& block, Group group);
 
 /// Same meaning: what masks and counts do not name is not compared; nor are line and source.
 bool operator==(const Block& a, const Block& b);

@@ -42,7 +42,7 @@ void BlockWriter::restore_modal(const Block& block, const Choice& choice, Items&
     if (modal_.doubtful == 0 || (block.given & (kTargetSlots | kCenterSlots)) == 0) return;
     for (std::size_t i = 0; i < kGroups; ++i) {
         const auto group = static_cast<Group>(i);
-        if (text_.is_said_again(group)) restore(group);
+        if (text_.is_restated(group)) restore(group);
     }
 }
 
@@ -60,7 +60,7 @@ void BlockWriter::say_doubtful(const Block& block, std::string& out) {
         const bool is_other_plane = group == Group::Plane && meant != Function::None &&
                                     modal_.text[i] != Function::None && modal_.text[i] != meant;
         const bool is_of_cycle =
-            is_cycle && modal_.doubtful != 0 && (text_.is_said_again(group) || is_other_plane);
+            is_cycle && modal_.doubtful != 0 && (text_.is_restated(group) || is_other_plane);
         if (is_of_cycle || text_.is_depended_on(block, group)) again.add(meant);
     }
     if (again.function_count != 0) write_block(again, out);

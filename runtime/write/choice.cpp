@@ -188,7 +188,7 @@ FormChooser::Misfit FormChooser::misfit(const Form& form, const Block& block,
                              (block.motion == needed || (block.given & kTargetSlots) != 0);
         // In its own line the block says it for the form, or the contrary.
         const bool is_alone = form.owns_block || form.owns_line;
-        const Function own = is_alone ? Function::None : said_of(block, group);
+        const Function own = is_alone ? Function::None : programmed_in(block, group);
         const bool is_active = own != Function::None ? own == needed
                                                      : modal_.text[index_of(group)] == needed ||
                                                            is_restored || is_said;
@@ -360,7 +360,7 @@ std::string FormChooser::misfit_words(std::span<const Parameter> parameters, con
 /// Whether the block itself asks for an end of the function, which the form says with its own.
 bool FormChooser::ends_by_itself(const Form& form, const Block& block, Function around) {
     const Group group = info(around).group;
-    const Function own = said_of(block, group);
+    const Function own = programmed_in(block, group);
     const auto is_of_group = [&](Function function) { return info(function).group == group; };
     return group != Group::Once && own != Function::None && own != around &&
            std::ranges::any_of(form.sets, is_of_group);

@@ -46,7 +46,7 @@ void WriterModal::join(const WriterModal& other) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == other.text[i]) continue;
         text[i] = Function::None;
-        doubtful |= bit(static_cast<Group>(i)) & kSaidAgain;
+        doubtful |= bit(static_cast<Group>(i)) & kRestated;
     }
     doubtful |= other.doubtful;
     keep(feed, other.feed);

@@ -60,7 +60,7 @@ constexpr GroupMask bit(Group group) { return GroupMask{1} << index_of(group); }
 /// says one of them. The spindle and the coolant are his choice; the motion, the dimensions and the
 /// feed mode are said wherever the text does not have them; the others cannot stand in such a
 /// block.
-inline constexpr GroupMask kSaidAgain =
+inline constexpr GroupMask kRestated =
     bit(Group::Plane) | bit(Group::RadiusComp) | bit(Group::PathMode) | bit(Group::CompStart) |
     bit(Group::CompCorner) | bit(Group::CompCheck) | bit(Group::Compressor) | bit(Group::Turning) |
     bit(Group::OrientAngles) | bit(Group::OrientSystem) | bit(Group::Spinning) |
@@ -117,7 +117,7 @@ struct Pending {
 struct WriterModal {
     ModalFunctions meant{};  // as the blocks say; None: not known
     ModalFunctions text{};   // as the control has it
-    GroupMask doubtful = 0;  // of kSaidAgain, where a block that may be left out says otherwise
+    GroupMask doubtful = 0;  // of kRestated, where a block that may be left out says otherwise
     TextUnits units;
     Standing feed;  // in the text's units
     Standing speed;

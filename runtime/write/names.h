@@ -25,7 +25,7 @@ using nc::kMaxInvocations;
 using nc::kReadSlots;
 using nc::kSlots;
 using nc::kTargetSlots;
-using nc::said_of;
+using nc::programmed_in;
 using nc::Slot;
 using nc::slot_name;
 using nc::SlotMask;

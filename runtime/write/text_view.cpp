@@ -56,7 +56,7 @@ bool TextView::leads_tip() const {
 
 /// Whether the group is said again before something moves. A compensation that acts is not: to say
 /// it a second time is a command of its own on some controls.
-bool TextView::is_said_again(Group group) const {
+bool TextView::is_restated(Group group) const {
     const Function meant = modal.meant[index_of(group)];
     if ((modal.doubtful & bit(group)) == 0 || meant == Function::None) return false;
     return has_code(meant) && (group != Group::RadiusComp || meant == Function::RadiusCompOff);
@@ -68,7 +68,7 @@ bool TextView::is_said_again(Group group) const {
 bool TextView::is_depended_on(const Block& block, Group group) const {
     const Function meant = modal.meant[index_of(group)];
     if (meant == Function::None || meant == modal.text_of(group) || !has_code(meant)) return false;
-    if (said_of(block, group) != Function::None) return false;
+    if (programmed_in(block, group) != Function::None) return false;
     return (group == Group::Plane && block.find(Fact::NeedsPlane) != nullptr) ||
            (group == Group::Distance && block.find(Fact::AddsIncrements) != nullptr);
 }

@@ -41,7 +41,7 @@ struct TextView {
     /// Whether the function acts in the text so far.
     Activity activity_of(Function function) const;
     Activity is_shifted() const;
-    bool is_said_again(Group group) const;
+    bool is_restated(Group group) const;
     bool is_depended_on(const Block& block, Group group) const;
 
     // Positions

@@ -166,7 +166,7 @@ const std::string kTableHead = "x [mm],y [mm],dx [mm],dy [mm]\n";
 
 class MachineRowExamples : public kadr::test::ScratchFolder {
   protected:
-    std::vector<Message> said_of(std::vector<std::string> arguments) {
+    std::vector<Message> programmed_in(std::vector<std::string> arguments) {
         for (const char* word : {"--diagnostics", "json"}) arguments.emplace_back(word);
         const ProcessResult result = kadr(arguments);
         EXPECT_LT(result.status, 4) << result.err;
@@ -190,7 +190,8 @@ class MachineRowExamples : public kadr::test::ScratchFolder {
             save("to50.csv", kTableHead + "-50,-50,0,0\n50,-50,0,0\n-50,50,0,0\n50,50,0,0\n");
             save("machine.xml", machine_of(example));
             save("example.nc", "M30\n");
-            return said_of({"run", file("example.nc"), "-d", "iso", "-m", file("machine.xml")});
+            return programmed_in(
+                {"run", file("example.nc"), "-d", "iso", "-m", file("machine.xml")});
         }
         if (example.starts_with("kadr ") || example.starts_with("KADR_PAGE=")) {
             std::istringstream line(example);
@@ -204,7 +205,7 @@ class MachineRowExamples : public kadr::test::ScratchFolder {
                 save(name, "program part() { G18; S500 M3; G0 X50 Z2; G95 F0.2; G1 Z-5; M30; }");
             save("marks.kadr", "program marks() { tool(1); S500 M3 F200; G0 X0; G1 X5; M30; }");
             save("part.mpf", kLongText);
-            if (setting.empty()) return said_of(words);
+            if (setting.empty()) return programmed_in(words);
             // KADR_PAGE=name: a file of the test's folder, which may be missing.
             const std::size_t equals = setting.find('=') + 1;
             words.insert(words.begin(),
@@ -216,7 +217,7 @@ class MachineRowExamples : public kadr::test::ScratchFolder {
         if (row.code == "K6211" || row.code == "K6215") {
             save("part.mpf", kLongText);
             save("events.txt", example + (row.code == "K6211" ? "\n7s cycle start\n" : "\n"));
-            return said_of({"run", file("part.mpf"), "--events", file("events.txt")});
+            return programmed_in({"run", file("part.mpf"), "--events", file("events.txt")});
         }
         if (example.find(",dy") != std::string::npos || example.starts_with("-50,")) {
             // A table with the corners that an example leaves out.
@@ -226,7 +227,8 @@ class MachineRowExamples : public kadr::test::ScratchFolder {
             save("table.csv", table + "\n");
             save("machine.xml", machine_of("<scanner correction=\"table.csv\" .../>"));
             save("example.nc", "M30\n");
-            return said_of({"run", file("example.nc"), "-d", "iso", "-m", file("machine.xml")});
+            return programmed_in(
+                {"run", file("example.nc"), "-d", "iso", "-m", file("machine.xml")});
         }
         const Blocks blocks = blocks_of(row, example);
         save("machine.xml", blocks.machine);
@@ -236,7 +238,7 @@ class MachineRowExamples : public kadr::test::ScratchFolder {
         if (blocks.machine.find("max_current") != std::string::npos)
             for (const std::string& word : {std::string("--drive"), file("drive.csv")})
                 words.push_back(word);
-        return said_of(words);
+        return programmed_in(words);
     }
 };
 

@@ -30,7 +30,7 @@ Losses losses_of(const machine::Machine& machine, std::vector<Command> commands,
     std::uint32_t line = 0;
     for (Command& command : commands) command.line = ++line;
     Losses losses;
-    options.tell_loss = [&](const SpeedLoss& loss) {
+    options.report_loss = [&](const SpeedLoss& loss) {
         EXPECT_GT(loss.time, 0);
         losses.by_reason[loss.reason] += loss.time;
         losses.by_line[loss.line] += loss.time;

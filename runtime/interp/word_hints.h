@@ -1,4 +1,4 @@
-// said_words.h — words of a program as a message shows them, and what was meant by them. Internal
+// word_hints.h — words of a program as a message shows them, and what was meant by them. Internal
 // to interp.
 #pragma once
 

@@ -1,4 +1,4 @@
-#include "interp/said_words.h"
+#include "interp/word_hints.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-// unheard.h — a sink for what nobody is to be told. Internal to interp.
+// discarding_sink.h — a sink for what nobody is to be told. Internal to interp.
 #pragma once
 
 #include "base/diagnostic.h"
 
 namespace kadr::interp {
 
-class Unheard final : public DiagnosticSink {
+class DiscardingSink final : public DiagnosticSink {
   public:
     void take(Diagnostic) override {}
 };

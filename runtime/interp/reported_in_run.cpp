@@ -1,4 +1,4 @@
-#include "interp/told_once.h"
+#include "interp/reported_in_run.h"
 
 #include <algorithm>
 
@@ -20,23 +20,23 @@ bool is_added(std::vector<Value>& told, const Value& value) {
 
 }  // namespace
 
-bool ToldInRun::has_told(OnceEach what, std::int64_t number) const {
+bool ReportedInRun::has_reported(NoticeEach what, std::int64_t number) const {
     return is_among(numbers_.at(static_cast<std::size_t>(what)), number);
 }
 
-void ToldInRun::count_as_told(OnceEach what, std::int64_t number) {
+void ReportedInRun::count_as_reported(NoticeEach what, std::int64_t number) {
     numbers_.at(static_cast<std::size_t>(what)).push_back(number);
 }
 
-bool ToldInRun::first_time(OnceEach what, std::int64_t number) {
+bool ReportedInRun::first_time(NoticeEach what, std::int64_t number) {
     return is_added(numbers_.at(static_cast<std::size_t>(what)), number);
 }
 
-bool ToldInRun::first_time_of_name(const std::string& name) {
+bool ReportedInRun::first_time_of_name(const std::string& name) {
     return is_added(shared_names_, name);
 }
 
-bool ToldInRun::first_time_of_feed(double feed) {
+bool ReportedInRun::first_time_of_feed(double feed) {
     constexpr std::size_t kMost = 100;
     return feeds_.size() < kMost && is_added(feeds_, feed);
 }

@@ -1,4 +1,4 @@
-// told_once.h — what a run tells once and not again. Internal to interp.
+// reported_in_run.h — what a run tells once and not again. Internal to interp.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/told_once.h"
+#include "base/reported_once.h"
 
 namespace kadr::interp {
 
@@ -33,7 +33,7 @@ enum class Once : std::uint8_t {
 };
 
 /// What is told once of each number.
-enum class OnceEach : std::uint8_t {
+enum class NoticeEach : std::uint8_t {
     Tool,    // that nobody knows
     Edge,    // … of their edges
     Radius,  // offset without one
@@ -42,16 +42,16 @@ enum class OnceEach : std::uint8_t {
     Parameter,        // … of the control
 };
 
-class ToldInRun : public ToldOnce<Once> {
+class ReportedInRun : public ReportedOnce<Once> {
   public:
-    using ToldOnce::count_as_told;
-    using ToldOnce::first_time;
-    using ToldOnce::has_told;
+    using ReportedOnce::count_as_reported;
+    using ReportedOnce::first_time;
+    using ReportedOnce::has_reported;
 
-    bool has_told(OnceEach what, std::int64_t number) const;
-    void count_as_told(OnceEach what, std::int64_t number);
+    bool has_reported(NoticeEach what, std::int64_t number) const;
+    void count_as_reported(NoticeEach what, std::int64_t number);
     /// Whether it is to be told of this number: from here on it counts as told.
-    [[nodiscard]] bool first_time(OnceEach what, std::int64_t number);
+    [[nodiscard]] bool first_time(NoticeEach what, std::int64_t number);
     /// … of a name that several tools have.
     [[nodiscard]] bool first_time_of_name(const std::string& name);
     /// … of a feed. What a program repeats is told, not all that it may have.
@@ -72,7 +72,7 @@ class ToldInRun : public ToldOnce<Once> {
     }
 
   private:
-    std::array<std::vector<std::int64_t>, 6> numbers_;  // a list for each OnceEach
+    std::array<std::vector<std::int64_t>, 6> numbers_;  // a list for each NoticeEach
     std::vector<std::string> shared_names_;
     std::vector<double> feeds_;
     double bound_ = 0;

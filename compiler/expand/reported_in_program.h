@@ -1,4 +1,4 @@
-// told_once.h — what a program is told once and not again. For the room expand only.
+// reported_in_program.h — what a program is told once and not again. For the room expand only.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/told_once.h"
+#include "base/reported_once.h"
 
 namespace kadr::expand {
 
@@ -22,7 +22,7 @@ enum class Once : std::uint8_t {
     SpindleStopped,
 };
 
-class ToldInProgram : public ToldOnce<Once> {
+class ReportedInProgram : public ReportedOnce<Once> {
   public:
     /// The spindle was switched: what was said of it is said anew.
     void renew_spindle() {
@@ -32,21 +32,21 @@ class ToldInProgram : public ToldOnce<Once> {
 };
 
 /// What is told once at a place of the program, until it is told at another.
-enum class OnceAt : std::uint8_t {
+enum class NoticeAt : std::uint8_t {
     Spline,     // the control has none
     Tap,        // the control has cycles, but none that taps as the call says
     Tolerance,  // the control's increments do not let a curve keep it
 };
 
-class ToldAt {
+class ReportedAt {
   public:
     /// Whether it is to be told there: from here on it counts as told.
-    [[nodiscard]] bool first_time(OnceAt what, std::uint32_t at) {
+    [[nodiscard]] bool first_time(NoticeAt what, std::uint32_t at) {
         return std::exchange(places_[static_cast<std::size_t>(what)], at) != at;
     }
 
   private:
-    std::array<std::uint32_t, 3> places_{};  // for each OnceAt
+    std::array<std::uint32_t, 3> places_{};  // for each NoticeAt
 };
 
 }  // namespace kadr::expand

@@ -1,5 +1,5 @@
-// told_once.h — what is told once and not again: each room has an enum of such things, and whoever
-// tells them owns the flags.
+// reported_once.h — what is told once and not again: each room has an enum of such things, and
+// whoever tells them owns the flags.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@ namespace kadr {
 ///
 /// What  an enum with less than 32 members
 template <typename What>
-class ToldOnce {
+class ReportedOnce {
   public:
-    bool has_told(What what) const { return (told_ >> bit_of(what) & 1u) != 0; }
-    void count_as_told(What what) { told_ |= 1u << bit_of(what); }
+    bool has_reported(What what) const { return (told_ >> bit_of(what) & 1u) != 0; }
+    void count_as_reported(What what) { told_ |= 1u << bit_of(what); }
     /// Whether it is to be told: from here on it counts as told.
     [[nodiscard]] bool first_time(What what) {
-        const bool is_first = !has_told(what);
-        count_as_told(what);
+        const bool is_first = !has_reported(what);
+        count_as_reported(what);
         return is_first;
     }
     /// It is told anew when it comes again.
