@@ -226,7 +226,7 @@ Expander::State::Progress Expander::State::follow_curve(const Instruction& instr
         Following& curve = *following;
         if (curve.fit == nullptr) {
             if (curve.next_knot >= block_count(curve.spline)) break;
-            if (!emit_pole(curve.next, where)) return Progress::Failed;
+            if (!emit_control_point(curve.next, where)) return Progress::Failed;
             ++curve.next_knot;
             curve.next.feed = sema::kNotGivenNumber;
             continue;
@@ -262,7 +262,7 @@ std::size_t Expander::State::block_count(const path::Nurbs& spline) const {
 }
 
 /// One block of the spline: a pole with its knot or its interval, or a knot alone.
-Done Expander::State::emit_pole(const FollowedBlock& next, std::uint32_t where) {
+Done Expander::State::emit_control_point(const FollowedBlock& next, std::uint32_t where) {
     if (!require_room(where)) return kFailed;
     const path::Nurbs& spline = following->spline;
     const std::size_t i = following->next_knot;

@@ -437,7 +437,7 @@ struct Expander::State {
     Done fit_spline(const Instruction& instruction, std::uint32_t at, const path::FitOptions& fit);
     std::size_t block_count(const path::Nurbs& spline) const;
     void set_coordinates(nc::Block& block, const path::Vec3& to) const;
-    Done emit_pole(const FollowedBlock& next, std::uint32_t at);
+    Done emit_control_point(const FollowedBlock& next, std::uint32_t at);
     void jump_fault(const Instruction& instruction, std::uint32_t at, double parameter);
     Done emit_line(const path::Vec3& to, const FollowedBlock& next, std::uint32_t at);
 

@@ -399,14 +399,15 @@ class Executor {
     Done turn_by_signs(const nc::Block& block, const ToolWords& tool, Target& target);
     // spline_orientation.cpp: … along splines and polynomials
     Done require_orientation_along(const nc::Block& block, const ToolWords& tool);
-    Done direct_pole(const nc::Block& block, const ToolWords& tool, PoleBlock& pole);
-    Done turn_along(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
+    Done orient_control_point(const nc::Block& block, const ToolWords& tool,
+                              ControlPointBlock& pole);
+    Done turn_along(const nc::Block& at, const ControlPointBlock& said, const path::Curve& span,
                     AxisValues& to);
-    Done lay_span_orientation(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
-                              Target& target);
+    Done lay_span_orientation(const nc::Block& at, const ControlPointBlock& said,
+                              const path::Curve& span, Target& target);
     Done share_orientation(const nc::Block& block, const ToolWords& tool,
                            const std::vector<double>& shares,
-                           const std::vector<PoleBlock*>& pieces);
+                           const std::vector<ControlPointBlock*>& pieces);
     // tilted_planes.cpp: tilted planes, and the rotary axes that stand to them
     void tilt(const nc::Block& block, const nc::Invocation& invocation);
     std::optional<path::Frame> plane_by_angles(const nc::Block& block,
@@ -607,10 +608,10 @@ class Executor {
     void set_spline_degree(const nc::Block& block, const nc::Invocation& invocation);
     void spline(const nc::Block& block, const ToolWords& tool);
     Done start_spline(const nc::Block& block, bool by_knots);
-    Done add_pole(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
+    Done add_control_point(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
     void move_along_spline();
     void finish_spline();
-    void put_span(const path::SplineSpan& span, const PoleBlock& said, AxisMask moved,
+    void put_span(const path::SplineSpan& span, const ControlPointBlock& said, AxisMask moved,
                   bool exact_stop);
     void report_spline(const nc::Block& block, path::NurbsFault fault);
 
@@ -629,7 +630,7 @@ class Executor {
     std::optional<path::Vec3> way_into_arc(const nc::Block& block, Target target);
     bool is_in_spline() const { return spline_ || through_; }
     bool leaves_spline_open(const nc::Block& block, const nc::Invocation& invocation) const;
-    PoleBlock pole_block(const nc::Block& block, const AxisValues& to);
+    ControlPointBlock control_point_block(const nc::Block& block, const AxisValues& to);
     path::Command span_as_programmed(const nc::Block& block);
     void as_programmed(path::Command& command) const;
     void put_commands_before(std::uint32_t number);

@@ -182,7 +182,7 @@ void cut_evenly(const Piece& piece, double way, const path::Frame& frame, int cu
 /// A span, and what its command says beside it.
 struct ProgrammedSpan {
     path::SplineSpan span;
-    PoleBlock said;
+    ControlPointBlock said;
 };
 
 /// The pieces as spans, which begin and end where the block does.
@@ -190,7 +190,7 @@ struct ProgrammedSpan {
 /// shares_time  the feed is that of the block's time, which the pieces share by their lengths
 std::vector<ProgrammedSpan> programmed_spans(const std::vector<Piece>& pieces,
                                              const path::Frame& frame, const AxisValues& from,
-                                             const PoleBlock& said, bool shares_time) {
+                                             const ControlPointBlock& said, bool shares_time) {
     std::vector<ProgrammedSpan> spans;
     std::vector<double> lengths;
     double whole = 0;
@@ -220,8 +220,8 @@ std::vector<double> shares_of(const std::vector<ProgrammedSpan>& spans) {
     return shares;
 }
 
-std::vector<PoleBlock*> blocks_of(std::vector<ProgrammedSpan>& spans) {
-    std::vector<PoleBlock*> blocks;
+std::vector<ControlPointBlock*> blocks_of(std::vector<ProgrammedSpan>& spans) {
+    std::vector<ControlPointBlock*> blocks;
     for (ProgrammedSpan& span : spans) blocks.push_back(&span.said);
     return blocks;
 }
@@ -346,7 +346,7 @@ void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_
     if (!require_orientation_along(block, tool)) return;
     if (tool_.has_changed) activate_length(block, target->moved);
     if (!require_within_limits(block, target->base, target->moved)) return;
-    PoleBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
+    ControlPointBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
     said.modes = orienting_;
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
     std::vector<ProgrammedSpan> spans =

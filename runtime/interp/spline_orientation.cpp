@@ -53,7 +53,8 @@ Done Executor::require_orientation_along(const Block& block, const ToolWords& to
 
 /// What a pole of a B-spline says of the tool: a direction, or the one of the pole before it.
 /// Nothing where no transformation turns the tool.
-Done Executor::direct_pole(const Block& block, const ToolWords& tool, PoleBlock& pole) {
+Done Executor::orient_control_point(const Block& block, const ToolWords& tool,
+                                    ControlPointBlock& pole) {
     if (!orienting_.is_on) return kDone;
     if (tool.programs_direction()) {
         if (!require_axes_for_direction(block)) return kFailed;
@@ -72,7 +73,7 @@ Done Executor::direct_pole(const Block& block, const ToolWords& tool, PoleBlock&
 /// position, of which X, Y and Z are behind blocks that have been read meanwhile.
 ///
 /// at  whose place messages show
-Done Executor::turn_along(const Block& at, const PoleBlock& said, const path::Curve& span,
+Done Executor::turn_along(const Block& at, const ControlPointBlock& said, const path::Curve& span,
                           AxisValues& to) {
     const Position read = position_;
     const double feed = std::exchange(modal_.feed, said.feed);
@@ -99,8 +100,8 @@ Done Executor::turn_along(const Block& at, const PoleBlock& said, const path::Cu
     return kDone;
 }
 
-Done Executor::lay_span_orientation(const Block& at, const PoleBlock& said, const path::Curve& span,
-                                    Target& target) {
+Done Executor::lay_span_orientation(const Block& at, const ControlPointBlock& said,
+                                    const path::Curve& span, Target& target) {
     next_orientation_ = {};
     course_.reset();
     if (said.direction) {
@@ -122,7 +123,7 @@ Done Executor::lay_span_orientation(const Block& at, const PoleBlock& said, cons
 /// directions in which they end.
 Done Executor::share_orientation(const Block& block, const ToolWords& tool,
                                  const std::vector<double>& shares,
-                                 const std::vector<PoleBlock*>& pieces) {
+                                 const std::vector<ControlPointBlock*>& pieces) {
     if (!orienting_.is_on) return kDone;
     const bool is_led = is_led_by_surface(tool);
     if (pieces.size() == 1 || (!tool.is_any() && !is_led)) {

@@ -28,17 +28,18 @@ SplineRun::SplineRun(int degree, bool by_knots)
     for (int i = 0; i <= degree; ++i) (void)add_to_all(0);  // a clamped begin is never wrong
 }
 
-void SplineRun::add_pole(const path::Vec3& pole, double weight, const PoleBlock& block) {
+void SplineRun::add_control_point(const path::Vec3& pole, double weight,
+                                  const ControlPointBlock& block) {
     if (spans_.poles() == 0) first_ = block.to;
     for (std::size_t i = 3; i < kAxes; ++i) {
         if (block.to[i] != first_[i]) led_ = static_cast<AxisMask>(led_ | AxisMask{1} << i);
     }
-    spans_.add_pole(pole, weight);
-    rotary_.add_pole(three_of(block.to, kRotary), weight);
-    parallel_.add_pole(three_of(block.to, kParallel), weight);
+    spans_.add_control_point(pole, weight);
+    rotary_.add_control_point(three_of(block.to, kRotary), weight);
+    parallel_.add_control_point(three_of(block.to, kParallel), weight);
     turns_ |= direction_ && block.direction && *direction_ != *block.direction;
     direction_ = block.direction;
-    directions_.add_pole(direction_.value_or(path::Vec3::Zero()), weight);
+    directions_.add_control_point(direction_.value_or(path::Vec3::Zero()), weight);
     blocks_.push_back(block);
 }
 
@@ -78,7 +79,7 @@ std::optional<NurbsFault> SplineRun::finish() {
 
 std::optional<SplineStep> SplineRun::next() {
     while (const auto span = spans_.next()) {
-        while (first_block_ < span->last_pole) {
+        while (first_block_ < span->last_control_point) {
             blocks_.pop_front();
             ++first_block_;
         }

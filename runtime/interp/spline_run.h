@@ -22,7 +22,7 @@
 namespace kadr::interp {
 
 /// What the block of a pole said beside it; its span is executed with that.
-struct PoleBlock {
+struct ControlPointBlock {
     std::uint32_t line = 0;
     SourceId source;
     double feed = 0;
@@ -39,7 +39,7 @@ struct PoleBlock {
 /// A span, and the block that completed it.
 struct SplineStep {
     path::SplineSpan span;
-    PoleBlock block;
+    ControlPointBlock block;
     bool is_last = false;  // of the spline
 };
 
@@ -53,7 +53,7 @@ class SplineRun {
     /// Of the tool, beside the latest pole.
     const std::optional<path::Vec3>& direction() const { return direction_; }
 
-    void add_pole(const path::Vec3& pole, double weight, const PoleBlock& block);
+    void add_control_point(const path::Vec3& pole, double weight, const ControlPointBlock& block);
     /// By knots: the next one.
     std::optional<path::NurbsFault> add_knot(double knot);
     /// By intervals: that of the pole added last, ≥ 0.
@@ -77,13 +77,13 @@ class SplineRun {
     path::SplineSpans parallel_;    // … of U, V, W
     path::SplineSpans directions_;  // … of the tool
     std::optional<path::Vec3> direction_;
-    bool turns_ = false;            // directions beside poles differ
-    AxisValues first_{};            // of the first pole
-    AxisMask led_ = 0;              // axes of which poles differ from it
-    double knot_ = 0;               // the sum of the intervals
-    double known_knot_ = 0;         // the latest that a clamped end does not replace
-    std::deque<double> waiting_;    // knots that a clamped end would replace
-    std::deque<PoleBlock> blocks_;  // of poles from number first_block_ on
+    bool turns_ = false;                    // directions beside poles differ
+    AxisValues first_{};                    // of the first pole
+    AxisMask led_ = 0;                      // axes of which poles differ from it
+    double knot_ = 0;                       // the sum of the intervals
+    double known_knot_ = 0;                 // the latest that a clamped end does not replace
+    std::deque<double> waiting_;            // knots that a clamped end would replace
+    std::deque<ControlPointBlock> blocks_;  // of poles from number first_block_ on
     std::size_t first_block_ = 0;
     std::optional<SplineStep> held_;
 };

@@ -107,7 +107,7 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
     spline_end_.source = block.source;
     std::optional<NurbsFault> fault;
     if (targets != 0) {
-        if (!add_pole(block, targets, tool)) return;
+        if (!add_control_point(block, targets, tool)) return;
         if (!spline_->is_by_knots()) {
             const auto interval = word(block, Function::SplineInterval, kInterval);
             fault = spline_->add_interval(interval.value_or(1));
@@ -132,14 +132,14 @@ Done Executor::start_spline(const Block& block, bool by_knots) {
     spline_commands_.begin(span_as_programmed(block));
     spline_.emplace(spline_degree_, by_knots);
     if (by_knots) return kDone;
-    PoleBlock start{block.line, block.source, 0, position_.base, {}, {}};
+    ControlPointBlock start{block.line, block.source, 0, position_.base, {}, {}};
     start.modes = orienting_;
-    if (!direct_pole(block, {}, start)) return kFailed;
-    spline_->add_pole(linear(position_.base), 1, start);
+    if (!orient_control_point(block, {}, start)) return kFailed;
+    spline_->add_control_point(linear(position_.base), 1, start);
     return kDone;
 }
 
-Done Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& tool) {
+Done Executor::add_control_point(const Block& block, SlotMask targets, const ToolWords& tool) {
     const double weight = word(block, Function::SplineWeight, kWeight).value_or(1);
     if (!(weight > 0)) {
         report(diag::SplineValue, block, Function::SplineWeight)
@@ -159,10 +159,10 @@ Done Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& t
         report(diag::SplineStart, block).arg(round_to((pole - linear(position_.base)).norm(), 4));
         return kFailed;
     }
-    PoleBlock said = pole_block(block, target.base);
-    if (!direct_pole(block, tool, said)) return kFailed;
+    ControlPointBlock said = control_point_block(block, target.base);
+    if (!orient_control_point(block, tool, said)) return kFailed;
     spline_->moved = static_cast<AxisMask>(spline_->moved | target.moved);
-    spline_->add_pole(pole, weight, said);
+    spline_->add_control_point(pole, weight, said);
     arrive(target);
     return kDone;
 }
@@ -193,7 +193,7 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
 }
 
 /// A block with a point, as its span is executed.
-PoleBlock Executor::pole_block(const Block& block, const AxisValues& to) {
+ControlPointBlock Executor::control_point_block(const Block& block, const AxisValues& to) {
     // A course of the feed counts blocks.
     if (block.function_count != 0 || panel_.has_feed_characteristic)
         spline_commands_.change(span_as_programmed(block));
@@ -245,7 +245,7 @@ void Executor::as_programmed(Command& command) const {
 }
 
 /// A span as a command, said by a block.
-void Executor::put_span(const path::SplineSpan& span, const PoleBlock& said, AxisMask moved,
+void Executor::put_span(const path::SplineSpan& span, const ControlPointBlock& said, AxisMask moved,
                         bool exact_stop) {
     Block at;  // whose place messages show
     at.line = said.line;

@@ -18,8 +18,9 @@ struct SplineEnds {
 struct ThroughRun {
     nc::Function function = nc::Function::None;  // its motion: blocks may say it again
     path::ThroughSpline spline;
-    std::deque<PoleBlock> blocks;  // of the spans to come: that of the point where each ends
-    AxisMask moved = 0;            // axes that its blocks have named
+    std::deque<ControlPointBlock>
+        blocks;          // of the spans to come: that of the point where each ends
+    AxisMask moved = 0;  // axes that its blocks have named
 };
 
 }  // namespace kadr::interp

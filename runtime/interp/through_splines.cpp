@@ -101,7 +101,7 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
         return;
     }
     through_->moved = static_cast<AxisMask>(through_->moved | target.moved);
-    through_->blocks.push_back(pole_block(block, target.base));
+    through_->blocks.push_back(control_point_block(block, target.base));
     if (tool.is_any()) through_->blocks.back().tool = tool;
     arrive(target);
     move_through();
@@ -136,7 +136,7 @@ void Executor::move_through() {
     while (!ended_) {
         const std::optional<path::ThroughSpan> span = through_->spline.next();
         if (!span) return;
-        const PoleBlock block = through_->blocks.front();
+        const ControlPointBlock block = through_->blocks.front();
         through_->blocks.pop_front();
         const bool is_last = through_->blocks.empty();
         put_commands_before(block.number);

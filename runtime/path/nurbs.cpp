@@ -53,7 +53,7 @@ SplinePoint point_at(const Nurbs& nurbs, double u) {
     const std::size_t k = span_of(nurbs, u);
     std::vector<Pole> d(p + 1);
     for (std::size_t i = 0; i <= p; ++i)
-        d[i] = pole_of(nurbs.poles[k - p + i], nurbs.weight(k - p + i));
+        d[i] = control_point_of(nurbs.poles[k - p + i], nurbs.weight(k - p + i));
     Pole first = Pole::Zero();
     Pole second = Pole::Zero();
     const auto degree = static_cast<double>(p);
@@ -86,8 +86,8 @@ double length(const Nurbs& nurbs) {
 
 // ------------------------------------------------------------------------------ spans
 
-void SplineSpans::add_pole(const Vec3& pole, double weight) {
-    poles_.push_back(pole_of(pole, weight));
+void SplineSpans::add_control_point(const Vec3& pole, double weight) {
+    poles_.push_back(control_point_of(pole, weight));
 }
 
 std::optional<NurbsFault> SplineSpans::add_knot(double knot) {
@@ -133,7 +133,7 @@ std::optional<SplineSpan> SplineSpans::next() {
     }
     SplineSpan span;
     span.shape.degree = static_cast<int>(p);
-    span.last_pole = span_ + p;
+    span.last_control_point = span_ + p;
     for (std::size_t i = 0; i <= p; ++i) {
         const Pole pole = blossom(span_, i);
         const Vec3 point = pole.head<3>() / pole[3];

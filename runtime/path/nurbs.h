@@ -46,7 +46,7 @@ struct SplineSpan {
     Vec3 start = Vec3::Zero();
     Vec3 end = Vec3::Zero();
     SplineShape shape;
-    std::size_t last_pole = 0;  // the last one that it depends on
+    std::size_t last_control_point = 0;  // the last one that it depends on
 };
 
 /// Cuts a spline into spans while its poles and knots still come, so that it may be of any length.
@@ -55,7 +55,7 @@ class SplineSpans {
     explicit SplineSpans(int degree = 3) : degree_(static_cast<std::size_t>(degree)) {}
 
     /// weight  > 0
-    void add_pole(const Vec3& pole, double weight);
+    void add_control_point(const Vec3& pole, double weight);
     /// A knot that cannot follow the ones before is not taken.
     std::optional<NurbsFault> add_knot(double knot);
     /// The next span, once all that it depends on is known.

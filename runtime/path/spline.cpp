@@ -135,7 +135,7 @@ void measure(Bezier<N>& spline) {
 }
 
 template <std::size_t N>
-Bezier<N> of_poles(const Poles<N>& poles, const Vec3& start, const Vec3& end) {
+Bezier<N> of_control_points(const Poles<N>& poles, const Vec3& start, const Vec3& end) {
     Bezier<N> spline;
     spline.poles = poles;
     spline.start = start;
@@ -151,7 +151,7 @@ Bezier<N> of_poles(const Poles<N>& poles, const Vec3& start, const Vec3& end) {
 
 }  // namespace
 
-Pole pole_of(const Vec3& point, double weight) {
+Pole control_point_of(const Vec3& point, double weight) {
     Pole pole;
     pole << point * weight, weight;
     return pole;
@@ -160,23 +160,24 @@ Pole pole_of(const Vec3& point, double weight) {
 CubicSpan make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape) {
     KADR_ASSERT(shape.degree >= 1 && shape.degree <= 3, "a span of degree one to three");
     const auto last = static_cast<std::size_t>(shape.degree);
-    return of_poles<4>(raised_to_cubic<Pole>(shape.degree, pole_of(start, shape.weights[0]),
-                                             {pole_of(shape.inner[0], shape.weights[1]),
-                                              pole_of(shape.inner[1], shape.weights[2])},
-                                             pole_of(end, shape.weights[last])),
-                       start, end);
+    return of_control_points<4>(
+        raised_to_cubic<Pole>(shape.degree, control_point_of(start, shape.weights[0]),
+                              {control_point_of(shape.inner[0], shape.weights[1]),
+                               control_point_of(shape.inner[1], shape.weights[2])},
+                              control_point_of(end, shape.weights[last])),
+        start, end);
 }
 
 QuinticSpan make_quintic(const Vec3& start, const Vec3& end, const SplineShape& shape) {
     KADR_ASSERT(shape.degree >= 1 && shape.degree <= 5, "a span of degree one to five");
     const auto degree = static_cast<std::size_t>(shape.degree);
     Poles<6> poles;
-    poles[0] = pole_of(start, shape.weights[0]);
+    poles[0] = control_point_of(start, shape.weights[0]);
     for (std::size_t i = 1; i < degree; ++i)
-        poles[i] = pole_of(shape.inner[i - 1], shape.weights[i]);
-    poles[degree] = pole_of(end, shape.weights[degree]);
+        poles[i] = control_point_of(shape.inner[i - 1], shape.weights[i]);
+    poles[degree] = control_point_of(end, shape.weights[degree]);
     raise_degree(poles, degree);
-    return of_poles<6>(poles, start, end);
+    return of_control_points<6>(poles, start, end);
 }
 
 template <std::size_t N>
@@ -244,14 +245,15 @@ Bezier<N> part(const Bezier<N>& spline, double from, double to) {
     const Poles<N> behind = first > 0 ? split<N>(spline.poles, first).second : spline.poles;
     const double share = first < 1 ? (last - first) / (1 - first) : 1;
     const Poles<N> piece = last < 1 ? split<N>(behind, share).first : behind;
-    return of_poles<N>(piece, position(spline, from), position(spline, to));
+    return of_control_points<N>(piece, position(spline, from), position(spline, to));
 }
 
 template <std::size_t N>
 std::pair<Bezier<N>, Bezier<N>> split(const Bezier<N>& spline, double u) {
     const auto [before, behind] = split<N>(spline.poles, u);
     const Vec3 middle = point_of(behind[0]);
-    return {of_poles<N>(before, spline.start, middle), of_poles<N>(behind, middle, spline.end)};
+    return {of_control_points<N>(before, spline.start, middle),
+            of_control_points<N>(behind, middle, spline.end)};
 }
 
 namespace {

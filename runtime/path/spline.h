@@ -16,7 +16,7 @@ namespace kadr::path {
 
 /// A control point times its weight, and the weight.
 using Pole = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
-Pole pole_of(const Vec3& point, double weight);
+Pole control_point_of(const Vec3& point, double weight);
 
 /// A span as a Command states it: control points between the ends, and the weights of all.
 struct SplineShape {

@@ -176,12 +176,12 @@ class Fitter {
             if (divided == Divided::AtCorner) return cut(from, *corner, to);
             if (divided == Divided::NotAtAll) return;
             if (!solve(stretch)) return;
-            const bool is_less = !best || pole_count(stretch) < pole_count(*best);
+            const bool is_less = !best || control_point_count(stretch) < control_point_count(*best);
             if (is_less) best = std::move(stretch);
         }
         append(*best);
     }
-    static std::size_t pole_count(const Stretch& stretch) {
+    static std::size_t control_point_count(const Stretch& stretch) {
         const std::size_t nodes = stretch.nodes.size();
         return stretch.is_curvature_continuous ? nodes + 2 : 2 * nodes;
     }

@@ -15,8 +15,8 @@ constexpr double kLastKnot = 2.5;
 // Of the way between an end and the corner. A ramp from v to rest in the time T takes the way
 // v·T/2, so dC/du = 2·way/kLastKnot at the end, three times the way to the second pole; and without
 // acceleration at the end the third is kLastKnot times as far.
-constexpr double kSecondPole = 2.0 / 3.0 / kLastKnot;
-constexpr double kThirdPole = kLastKnot * kSecondPole;
+constexpr double kSecondControlPoint = 2.0 / 3.0 / kLastKnot;
+constexpr double kThirdPole = kLastKnot * kSecondControlPoint;
 
 /// Samples of a cubic for the deviation, its start not counted.
 constexpr int kSamples = 8;
@@ -43,7 +43,7 @@ double distance_to(const Leg& leg, const Vec3& point, double guess) {
 }  // namespace
 
 Transition transition_between(const CurvePoint& from, const CurvePoint& to, double way) {
-    const double second = way * kSecondPole;
+    const double second = way * kSecondControlPoint;
     const double third = way * kThirdPole;
     // The first Bézier polygon is q0, q1, q1 + (q2 − q1)·share; its curvature is two thirds of the
     // height of the third point over the tangent, divided by the square of the first leg.

@@ -40,7 +40,7 @@ std::vector<CubicSpan> spans_of(const Nurbs& nurbs) {
     };
     for (std::size_t i = 0; i < nurbs.knots.size(); ++i) {
         EXPECT_FALSE(cutting.add_knot(nurbs.knots[i]).has_value());
-        if (i < nurbs.poles.size()) cutting.add_pole(nurbs.poles[i], nurbs.weight(i));
+        if (i < nurbs.poles.size()) cutting.add_control_point(nurbs.poles[i], nurbs.weight(i));
         take();
     }
     EXPECT_FALSE(cutting.end_fault().has_value());
