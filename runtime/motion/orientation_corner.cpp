@@ -164,14 +164,14 @@ class OrientationCorner {
         return found;
     }
 
-    const RoundedCorner& tip() const { return tip_; }
+    const BlendedCorner& tip() const { return tip_; }
 
   private:
     const Chain& chain_;
     const OrientationPath& before_;
     const OrientationPath& behind_;
     double length_;
-    RoundedCorner tip_;
+    BlendedCorner tip_;
 };
 
 }  // namespace

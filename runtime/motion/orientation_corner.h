@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "motion/rounding.h"
+#include "motion/corner_blend.h"
 #include "motion/transformed.h"
 
 namespace kadr::motion {

@@ -1,7 +1,7 @@
 // prepare_state.h — what the preparer knows between two commands. Internal to motion.
 //
 // Its functions are told in chapters: prepare.cpp (commands, standstill, pieces of one motion),
-// prepare_corners.cpp (how fast the corner between two pieces may be passed), prepare_rounding.cpp
+// prepare_corners.cpp (how fast the corner between two pieces may be passed), prepare_blending.cpp
 // (curves around corners), prepare_transformed.cpp (motions under the machine's transformation),
 // prepare_virtual.cpp (motions on a face, on a cylinder, across an inclined slide),
 // prepare_dynamics.cpp (what the program says of how fast its motions may be),
@@ -267,7 +267,7 @@ struct Preparer::State {
                                   double length) const;
     void rest_at_points(const path::Command& command);
     bool has_pulses() const { return machine.laser && machine.laser->pulse > 0; }
-    bool can_be_rounded(const path::Command& command, const Segment& segment,
+    bool can_be_blended(const path::Command& command, const Segment& segment,
                         const Arrival& arrival) const;
     bool hold(const path::Command& command, const Segment& segment, const Arrival& arrival,
               double from);

@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "motion/corner_blend.h"
 #include "motion/feed.h"
 #include "motion/orientation_corner.h"
 #include "motion/prepare_state.h"
-#include "motion/rounding.h"
 #include "motion/smooth_profile.h"
 
 namespace kadr::motion {
@@ -151,7 +151,7 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
 
 /// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve but
 /// those that turn the tool, and the pulses of a laser burn the programmed points.
-bool Preparer::State::can_be_rounded(const Command& command, const Segment& segment,
+bool Preparer::State::can_be_blended(const Command& command, const Segment& segment,
                                      const Arrival& arrival) const {
     if (!is_rounded(command.op) || has_pulses() || segment.is_rotary_only) return false;
     const bool is_free =
@@ -166,7 +166,7 @@ bool Preparer::State::hold(const Command& command, const Segment& segment, const
     const bool rounds = wish.kind != path::BlendKind::None && wish.size > 0;
     const bool smooths = wish.smooths_orientation && segment.is_transformed();
     if (command.exact_stop || !(rounds || smooths)) return false;
-    if (!can_be_rounded(command, segment, arrival)) return false;
+    if (!can_be_blended(command, segment, arrival)) return false;
     held.is_held = true;
     held.command = command;
     held.segment = segment;
@@ -207,7 +207,7 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     if (!held.is_held) return 0;
     const double length = arrival.length;
     const bool is_transformed = segment.is_transformed();
-    if (!can_be_rounded(command, segment, arrival) ||
+    if (!can_be_blended(command, segment, arrival) ||
         held.segment.is_transformed() != is_transformed ||
         held.segment.goes_straight() != segment.goes_straight())
         return release(), 0;
@@ -282,7 +282,7 @@ bool Preparer::State::gains_time(const OrientationBlend& around, const Command& 
     }
     if (as_it_is != CornerAsItIs::OfTheTip) return saves_time(curve);
     curve.is_asked = true;
-    if (RoundedCorner(four[1].curve, four[2].curve).is_corner(false)) {
+    if (BlendedCorner(four[1].curve, four[2].curve).is_corner(false)) {
         curve.in_middle = corner_between({four[1], four[1].turn.length, curve.limits[0]},
                                          {four[2], four[2].turn.length, curve.limits[1]})
                               .speed;

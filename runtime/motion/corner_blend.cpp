@@ -1,4 +1,4 @@
-#include "motion/rounding.h"
+#include "motion/corner_blend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,31 +26,31 @@ constexpr int kTries = 12;
 
 }  // namespace
 
-RoundedCorner::RoundedCorner(const path::Curve& before, const path::Curve& behind)
+BlendedCorner::BlendedCorner(const path::Curve& before, const path::Curve& behind)
     : before_(before),
       behind_(behind),
       length_(path::length(before)),
       in_(path::evaluate(before, length_)),
       out_(path::evaluate(behind, 0)) {}
 
-bool RoundedCorner::is_corner(bool with_curvature) const {
+bool BlendedCorner::is_corner(bool with_curvature) const {
     if ((in_.tangent - out_.tangent).norm() >= kTangent) return true;
     return with_curvature && (in_.curvature - out_.curvature).norm() >= kSameCurvature;
 }
 
-std::optional<double> RoundedCorner::most_blend_distance() const {
+std::optional<double> BlendedCorner::most_blend_distance() const {
     if (in_.tangent.dot(out_.tangent) < kTurnsBack) return std::nullopt;
     const double way = std::min(length_, path::length(behind_)) / 2;
     const double bend = std::max(in_.curvature.norm(), out_.curvature.norm());
     return way * bend > kMostTurn ? kMostTurn / bend : way;
 }
 
-path::Transition RoundedCorner::curve(double way) const {
+path::Transition BlendedCorner::curve(double way) const {
     return path::transition_between(path::evaluate(before_, length_ - way),
                                     path::evaluate(behind_, way), way);
 }
 
-double RoundedCorner::deviation(double way) const {
+double BlendedCorner::deviation(double way) const {
     return path::deviation(curve(way), {before_, length_ - way, length_}, {behind_, 0, way});
 }
 
@@ -83,10 +83,10 @@ double tolerance_of(const path::Blending& before, const path::Blending& behind) 
     return has_own ? std::min(before.size, behind.size) : before.size;
 }
 
-std::optional<Rounding> rounding(const RoundedSide& before, const RoundedSide& behind) {
+std::optional<Rounding> rounding(const BlendedSide& before, const BlendedSide& behind) {
     const path::Blending& wish = before.blending;
     if (wish.kind == BlendKind::None || !(wish.size > 0)) return std::nullopt;
-    const RoundedCorner corner(before.curve, behind.curve);
+    const BlendedCorner corner(before.curve, behind.curve);
     const std::optional<double> most = corner.most_blend_distance();
     if (!most || !corner.is_corner(wish.with_tangents)) return std::nullopt;
     const double tolerance = tolerance_of(wish, behind.blending);

@@ -1,7 +1,7 @@
-// rounding.h — the curve that takes the place of a corner between two motions.
+// corner_blend.h — the curve that takes the place of a corner between two motions.
 //
 // Geometry: how much of both motions it takes, so that it keeps the distance or the tolerance that
-// the program gives. Whether the corner is passed faster with it is prepare_rounding.cpp's
+// the program gives. Whether the corner is passed faster with it is prepare_blending.cpp's
 // question.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace kadr::motion {
 inline constexpr double kLeastBlendDistance = 1e-3;
 
 /// A motion beside the corner: its whole way, and what the program asks for behind it.
-struct RoundedSide {
+struct BlendedSide {
     const path::Curve& curve;
     path::Blending blending;
 };
@@ -29,10 +29,10 @@ struct Rounding {
 };
 
 /// Where two curves meet, and what a curve around that place would be like.
-class RoundedCorner {
+class BlendedCorner {
   public:
     /// before, behind  have to live as long
-    RoundedCorner(const path::Curve& before, const path::Curve& behind);
+    BlendedCorner(const path::Curve& before, const path::Curve& behind);
 
     /// Whether the direction jumps, or, if that counts, the curvature.
     bool is_corner(bool with_curvature) const;
@@ -72,6 +72,6 @@ double tolerance_of(const path::Blending& before, const path::Blending& behind);
 ///
 /// returns   nothing if there is no corner, if it turns back, or if nothing is left of the way
 /// source    reference motion §2.4, rule 4; sinumerik §3.3 (G641, G642, G645)
-std::optional<Rounding> rounding(const RoundedSide& before, const RoundedSide& behind);
+std::optional<Rounding> rounding(const BlendedSide& before, const BlendedSide& behind);
 
 }  // namespace kadr::motion
