@@ -254,7 +254,7 @@ class Executor {
     void check_place(const nc::Block& block, nc::SlotMask targets);
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
     double x_scale(const nc::Block& block, bool is_distance) const;
-    Done require_rotary_ways(const nc::Block& block);
+    Done require_rotary_approaches(const nc::Block& block);
     void turn_rotary(const nc::Block& block, Target& target) const;
     void arrive(const Target& target);
     // probing.cpp

@@ -113,7 +113,7 @@ void Executor::move(const Block& block, const Actions& actions) {
         if (actions.length_changed) move_length_alone(block);
         return;
     }
-    if (!require_axes(block, targets) || !require_rotary_ways(block)) return;
+    if (!require_axes(block, targets) || !require_rotary_approaches(block)) return;
     if (actions.at_rapid && !require_no_lone_axis(block, targets)) return;
     if ((unplaced_ & targets) != 0) [[unlikely]]
         check_place(block, targets);
@@ -201,7 +201,7 @@ Target Executor::target_of(const Block& block, SlotMask targets) const {
         target.here[i] = value;
         target.base[i] = value + shift[i];
     }
-    if (block.rotary_ways != 0) turn_rotary(block, target);
+    if (block.rotary_approaches != 0) turn_rotary(block, target);
     if (!frames_.is_shift()) target.base = frames_.to_base(target.here);
     return target;
 }
@@ -217,12 +217,12 @@ double Executor::x_scale(const Block& block, bool is_distance) const {
 }
 
 /// Places of rotary axes whose direction is said lie within one turn.
-Done Executor::require_rotary_ways(const Block& block) {
-    if (block.rotary_ways == 0) return kDone;
+Done Executor::require_rotary_approaches(const Block& block) {
+    if (block.rotary_approaches == 0) return kDone;
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-        const nc::RotaryWay way = block.rotary_way(axis);
+        const nc::RotaryApproach way = block.rotary_approach(axis);
         const double place = block.at(nc::slot_of(axis));
-        const bool is_free = way == nc::RotaryWay::AsProgrammed;
+        const bool is_free = way == nc::RotaryApproach::AsProgrammed;
         if (is_free || (place >= 0 && place < 360)) continue;
         report(diag::RotaryRange, block, nc::slot_of(axis)).arg(place);
         return kFailed;
@@ -233,13 +233,13 @@ Done Executor::require_rotary_ways(const Block& block) {
 /// Rotary axes go to a place of their turn on the way that the word says.
 void Executor::turn_rotary(const Block& block, Target& target) const {
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-        const nc::RotaryWay way = block.rotary_way(axis);
-        if (way == nc::RotaryWay::AsProgrammed || !block.has(nc::slot_of(axis))) continue;
+        const nc::RotaryApproach way = block.rotary_approach(axis);
+        if (way == nc::RotaryApproach::AsProgrammed || !block.has(nc::slot_of(axis))) continue;
         const std::size_t i = index(axis);
         double turn = std::fmod(block.values[i] - position_.here[i], 360);
-        if (way == nc::RotaryWay::Shortest) turn = std::remainder(turn, 360);
-        if (way == nc::RotaryWay::Positive && turn < 0) turn += 360;
-        if (way == nc::RotaryWay::Negative && turn > 0) turn -= 360;
+        if (way == nc::RotaryApproach::Shortest) turn = std::remainder(turn, 360);
+        if (way == nc::RotaryApproach::Positive && turn < 0) turn += 360;
+        if (way == nc::RotaryApproach::Negative && turn > 0) turn -= 360;
         target.here[i] = position_.here[i] + turn;
         target.base[i] = target.here[i] + frames_.shift_values()[i];
     }

@@ -31,7 +31,7 @@ bool Executor::is_plain_state() const {
 bool Executor::is_plain_block(const Block& block) const {
     const SlotMask others = block.given & ~SlotMask{axes_.present};
     const bool is_of_places =
-        block.given != 0 && others == 0 && block.incremental == 0 && block.rotary_ways == 0;
+        block.given != 0 && others == 0 && block.incremental == 0 && block.rotary_approaches == 0;
     return block.kind == Block::Kind::Nc && block.function_count == 0 && block.skip < 0 &&
            block.x_measure == nc::XMeasure::Modal && is_of_places;
 }

@@ -265,7 +265,7 @@ std::optional<Target> Executor::end_of_polynomials(const Block& block) {
         report(diag::PolynomialBeside, block, other).arg(nc::slot_name(other));
         return std::nullopt;
     }
-    if (!require_axes(block, targets) || !require_rotary_ways(block)) return std::nullopt;
+    if (!require_axes(block, targets) || !require_rotary_approaches(block)) return std::nullopt;
     return target_of(places, targets);
 }
 

@@ -94,7 +94,7 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
         report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
         return;
     }
-    if (!require_axes(block, targets) || !require_rotary_ways(block)) return;
+    if (!require_axes(block, targets) || !require_rotary_approaches(block)) return;
     if (const auto interval = word(block, Function::SplineInterval, kInterval);
         interval && *interval < 0) {
         report(diag::IsoMinusNotAllowed, block, Function::SplineInterval)

@@ -85,7 +85,7 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
         report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
     };
     if (others != 0 && is_transformed()) return refuse_others();
-    if (!require_axes(block, targets) || !require_rotary_ways(block)) return;
+    if (!require_axes(block, targets) || !require_rotary_approaches(block)) return;
     if (!require_feed(block, "spline")) return;
     if (!require_orientation_along(block, tool)) return;
     if (!through_ && !start_through(block)) return;

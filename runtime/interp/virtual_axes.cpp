@@ -359,7 +359,7 @@ Done Executor::take_rotary_word(const Block& block) {
     around_.set(around, block.at(word) * factor);
     if (is_distance) around_.incremental |= bit(around);
     if (is_place) around_.absolute |= bit(around);
-    around_.rotary_ways = 0;
+    around_.rotary_approaches = 0;
     return kDone;
 }
 

@@ -50,11 +50,11 @@ std::string_view mode_of(const Block& block, Slot slot) {
     if (slot == Slot::X && block.x_measure == XMeasure::Radius)
         return is_incremental ? "RIC" : "RAC";
     if (slot >= Slot::A && slot <= Slot::C) {
-        switch (block.rotary_way(static_cast<Axis>(slot))) {
-            case RotaryWay::AsProgrammed: break;
-            case RotaryWay::Shortest: return "DC";
-            case RotaryWay::Positive: return "ACP";
-            case RotaryWay::Negative: return "ACN";
+        switch (block.rotary_approach(static_cast<Axis>(slot))) {
+            case RotaryApproach::AsProgrammed: break;
+            case RotaryApproach::Shortest: return "DC";
+            case RotaryApproach::Positive: return "ACP";
+            case RotaryApproach::Negative: return "ACN";
         }
     }
     if (is_incremental) return "IC";
@@ -155,7 +155,7 @@ bool operator==(const Block& a, const Block& b) {
     const bool has_cycle =
         a.find(Function::Cycle) != nullptr || a.find(Function::CyclePreset) != nullptr;
     if (has_cycle && a.cycle != b.cycle) return false;
-    if (a.x_measure != b.x_measure || a.rotary_ways != b.rotary_ways) return false;
+    if (a.x_measure != b.x_measure || a.rotary_approaches != b.rotary_approaches) return false;
     if (a.feed_along_arc != b.feed_along_arc || a.feed_of_all_axes != b.feed_of_all_axes)
         return false;
     return a.skip == b.skip && a.skip_also == b.skip_also && a.number == b.number &&

@@ -66,7 +66,7 @@ inline constexpr SlotMask kModeSlots =
 /// Whether a word for X says its dimension by itself.
 enum class XMeasure : std::uint8_t { Modal, Diameter, Radius };
 /// The way on which a rotary axis comes to its target.
-enum class RotaryWay : std::uint8_t { AsProgrammed, Shortest, Positive, Negative };
+enum class RotaryApproach : std::uint8_t { AsProgrammed, Shortest, Positive, Negative };
 
 /// A function of the vocabulary as it stands in a block, with its parameters.
 struct Invocation {
@@ -110,13 +110,13 @@ struct Block {
     SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state says
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
-    std::int8_t skip = -1;              // optional skip level 0…9; -1 none
-    bool feed_along_arc : 1 = false;    // F of a helix is meant along its arc, not its path
-    bool feed_of_all_axes : 1 = false;  // F of a straight block is meant over rotary axes, too
-    bool has_inch_feed : 1 = false;     // of what was read: F is in inches
-    std::uint16_t skip_also = 0;        // bit n: the block is left out at level n as well
-    std::uint8_t rotary_ways = 0;       // of A, B, C: two bits each, a RotaryWay
-    CycleId cycle = 0;                  // holds if Function::Cycle is among the functions
+    std::int8_t skip = -1;               // optional skip level 0…9; -1 none
+    bool feed_along_arc : 1 = false;     // F of a helix is meant along its arc, not its path
+    bool feed_of_all_axes : 1 = false;   // F of a straight block is meant over rotary axes, too
+    bool has_inch_feed : 1 = false;      // of what was read: F is in inches
+    std::uint16_t skip_also = 0;         // bit n: the block is left out at level n as well
+    std::uint8_t rotary_approaches = 0;  // of A, B, C: two bits each, a RotaryApproach
+    CycleId cycle = 0;                   // holds if Function::Cycle is among the functions
     // Of its parameters, the first 16, bit i: no word says it, the form of the cycle does.
     std::uint16_t cycle_by_form = 0;
     std::int32_t number = -1;           // N; -1 none
@@ -139,7 +139,7 @@ struct Block {
         skip_also = 0;
         x_measure = XMeasure::Modal;
         feed_along_arc = feed_of_all_axes = has_inch_feed = false;
-        rotary_ways = 0;
+        rotary_approaches = 0;
         cycle = 0;
         cycle_by_form = 0;
         number = -1;
@@ -159,14 +159,14 @@ struct Block {
         given |= bit(slot);
     }
 
-    RotaryWay rotary_way(Axis axis) const {
+    RotaryApproach rotary_approach(Axis axis) const {
         const auto shift = 2 * (index(axis) - index(Axis::A));
-        return static_cast<RotaryWay>(rotary_ways >> shift & 3u);
+        return static_cast<RotaryApproach>(rotary_approaches >> shift & 3u);
     }
-    void set_rotary_way(Axis axis, RotaryWay way) {
+    void set_rotary_approach(Axis axis, RotaryApproach way) {
         const auto shift = 2 * (index(axis) - index(Axis::A));
-        rotary_ways = static_cast<std::uint8_t>((rotary_ways & ~(3u << shift)) |
-                                                static_cast<unsigned>(way) << shift);
+        rotary_approaches = static_cast<std::uint8_t>((rotary_approaches & ~(3u << shift)) |
+                                                      static_cast<unsigned>(way) << shift);
     }
 
     /// Adds a function without parameters given; false if the block is full.

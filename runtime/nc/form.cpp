@@ -405,7 +405,7 @@ class LineParser {
             return kDone;
         }
         if (unit == "turned") {
-            word.takes_ways = true;
+            word.takes_rotary_approaches = true;
             return kDone;
         }
         if (unit == "increments") {

@@ -205,7 +205,7 @@ void LineReader::recall(const MatchedLine& known, Block& block) {
     block.incremental = shape.incremental;
     block.absolute = shape.absolute;
     block.x_measure = shape.x_measure;
-    block.rotary_ways = shape.rotary_ways;
+    block.rotary_approaches = shape.rotary_approaches;
     block.cycle = shape.cycle;
     block.function_count = shape.function_count;
     block.argument_count = shape.argument_count;

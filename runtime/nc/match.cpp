@@ -421,7 +421,7 @@ class Matcher {
         using Mode = GivenWord::Mode;
         const bool is_way = mode == Mode::Absolute || mode == Mode::Shortest ||
                             mode == Mode::Positive || mode == Mode::Negative;
-        if (wanted.takes_ways && is_way) return true;
+        if (wanted.takes_rotary_approaches && is_way) return true;
         if (wanted.is_incremental) return mode == Mode::Incremental;
         return mode == (wanted.is_absolute ? Mode::Absolute : Mode::Modal);
     }
@@ -663,10 +663,10 @@ class Matcher {
         if (mode == Mode::Indexed) return false;  // no axis has a table of places
         if (mode >= Mode::Shortest) {
             if (slot < Slot::A || slot > Slot::C) return false;
-            block_.set_rotary_way(static_cast<Axis>(slot),
-                                  mode == Mode::Shortest   ? RotaryWay::Shortest
-                                  : mode == Mode::Positive ? RotaryWay::Positive
-                                                           : RotaryWay::Negative);
+            block_.set_rotary_approach(static_cast<Axis>(slot),
+                                       mode == Mode::Shortest   ? RotaryApproach::Shortest
+                                       : mode == Mode::Positive ? RotaryApproach::Positive
+                                                                : RotaryApproach::Negative);
             return true;
         }
         const bool is_diameter =

@@ -110,9 +110,10 @@ struct FormWord {
     bool is_placeholder = false;  // … or, where it is read, any number, which means nothing
     bool is_absolute = false;     // said absolute by itself, `AC(…)`; in forms that are read
     bool is_incremental = false;  // it says by itself that it is incremental: `IC(…)`
-    bool takes_ways = false;  // an angle that may say the way to it: `DC(…)`, `ACP(…)`, `ACN(…)`
-    bool is_lead = false;     // the lead of a thread, which counts on every turn
-    bool is_any = false;      // `{}`: a number on which nothing depends; read only
+    bool takes_rotary_approaches =
+        false;             // an angle that may say the way to it: `DC(…)`, `ACP(…)`, `ACN(…)`
+    bool is_lead = false;  // the lead of a thread, which counts on every turn
+    bool is_any = false;   // `{}`: a number on which nothing depends; read only
     double plain_factor = 0;   // `s|ms`: as `factor`, of a number without a point; 0: the same
     bool adds = false;         // read: added to the parameter; written: 0
     bool has_default = false;  // written with `fallback` if the parameter was not given
