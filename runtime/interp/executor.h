@@ -276,7 +276,7 @@ class Executor {
     void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
     void check_reference(const nc::Block& block);
     void leave_reference(const nc::Block& block);
-    Done offset_ways(const nc::Block& block, double times, Target& target);
+    Done increase_by_tool_offset(const nc::Block& block, double times, Target& target);
     void tap(const nc::Block& block, const Target& target);
     void thread(const nc::Block& block, const Target& target, const Actions& actions);
     Done require_thread_spindle(const nc::Block& block);

@@ -427,9 +427,9 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::ReferenceCheck:
         case Function::ReferenceLeave: actions.reference = &invocation; break;
         case Function::RapidOnce: actions.at_rapid = true; break;
-        case Function::WayOffset:
+        case Function::ToolOffsetIncrease:
             actions.way_offset =
-                block.argument(invocation, parameter_of<Function::WayOffset>("times"));
+                block.argument(invocation, parameter_of<Function::ToolOffsetIncrease>("times"));
             break;
         case Function::TapFloating: actions.taps = true; break;
         case Function::FeedOverride:

@@ -144,7 +144,8 @@ void Executor::move(const Block& block, const Actions& actions) {
                 .fix(hint);
         }
     }
-    if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
+    if (actions.way_offset != 0 && !increase_by_tool_offset(block, actions.way_offset, target))
+        return;
     // At rapid a way to a place of the machine ends at rest on every control.
     const bool goes_to_machine = frames_off_ && modal_.motion == Function::Rapid;
     const bool exact_stop = stops_exactly(actions.exact_stop || goes_to_machine);

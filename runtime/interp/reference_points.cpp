@@ -209,13 +209,13 @@ void Executor::leave_reference(const Block& block) {
 }
 
 /// Makes the ways longer by the radius offset, so many times.
-Done Executor::offset_ways(const Block& block, double times, Target& target) {
+Done Executor::increase_by_tool_offset(const Block& block, double times, Target& target) {
     if (comp_.is_on()) {
-        report(diag::WayOffsetCompensated, block, Function::WayOffset);
+        report(diag::WayOffsetCompensated, block, Function::ToolOffsetIncrease);
         return kFailed;
     }
     if (nc::has_fact(modal_.motion, nc::Fact::Circle)) {
-        report(diag::IsoNotSupported, block, Function::WayOffset)
+        report(diag::IsoNotSupported, block, Function::ToolOffsetIncrease)
             .arg("an arc whose ends are moved by an offset");
         return kFailed;
     }

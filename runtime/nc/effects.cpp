@@ -139,7 +139,7 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::DataInputOff: break;  // of a group: that says it all
         case Function::Probe:
         case Function::MachineCoordinates:
-        case Function::WayOffset: does.behind(Kind::LeavesWords).own(); break;
+        case Function::ToolOffsetIncrease: does.behind(Kind::LeavesWords).own(); break;
         case Function::OffsetToEdge:
         case Function::OffsetToMiddle: does.at_once(Kind::CorrectsWorkOffset); break;
         case Function::RadiusOffset: does.at_once(Kind::SelectsRadius); break;
