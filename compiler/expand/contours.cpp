@@ -561,7 +561,7 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
         const bool is_ring = path::is_closed(contour.elements);
         contour.elements = is_ring ? path::begun_near((*pieces)[0], beside) : (*pieces)[0];
     }
-    path::Leads leads;
+    path::LeadInOut leads;
     leads.line_in = *line_in;
     leads.line_out = *line_out;
     leads.arc_in = *arc_in;

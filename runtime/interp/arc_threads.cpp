@@ -45,7 +45,7 @@ Vec3 place_at(const path::Arc& arc, double part) {
 void Executor::thread_along_arc(const Block& block, const Target& target, const Actions& actions) {
     const std::optional<path::Arc> arc = arc_of_thread(block, target);
     if (!arc) return;
-    const std::optional<Lead> lead = lead_of_arc(block, arc->end - arc->start);
+    const std::optional<Lead> lead = pitch_of_arc(block, arc->end - arc->start);
     if (!lead) return;
     if (!require_thread_spindle(block)) return;
     leave_corners(diag::CornerNotContour);
@@ -112,7 +112,7 @@ std::optional<path::Arc> Executor::arc_of_thread(const Block& block, const Targe
 }
 
 /// Along which axis the pitch is, and how large; nothing if it was reported.
-std::optional<Lead> Executor::lead_of_arc(const Block& block, const Vec3& way) {
+std::optional<Lead> Executor::pitch_of_arc(const Block& block, const Vec3& way) {
     Eigen::Index longest = 0;
     way.cwiseAbs().maxCoeff(&longest);
     const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];

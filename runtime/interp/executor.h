@@ -494,7 +494,7 @@ class Executor {
     // arc_threads.cpp
     void thread_along_arc(const nc::Block& block, const Target& target, const Actions& actions);
     std::optional<path::Arc> arc_of_thread(const nc::Block& block, const Target& target);
-    std::optional<Lead> lead_of_arc(const nc::Block& block, const path::Vec3& way);
+    std::optional<Lead> pitch_of_arc(const nc::Block& block, const path::Vec3& way);
 
     // rare_words.cpp: what words of tools and of their places do besides
     void move_without_length(const nc::Block& block, const Target& target, bool exact_stop);

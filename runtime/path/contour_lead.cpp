@@ -77,7 +77,8 @@ bool cuts(const Contour& way, const Contour& path, const Element& neighbour, con
 
 }  // namespace
 
-Result<Contour, LeadFault> with_leads(const Contour& path, const Leads& leads, const Wall& wall) {
+Result<Contour, LeadFault> with_leads(const Contour& path, const LeadInOut& leads,
+                                      const Wall& wall) {
     const Element& first = path.front();
     const Element& last = path.back();
     Contour in =
