@@ -428,7 +428,7 @@ void Execution::read_rest() {
     reader_->check_only();
     read_on(has_stopped_ || interpreter_->alarmed());
     // To what was jumped over nothing has led, whatever has stopped the run.
-    while (reader_->check_skipped()) read_on(false);
+    while (reader_->check_passed_text()) read_on(false);
 }
 
 /// Reads what is left for its mistakes.

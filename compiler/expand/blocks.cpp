@@ -174,7 +174,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     block.incremental = plan.incremental;
     block.absolute = plan.absolute;
     block.argument_count = plan.argument_count;
-    block.skip = plan.skip == syntax::kPlainSkip
+    block.skip = plan.skip == syntax::kDefaultSkipLevel
                      ? static_cast<std::int8_t>(target.tables().notation.default_skip)
                      : plan.skip;
     block.cycle = plan.cycle;

@@ -617,10 +617,10 @@ void Expander::State::go_over_place(SourceId source) {
     // The motion that the program has said is not changed by the return.
     if (modal[Group::Motion] != Function::Rapid) modal.restate_motion = true;
     const std::int8_t skip = way.skip;
-    const std::uint16_t skip_also = way.skip_also;
+    const std::uint16_t further_skip_levels = way.further_skip_levels;
     Block& back = next_block(source);
     back.skip = skip;
-    back.skip_also = skip_also;
+    back.further_skip_levels = further_skip_levels;
     Invocation* reference = back.add(Function::ReferencePoint, 4);
     back.set_argument(*reference, kPoint, point);
     for (std::size_t i = 0; i < 3; ++i) {

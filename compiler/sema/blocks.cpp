@@ -742,7 +742,7 @@ void Checker::emit_words(std::span<const Word> words, const Behind& behind,
         plan = compact(*planned);
         plan.customs = customs_of(plan, words) | customs;
         plan.skip = skip;
-        if (skip >= 0) check_skipped(plan, words);
+        if (skip >= 0) check_passed_text(plan, words);
     }
     const std::size_t holes = planned ? planned->holes.size() : 0;
     constexpr std::size_t kDirection = 3;

@@ -405,7 +405,7 @@ class Checker {
     Behind behind_words(const syntax::Stmt& stmt);
     void emit_words(std::span<const syntax::Word> words, const Behind& behind,
                     const SourceRange& range, std::int8_t skip = -1, std::uint32_t customs = 0);
-    void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
+    void check_passed_text(const Plan& plan, std::span<const syntax::Word> words);
     std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
     void check_units_function(nc::Function function, const SourceRange& range);
     /// Numbers without a point where the control of the input dialect counts increments.

@@ -260,7 +260,7 @@ struct Plan {
     nc::SlotMask incremental = 0;
     nc::SlotMask absolute = 0;
     std::uint8_t argument_count = 0;
-    std::int8_t skip = -1;  // level of a block that may be left out; syntax::kPlainSkip: the
+    std::int8_t skip = -1;  // level of a block that may be left out; syntax::kDefaultSkipLevel: the
                             // target's own default
     nc::CycleId cycle = 0;
     std::int32_t number = -1;

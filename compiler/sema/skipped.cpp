@@ -11,7 +11,7 @@ namespace kadr::sema {
 
 /// What stands behind a block that the operator may leave out must mean the same with and without
 /// it; a frame or a tool that is there or not changes all of it.
-void Checker::check_skipped(const Plan& plan, std::span<const syntax::Word> words) {
+void Checker::check_passed_text(const Plan& plan, std::span<const syntax::Word> words) {
     for (const nc::Invocation& invocation : plan.functions) {
         if (!nc::has_fact(invocation.function, nc::Fact::LeavesUnstated)) continue;
         report(diag::SkipState, words[0].range).arg(nc::info(invocation.function).name);

@@ -210,7 +210,7 @@ enum class StmtKind : std::uint8_t {
 };
 
 /// `/` without a level: the control's own default.
-inline constexpr std::int8_t kPlainSkip = 10;
+inline constexpr std::int8_t kDefaultSkipLevel = 10;
 
 struct Stmt {
     StmtKind kind = StmtKind::Invalid;
@@ -219,10 +219,11 @@ struct Stmt {
     DeclId declaration;
     std::array<ExprId, 2> expression{};
     std::array<StmtId, 2> statement{};
-    List statements;        // in Ast::statement_lists
-    List expressions;       // in Ast::expression_lists
-    List words;             // in Ast::words
-    std::int8_t skip = -1;  // Words: level of `/G1 X5;`, 0…9; kPlainSkip: `/` alone; -1: none
+    List statements;   // in Ast::statement_lists
+    List expressions;  // in Ast::expression_lists
+    List words;        // in Ast::words
+    std::int8_t skip =
+        -1;  // Words: level of `/G1 X5;`, 0…9; kDefaultSkipLevel: `/` alone; -1: none
 };
 
 /// A type as written: `length`, `hole[]`, `real[8]`, `length?`, `point&`.

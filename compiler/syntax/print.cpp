@@ -224,7 +224,7 @@ void Printer::statement(StmtId id, int depth) {
         out_ += ' ';
         out_ += text(stmt.text);
     }
-    if (stmt.skip == kPlainSkip) out_ += " skip";
+    if (stmt.skip == kDefaultSkipLevel) out_ += " skip";
     else if (stmt.skip >= 0) out_ += " skip" + std::to_string(stmt.skip);
     for (const Word& one : ast_.word_run(stmt.words)) {
         out_ += ' ';

@@ -219,14 +219,14 @@ void TreeBuilder::switch_statement(Stmt& stmt, KadrParser::SwitchStatementContex
 
 /// The level behind `/`: a whole number from 0 to 9.
 std::int8_t TreeBuilder::skip_level(KadrParser::SkipContext& context) {
-    if (context.Number() == nullptr) return kPlainSkip;
+    if (context.Number() == nullptr) return kDefaultSkipLevel;
     const Lexeme& level = lexeme(context.Number());
     const std::string_view spelled = file_.spelling(level);
     if (spelled.size() == 1 && level.unit == Unit::None) {
         return static_cast<std::int8_t>(spelled[0] - '0');
     }
     file_.sink.report(diag::SkipLevel, file_.range(level)).arg(spelled);
-    return kPlainSkip;
+    return kDefaultSkipLevel;
 }
 
 void TreeBuilder::words_statement(Stmt& stmt, KadrParser::WordsStatementContext& context) {

@@ -181,7 +181,8 @@ void Executor::end_of_blocks() {
 /// Whether it is a block of the control that the operator lets run.
 bool Executor::acts(const Block& block) const {
     if (block.kind != Block::Kind::Nc) return false;
-    return block.skip < 0 || ((1u << block.skip | block.skip_also) & options_.skip_levels) == 0;
+    return block.skip < 0 ||
+           ((1u << block.skip | block.further_skip_levels) & options_.skip_levels) == 0;
 }
 
 void Executor::execute(const Block& block) {

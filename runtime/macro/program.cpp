@@ -17,7 +17,7 @@ Program::Program(const nc::Dialect& dialect, nc::TextSource& text, std::string n
 Program::~Program() = default;
 
 void Program::check_only() { state_->phase.is_only_checking = true; }
-bool Program::check_skipped() { return state_->check_skipped(); }
+bool Program::check_passed_text() { return state_->check_passed_text(); }
 void Program::follow(ControlAccess& state) {
     state_->interpreter = &state;
     state_->variables.follow(state);

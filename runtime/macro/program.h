@@ -92,7 +92,7 @@ class Program final : public Stream<nc::Block>, public nc::BlockLocations {
     void check_only();
     /// Behind the end, and behind check_only(): goes to the first part of the main program that a
     /// jump has passed over. False if there is none left.
-    bool check_skipped();
+    bool check_passed_text();
     /// Messages come later than usual: so many lines (ProgramOptions::kept_lines) are kept for
     /// them.
     void keep_lines(std::size_t lines);

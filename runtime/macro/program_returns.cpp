@@ -128,9 +128,9 @@ Outcome Returns::return_in_main(CompiledLine& line, const ControlStatement& stat
     // a block with a number and the end stand behind, a jump may lead there and end the loop: it is
     // one of the program's.
     const bool is_jump = target && found.line.offset > run_.frame->here.offset;
-    const bool is_skipped_at_will = line.line.words.skip >= 0;
+    const bool is_optionally_skipped = line.line.words.skip >= 0;
     const auto is_own_loop = [&] {
-        return !run_.options.passes && !is_skipped_at_will &&
+        return !run_.options.passes && !is_optionally_skipped &&
                has_exit_behind(run_.dialect, run_.source(), line.place.next);
     };
     const std::uint64_t passes = run_.options.passes.value_or(1);

@@ -209,7 +209,7 @@ Outcome ProgramRun::first_time(Block& out) {
         if (lines.failed()) return Outcome::Nothing;  // said at the jump
         return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(frame->here.line)});
     }
-    if (frame->here.offset != frontier().offset) note_skipped();
+    if (frame->here.offset != frontier().offset) note_passed_text();
     std::string_view text;
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
@@ -299,13 +299,13 @@ Outcome ProgramRun::end_of_text() {
     return Outcome::Nothing;
 }
 
-void ProgramRun::note_skipped() {
+void ProgramRun::note_passed_text() {
     const bool is_main = frame->unit == &units.main() && !phase.is_only_checking;
     if (is_main) skipped_.add(frontier(), frame->here.offset);
 }
 
-bool ProgramRun::check_skipped() {
-    const std::optional<SkippedText::Part> part = skipped_.take_first();
+bool ProgramRun::check_passed_text() {
+    const std::optional<PassedText::Part> part = skipped_.take_first();
     if (!part || phase.was_stopped) return false;
     if (!variables_at_end) variables_at_end = variables.list();
     keep_main_frame();
@@ -381,7 +381,8 @@ void ProgramRun::end_after(Block& block) {
 }
 
 bool ProgramRun::is_left_out(const Block& block) const {
-    return block.skip >= 0 && ((1u << block.skip | block.skip_also) & options.skip_levels) != 0;
+    return block.skip >= 0 &&
+           ((1u << block.skip | block.further_skip_levels) & options.skip_levels) != 0;
 }
 
 /// A line that was executed before, kept compiled; nullptr: it cannot be read again.

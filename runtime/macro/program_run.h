@@ -64,7 +64,7 @@ class ProgramRun : public ProgramBase {
     std::size_t pull(std::span<nc::Block> out);
     /// Goes to the first part of the main program that a jump has passed over; false: there is
     /// none.
-    bool check_skipped();
+    bool check_passed_text();
     /// The next line, or what comes in its place.
     Outcome step(nc::Block& out);
     /// A line, from the statement on that is next.
@@ -96,7 +96,7 @@ class ProgramRun : public ProgramBase {
     CompiledLine* line_at(const LinePosition& position);
     void end_after(nc::Block& block);
     Outcome end_of_text();
-    void note_skipped();
+    void note_passed_text();
     void advance();
     Outcome choose(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
     Outcome run_text(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
@@ -108,7 +108,7 @@ class ProgramRun : public ProgramBase {
         std::size_t resume = 0;
     };
     std::optional<RunningText> running_text_;
-    SkippedText skipped_;                       // of the main program
+    PassedText skipped_;                        // of the main program
     std::optional<std::uint64_t> skipped_end_;  // of the part of it that is read for its mistakes
     std::set<std::pair<const ProgramUnit*, std::uint64_t>>
         told_synchronous_;  // unit, place of line

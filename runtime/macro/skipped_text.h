@@ -10,7 +10,7 @@
 
 namespace kadr::macro {
 
-class SkippedText {
+class PassedText {
   public:
     struct Part {
         LinePosition begin;     // of its first line

@@ -158,8 +158,8 @@ bool operator==(const Block& a, const Block& b) {
     if (a.x_measure != b.x_measure || a.rotary_approaches != b.rotary_approaches) return false;
     if (a.feed_along_arc != b.feed_along_arc || a.feed_of_all_axes != b.feed_of_all_axes)
         return false;
-    return a.skip == b.skip && a.skip_also == b.skip_also && a.number == b.number &&
-           a.text == b.text && a.comment == b.comment;
+    return a.skip == b.skip && a.further_skip_levels == b.further_skip_levels &&
+           a.number == b.number && a.text == b.text && a.comment == b.comment;
 }
 
 std::string describe(const Block& block) {

@@ -110,13 +110,13 @@ struct Block {
     SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state says
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
-    std::int8_t skip = -1;               // optional skip level 0…9; -1 none
-    bool feed_along_arc : 1 = false;     // F of a helix is meant along its arc, not its path
-    bool feed_of_all_axes : 1 = false;   // F of a straight block is meant over rotary axes, too
-    bool has_inch_feed : 1 = false;      // of what was read: F is in inches
-    std::uint16_t skip_also = 0;         // bit n: the block is left out at level n as well
-    std::uint8_t rotary_approaches = 0;  // of A, B, C: two bits each, a RotaryApproach
-    CycleId cycle = 0;                   // holds if Function::Cycle is among the functions
+    std::int8_t skip = -1;                  // optional skip level 0…9; -1 none
+    bool feed_along_arc : 1 = false;        // F of a helix is meant along its arc, not its path
+    bool feed_of_all_axes : 1 = false;      // F of a straight block is meant over rotary axes, too
+    bool has_inch_feed : 1 = false;         // of what was read: F is in inches
+    std::uint16_t further_skip_levels = 0;  // bit n: the block is left out at level n as well
+    std::uint8_t rotary_approaches = 0;     // of A, B, C: two bits each, a RotaryApproach
+    CycleId cycle = 0;                      // holds if Function::Cycle is among the functions
     // Of its parameters, the first 16, bit i: no word says it, the form of the cycle does.
     std::uint16_t cycle_by_form = 0;
     std::int32_t number = -1;           // N; -1 none
@@ -136,7 +136,7 @@ struct Block {
         given = incremental = absolute = 0;
         function_count = argument_count = 0;
         skip = -1;
-        skip_also = 0;
+        further_skip_levels = 0;
         x_measure = XMeasure::Modal;
         feed_along_arc = feed_of_all_axes = has_inch_feed = false;
         rotary_approaches = 0;

@@ -189,7 +189,7 @@ class Lexer {
         if (out_.skip < 0) {
             out_.skip = static_cast<std::int8_t>(level);
         } else {
-            out_.skip_also |= static_cast<std::uint16_t>(1u << level);
+            out_.further_skip_levels |= static_cast<std::uint16_t>(1u << level);
         }
         skip_blanks();
         if (peek() == '/' && !notation_.has_several_skips) fail_here(diag::IsoSyntax);
@@ -1034,7 +1034,7 @@ void LexedLine::clear() {
     comment.clear();
     label.clear();
     skip = -1;
-    skip_also = 0;
+    further_skip_levels = 0;
     number = -1;
     has_comment = false;
     comment_form = kNoForm;

@@ -34,7 +34,7 @@ struct LexedLine {
     std::string comment;
     std::string label;
     std::int8_t skip = -1;
-    std::uint16_t skip_also = 0;  // further levels, a bit each
+    std::uint16_t further_skip_levels = 0;  // further levels, a bit each
     std::int32_t number = -1;
     bool has_comment = false;
     FormId comment_form = kNoForm;  // of a message that stands in a comment

@@ -199,7 +199,7 @@ Done LineReader::read_words(std::string_view line, ControlLine& compiled,
 void LineReader::recall(const MatchedLine& known, Block& block) {
     const Block& shape = known.shape;
     block.skip = shape.skip;
-    block.skip_also = shape.skip_also;
+    block.further_skip_levels = shape.further_skip_levels;
     block.number = shape.number;
     block.motion = shape.motion;
     block.incremental = shape.incremental;
@@ -448,7 +448,7 @@ Done LineReader::read_slow(std::string_view line, Block& block) {
 Done LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
                       const ControlLine* compiled) {
     block.skip = lexed_->skip;
-    block.skip_also = lexed_->skip_also;
+    block.further_skip_levels = lexed_->further_skip_levels;
     block.number = lexed_->number;
     block.comment = lexed_->comment;
     block.text = lexed_->text;

@@ -94,7 +94,7 @@ Block frame_of(const ArcParts& parts, std::size_t part) {
     } else {
         out.source = block.source;
         out.skip = block.skip;
-        out.skip_also = block.skip_also;
+        out.further_skip_levels = block.further_skip_levels;
         out.motion = block.motion;
         out.feed_along_arc = block.feed_along_arc;
     }

@@ -86,7 +86,8 @@ void BlockWriter::check_front(const Block& block) {
     }
     const bool is_level =
         block.skip >= tables_.notation.default_skip && block.skip < tables_.notation.skip_levels;
-    if (block.skip_also != 0) messages_.cannot_express(block, "several skip levels of one block");
+    if (block.further_skip_levels != 0)
+        messages_.cannot_express(block, "several skip levels of one block");
     if (block.skip >= 0 && !is_level) {
         messages_.cannot_express(block, "the skip level " + std::to_string(block.skip));
     }

@@ -20,7 +20,7 @@ void IdleLines::count(const Block& block, std::uint32_t written) {
     int most = 0;
     for (int i = 0; i < static_cast<int>(now_.lines.size()); ++i) {
         const bool is_left_out =
-            i > 0 && (i == 1 + block.skip || (block.skip_also >> (i - 1) & 1u) != 0);
+            i > 0 && (i == 1 + block.skip || (block.further_skip_levels >> (i - 1) & 1u) != 0);
         int& lines = now_.lines[static_cast<std::size_t>(i)];
         if (!is_left_out) lines = moves ? 0 : lines + static_cast<int>(written);
         // Without the blocks of a level in which the compensation begins nothing is compensated.

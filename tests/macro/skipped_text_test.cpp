@@ -8,7 +8,7 @@
 namespace kadr::macro {
 namespace {
 
-std::string left_of(SkippedText& skipped) {
+std::string left_of(PassedText& skipped) {
     std::string said;
     while (const auto part = skipped.take_first()) {
         said += std::to_string(part->begin.offset) + '-' + std::to_string(part->end) + " at " +
@@ -19,8 +19,8 @@ std::string left_of(SkippedText& skipped) {
 
 LinePosition line(std::uint64_t number) { return {10 * (number - 1), number}; }
 
-TEST(SkippedText, IsWhatNoLineOfARunTouches) {
-    SkippedText skipped;
+TEST(PassedText, IsWhatNoLineOfARunTouches) {
+    PassedText skipped;
     skipped.add(line(2), line(7).offset);
     skipped.add(line(9), line(9).offset);  // a jump to the next line
     skipped.add(line(11), line(12).offset);
@@ -30,8 +30,8 @@ TEST(SkippedText, IsWhatNoLineOfARunTouches) {
     EXPECT_EQ(left_of(skipped), "10-30 at 2; 40-60 at 5; 100-110 at 11; ");
 }
 
-TEST(SkippedText, LosesLinesAtBothItsEnds) {
-    SkippedText skipped;
+TEST(PassedText, LosesLinesAtBothItsEnds) {
+    PassedText skipped;
     skipped.add(line(2), line(6).offset);
     skipped.take_out(line(2), line(3));
     skipped.take_out(line(5), line(6));

@@ -328,7 +328,7 @@ TEST(Reader, WhatPeopleAndEditorsPutAroundBlocks) {
     expect_blocks("sinumerik", {{"\xEF\xBB\xBFG1 X1", "line X1"}});
     const auto skipped = read_blocks(shipped("fanuc"), "/2/3/9 X1.");
     ASSERT_EQ(skipped.blocks.size(), 1u);
-    EXPECT_EQ(skipped.blocks[0].skip_also, (1u << 3 | 1u << 9));
+    EXPECT_EQ(skipped.blocks[0].further_skip_levels, (1u << 3 | 1u << 9));
     EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "/2/3 X1").messages), "K5015");
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G04 P500 Y1.").messages), "K5013");
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G01 X - Y1.").messages), "K5015");
