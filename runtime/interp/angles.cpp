@@ -57,24 +57,24 @@ void Executor::close_line(const Block& block) {
     const Function motion = block.motion != Function::None ? block.motion : first_motion;
     if (!nc::has_fact(first_motion, nc::Fact::Straight) ||
         !nc::has_fact(motion, nc::Fact::Straight)) {
-        report(diag::AngleMotion, block);
+        reporter_.report(diag::AngleMotion, block);
         return;
     }
     const path::Plane plane = plane_in(first);
     if (nc::programmed_in(block, Group::Plane) != Function::None && plane_in(block) != plane) {
-        report(diag::AnglePlane, block);
+        reporter_.report(diag::AnglePlane, block);
         return;
     }
     const path::PlaneAxes axes = path::axes_of(plane);
     const Slot slots[] = {nc::slot_of(axes.first), nc::slot_of(axes.second)};
     const bool has_end = block.has(slots[0]) && block.has(slots[1]);
     if ((block.given & nc::kTargetSlots) == 0 && angle == nullptr) {
-        report(diag::AngleSecondMissing, first);
+        reporter_.report(diag::AngleSecondMissing, first);
         return;
     }
     if (angle == nullptr || !has_end || is_open_distance(first, block, slots[0]) ||
         is_open_distance(first, block, slots[1])) {
-        report(diag::AngleMissing, block);
+        reporter_.report(diag::AngleMissing, block);
         return;
     }
     const Vec2 from{position_.here[index(axes.first)], position_.here[index(axes.second)]};
@@ -87,15 +87,15 @@ void Executor::close_line(const Block& block) {
     const double along = std::abs(w) < kParallel ? -1 : cross(to - from, in) / w;
     const double beyond = std::abs(w) < kParallel ? -1 : cross(out, to - from) / w;
     if (!(along > 0) || !(beyond > 0)) {
-        report(diag::AngleWithoutCorner, block, Function::ContourAngle);
+        reporter_.report(diag::AngleWithoutCorner, block, Function::ContourAngle);
         return;
     }
     const Vec2 corner = from + along * out;
-    set_place(first, axes.first, corner.x());
-    set_place(first, axes.second, corner.y());
+    motion_words().set_coordinate(first, axes.first, corner.x());
+    motion_words().set_coordinate(first, axes.second, corner.y());
     run(first);
     settle(first);
-    if (!ended_) run(block);
+    if (!has_ended()) run(block);
 }
 
 /// Whether a word of the second line is a distance, with what both lines say of dimensions.
@@ -113,17 +113,17 @@ const Block* Executor::with_angle(const Block& block, const nc::Invocation& angl
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_polar = (block.given & nc::kPolarSlots) != 0;
     if (!nc::has_fact(motion, nc::Fact::Straight) || is_polar) {
-        report(diag::AngleMotion, block, Function::ContourAngle);
+        reporter_.report(diag::AngleMotion, block, Function::ContourAngle);
         return nullptr;
     }
     if (rules_.angles_in_zx && modal_.plane != path::Plane::Zx) {
-        report(diag::AnglePlane, block, Function::ContourAngle);
+        reporter_.report(diag::AnglePlane, block, Function::ContourAngle);
         return nullptr;
     }
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const SlotMask words =
         block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));
-    const Target said = target_of(block, words);
+    const Target said = motion_words().target_of(block, words);
     const Vec2 from = position_in_plane();
     const Vec2 to{said.here[index(plane.first)], said.here[index(plane.second)]};
     const Vec2 along = direction_of(block.argument(angle, kAngle));
@@ -132,20 +132,20 @@ const Block* Executor::with_angle(const Block& block, const nc::Invocation& angl
     if (has_first && has_second) {
         if (std::abs(cross(along, to - from)) <= rules_.arc_tolerance && along.dot(to - from) >= 0)
             return &block;
-        report(diag::AngleAndEnd, block, Function::ContourAngle);
+        reporter_.report(diag::AngleAndEnd, block, Function::ContourAngle);
         return nullptr;
     }
     const Vec2 way = to - from;
     const double part = has_first ? along.x() : along.y();
     const double length = std::abs(part) < kParallel ? -1 : (has_first ? way.x() : way.y()) / part;
     if (!(length >= 0)) {
-        report(diag::AngleWithoutCorner, block, Function::ContourAngle);
+        reporter_.report(diag::AngleWithoutCorner, block, Function::ContourAngle);
         return nullptr;
     }
     cartesian_ = block;
     const Axis open = has_first ? plane.second : plane.first;
     const Vec2 end = from + length * along;
-    set_place(cartesian_, open, has_first ? end.y() : end.x());
+    motion_words().set_coordinate(cartesian_, open, has_first ? end.y() : end.x());
     return &cartesian_;
 }
 

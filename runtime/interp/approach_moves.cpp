@@ -42,7 +42,8 @@ path::ApproachShape approach_shape_of(double number) {
 /// was reported.
 std::optional<ApproachMove> Executor::approach_move_of(const Block& block, const Actions& actions) {
     if (frames_.is_plane_tilted(modal_.plane)) {
-        report(diag::IsoNotSupported, block).arg("a soft approach or retract in a tilted plane");
+        reporter_.report(diag::IsoNotSupported, block)
+            .arg("a soft approach or retract in a tilted plane");
         return std::nullopt;
     }
     ApproachMove move;
@@ -51,7 +52,7 @@ std::optional<ApproachMove> Executor::approach_move_of(const Block& block, const
     move.choice = approach_choice_;
     const Invocation* radius = block.find(Function::ApproachRadius);
     if (radius == nullptr) {
-        report(diag::SoftSizeWrong, block).arg("there is none");
+        reporter_.report(diag::SoftSizeWrong, block).arg("there is none");
         return std::nullopt;
     }
     move.radius = block.argument(*radius, parameter_of<Function::ApproachRadius>("radius"));
@@ -101,14 +102,14 @@ std::optional<path::ApproachPath> Executor::soft_way(const Block& block, const A
     path::ApproachPath way{move.shape, move.radius + std::abs(offset), offset > 0};
     if (move.shape == path::ApproachShape::Line) {
         if (way.size > path::kSamePoint) return way;
-        report(diag::SoftSizeWrong, block).arg("the line has no length");
+        reporter_.report(diag::SoftSizeWrong, block).arg("the line has no length");
         return std::nullopt;
     }
     switch (move.choice.side) {
         case ApproachChoice::Side::OfCutter:
             if (offset != 0) break;
             if (!compensation_.is_on() || !comp_.is_on()) {
-                report(diag::SoftNoDirection, block);
+                reporter_.report(diag::SoftNoDirection, block);
                 return std::nullopt;
             }
             way.is_left = (comp_.side == CompSide::Left) != frames_.is_mirrored(modal_.plane);
@@ -125,7 +126,7 @@ std::optional<path::ApproachPath> Executor::soft_way(const Block& block, const A
     // The centre's way has the radius DISR.
     way.size = move.radius + (way.is_left ? offset : -offset);
     if (move.radius > 0 && way.size > path::kSamePoint) return way;
-    report(diag::SoftSizeWrong, block)
+    reporter_.report(diag::SoftSizeWrong, block)
         .arg(move.radius > 0 ? "the arc of the contour would have none"
                              : "the radius is not above zero");
     return std::nullopt;
@@ -140,7 +141,7 @@ std::optional<double> Executor::approach_level(const Block& block, const Approac
     const bool is_between =
         above >= -path::kSamePoint && above <= std::abs(tool - contour) + path::kSamePoint;
     if (is_between) return level;
-    report(diag::SoftClearanceWrong, block).arg(round_to(level, 6));
+    reporter_.report(diag::SoftClearanceWrong, block).arg(round_to(level, 6));
     return std::nullopt;
 }
 
@@ -148,14 +149,14 @@ void Executor::approach_smoothly(const Block& block, const Actions& actions) {
     const std::optional<ApproachMove> move = approach_move_of(block, actions);
     if (!move) return;
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (!require_axes(block, targets)) return;
+    if (!motion_words().require_axes(block, targets)) return;
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const SlotMask plane = bit(nc::slot_of(axes.first)) | bit(nc::slot_of(axes.second));
-    const Target target = target_of(block, targets);
+    const Target target = motion_words().target_of(block, targets);
     if (tool_.has_changed) activate_length(block, target.moved);
     if (!require_within_limits(block, target.base, target.moved)) return;
     leave_corners(diag::CornerWithoutMotion);
-    if (ended_) return;
+    if (has_ended()) return;
     // A contour that was followed so far ends on its normal, and the compensation begins anew.
     const bool is_new = actions.radius_comp.has_value();
     if (compensation_.is_on() && !comp_.is_on()) {
@@ -163,7 +164,7 @@ void Executor::approach_smoothly(const Block& block, const Actions& actions) {
     } else if (compensation_.is_on() && !is_new) {
         send_comp(comp_change(block, CompChange::Kind::Begin));
     }
-    if (ended_) return;
+    if (has_ended()) return;
     has_moved_ = true;
     smooth_approach_.begin(*move, modal_.plane, position_.base, target.base, (targets & plane) != 0,
                            (targets & bit(nc::slot_of(axes.normal))) != 0);
@@ -172,17 +173,17 @@ void Executor::approach_smoothly(const Block& block, const Actions& actions) {
 
 /// What a block has put while an approach waits; when its contour has begun, all goes on.
 void Executor::settle_approach(const Block& block) {
-    if (alarmed_) return;
+    if (reporter_.has_alarm()) return;
     if (const DiagnosticRow* fault = smooth_approach_.end_block(rules_.comp_empty_blocks)) {
-        report(*fault, block);
+        reporter_.report(*fault, block);
         return;
     }
     if (smooth_approach_.is_active()) {
-        if (ended_) report(diag::SoftNoDirection, block);
+        if (has_ended()) reporter_.report(diag::SoftNoDirection, block);
         return;
     }
     put_smooth_approach();
-    if (alarmed_) return;
+    if (reporter_.has_alarm()) return;
     for (Command& command : smooth_approach_.waiting()) behind_corners() = std::move(command);
     smooth_approach_.waiting().clear();
 }
@@ -270,23 +271,23 @@ void Executor::retract_smoothly(const Block& block, const Actions& actions) {
     const std::optional<ApproachMove> move = approach_move_of(block, actions);
     if (!move) return;
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (!require_axes(block, targets)) return;
+    if (!motion_words().require_axes(block, targets)) return;
     leave_corners(diag::CornerWithoutMotion);
-    if (ended_) return;
+    if (has_ended()) return;
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const std::size_t normal = index(axes.normal);
     const SlotMask plane = bit(nc::slot_of(axes.first)) | bit(nc::slot_of(axes.second));
     const bool has_place = (targets & plane) != 0;
-    const Target target = target_of(block, targets);
+    const Target target = motion_words().target_of(block, targets);
     AxisValues before = position_.base;
     for (std::size_t i = 0; i < 3; ++i) before[i] = came_from_[static_cast<Eigen::Index>(i)];
     const Vec2 came = in_plane(position_.base) - in_plane(before);
     if (came.norm() < path::kSamePoint) {
-        report(diag::SoftNoDirection, block);
+        reporter_.report(diag::SoftNoDirection, block);
         return;
     }
     if (move->choice.side == ApproachChoice::Side::OfTool && !has_place) {
-        report(diag::SoftNoWay, block);
+        reporter_.report(diag::SoftNoWay, block);
         return;
     }
     const ApproachPoint place{in_plane(position_.base), came.normalized(), in_plane(target.base)};
@@ -314,8 +315,8 @@ void Executor::retract_smoothly(const Block& block, const Actions& actions) {
     const bool was_on = compensation_.is_on();
     if (was_on) {
         settle_comp(block, here);
-        if (!ended_) stop_comp();
-        if (ended_) return;
+        if (!has_ended()) stop_comp();
+        if (has_ended()) return;
         here = compensation_.place();
     }
     if (has_place) {  // P0

@@ -49,7 +49,7 @@ void Executor::thread_along_arc(const Block& block, const Target& target, const 
     if (!lead) return;
     if (!require_thread_spindle(block)) return;
     leave_corners(diag::CornerNotContour);
-    if (ended_) return;
+    if (has_ended()) return;
     check_tool(block);
     if (tool_.has_changed) activate_length(block, target.moved);
     const int lines = lines_of(*arc);
@@ -60,11 +60,12 @@ void Executor::thread_along_arc(const Block& block, const Target& target, const 
                          place_at(*arc, static_cast<double>(i - 1) / lines);
         if (way[lead->axis] * whole > 0 && std::abs(way[lead->axis]) > kLeastPart * way.norm())
             continue;
-        report(diag::ThreadArcAcross, block).arg(kAxisNames[static_cast<std::size_t>(lead->axis)]);
+        reporter_.report(diag::ThreadArcAcross, block)
+            .arg(kAxisNames[static_cast<std::size_t>(lead->axis)]);
         return;
     }
     const Target begin{position_.here, position_.base, target.moved};
-    for (int i = 1; i <= lines && !ended_; ++i) {
+    for (int i = 1; i <= lines && !has_ended(); ++i) {
         const double part = static_cast<double>(i) / lines;
         Target at = target;
         if (i < lines) {
@@ -99,14 +100,15 @@ std::optional<path::Arc> Executor::arc_of_thread(const Block& block, const Targe
     const bool has_form =
         (words.given & (nc::kCenterSlots | bit(Slot::Radius) | bit(Slot::Opening))) != 0;
     if (!has_form) {
-        report(diag::ThreadArcForm, block)
+        reporter_.report(diag::ThreadArcForm, block)
             .arg(rules_.thread_pitch_is_feed ? "centre or radius" : "radius or angle");
         return std::nullopt;
     }
     const Function own = modal_.motion;
     modal_.motion = own == Function::ThreadArcCw ? Function::ArcCw : Function::ArcCcw;
     Target end = target;
-    auto arc = words.has(Slot::Opening) ? arc_by_opening(words, end) : resolve_arc(words, target);
+    auto arc = words.has(Slot::Opening) ? motion_words().arc_by_opening(words, end)
+                                        : motion_words().resolve_arc(words, target);
     modal_.motion = own;
     return arc;
 }
@@ -118,7 +120,7 @@ std::optional<Lead> Executor::pitch_of_arc(const Block& block, const Vec3& way) 
     const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
     if (rules_.thread_pitch_is_feed) {
         if (modal_.has_feed && modal_.feed > 0) return Lead{modal_.feed, longest};
-        report(diag::ThreadPitchMissing, block).arg(name);
+        reporter_.report(diag::ThreadPitchMissing, block).arg(name);
         return std::nullopt;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -126,7 +128,7 @@ std::optional<Lead> Executor::pitch_of_arc(const Block& block, const Vec3& way) 
         if (block.has(word) && block.at(word) > 0)
             return Lead{block.at(word), static_cast<Eigen::Index>(axis)};
     }
-    report(diag::ThreadPitchMissing, block).arg(name);
+    reporter_.report(diag::ThreadPitchMissing, block).arg(name);
     return std::nullopt;
 }
 

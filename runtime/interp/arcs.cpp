@@ -50,7 +50,7 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     if (!require_feed(block, "arc")) return;
     const auto missing = missing_axis(axes_.present, modal_.plane);
     if (missing && !virtual_.axes.is_on()) {
-        DiagnosticBuilder message = report(diag::AxisMissing, block, modal_.motion);
+        DiagnosticBuilder message = reporter_.report(diag::AxisMissing, block, modal_.motion);
         message.arg(kAxisNames[index(*missing)]);
         if (is_lathe_ && modal_.plane != path::Plane::Zx)
             message.fix("the plane of a lathe is that of Z and X, `G18`");
@@ -61,16 +61,17 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
     if (!has_form && !has_opening && rules_.arc_without_center == nc::ArcWithoutCenter::Line) {
         if (target.moved != 0 && told_.first_time(Once::ArcIsLine))
-            report(diag::ArcIsLine, block, modal_.motion);
+            reporter_.report(diag::ArcIsLine, block, modal_.motion);
         return line(block, target, Op::Line, exact_stop);
     }
     if (const SlotMask through = block.given & nc::kThroughSlots; through != 0) {
-        report_arc_words(block, through);
+        motion_words().report_arc_words(block, through);
         return;
     }
     Target end = target;
-    const std::optional<path::Arc> resolved =
-        has_opening ? arc_by_opening(block, end) : resolve_arc(block, target);
+    const std::optional<path::Arc> resolved = has_opening
+                                                  ? motion_words().arc_by_opening(block, end)
+                                                  : motion_words().resolve_arc(block, target);
     if (resolved) put_arc(block, *resolved, end, exact_stop);
 }
 
@@ -99,18 +100,18 @@ void Executor::stretched_arc(const Block& block, const Target& target, bool exac
     const SlotMask thirds = bit(nc::slot_of(path::axes_of(modal_.plane).normal));
     const bool is_helix = !block.has(Slot::Radius) && (block.given & thirds) != 0;
     if (!rules_.arc_radius_scaled_by_larger || frames_.is_plane_tilted(modal_.plane) || is_helix) {
-        report(diag::ArcStretched, block, modal_.motion);
+        reporter_.report(diag::ArcStretched, block, modal_.motion);
         return;
     }
     if (!block.has(Slot::Radius)) return stretched_arc_about_center(block, target, exact_stop);
-    const std::optional<int> turns = turns_of(block);
+    const std::optional<int> turns = motion_words().turns_of(block);
     if (!turns) return;
     const path::ArcEnds ends{linear(position_.base), linear(target.base)};
     const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
     const Result<path::Arc, path::ArcFault> arc =
         path::arc_of_radius(ends, block.at(Slot::Radius) * frames_.larger_factor(modal_.plane),
                             {modal_.plane, is_cw, *turns});
-    if (!arc) return report_radius_arc(block, arc.error(), ends);
+    if (!arc) return motion_words().report_radius_arc(block, arc.error(), ends);
     put_base_arc(block, *arc, target, exact_stop);
 }
 
@@ -118,7 +119,8 @@ void Executor::stretched_arc(const Block& block, const Target& target, bool exac
 /// the end, and a line to the end itself.
 void Executor::stretched_arc_about_center(const Block& block, const Target& target,
                                           bool exact_stop) {
-    const std::optional<Vec3> programmed = center_of_arc(block, linear(position_.here));
+    const std::optional<Vec3> programmed =
+        motion_words().center_of_arc(block, linear(position_.here));
     if (!programmed) return;
     const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
     const Vec3 start = linear(position_.base);
@@ -128,7 +130,7 @@ void Executor::stretched_arc_about_center(const Block& block, const Target& targ
     const Vec3 to_end = linear(target.base) - center;
     const bool has_radius = out.norm() > path::kSamePoint && to_end.norm() > path::kSamePoint;
     if (!has_radius) {
-        report(diag::ArcCenterMissing, block, modal_.motion);
+        reporter_.report(diag::ArcCenterMissing, block, modal_.motion);
         return;
     }
     const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
@@ -141,7 +143,7 @@ void Executor::stretched_arc_about_center(const Block& block, const Target& targ
     turned.here = frames_.from_base(turned.base);
     const bool is_on_arc = (arc.end - linear(target.base)).norm() < path::kSamePoint;
     put_base_arc(block, arc, turned, exact_stop && is_on_arc);
-    if (!is_on_arc && !ended_) line(block, target, Op::Line, exact_stop);
+    if (!is_on_arc && !has_ended()) line(block, target, Op::Line, exact_stop);
 }
 
 /// An arc of the base system as a command.
@@ -210,120 +212,9 @@ const Block& Executor::with_center(const Block& block) {
     return centered_;
 }
 
-/// The programmed radius; half of the chord where the control forgives that it lacks so little.
-double Executor::radius_of(const Block& block, const path::ArcEnds& ends) const {
-    const double radius = block.at(Slot::Radius);
-    if (!rules_.arc_radius_may_fall_short) return radius;
-    const Vec3 way = ends.end - ends.start;
-    const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
-    const double half = (way - normal * way.dot(normal)).norm() / 2;
-    const double size = std::abs(radius);
-    const double slack = std::max(rules_.arc_tolerance, rules_.arc_tolerance_factor * size);
-    return size < half && half - size <= slack ? std::copysign(half, radius) : radius;
-}
-
-/// The arc in the programmed system; nothing if it was reported, or if there is nothing to move.
-std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target& target) {
-    const bool has_center = (block.given & nc::kCenterSlots) != 0;
-    const std::optional<int> turns = turns_of(block);
-    if (!turns) return std::nullopt;
-    const path::ArcEnds ends{linear(position_.here), linear(target.here)};
-    const path::ArcTurning turning{modal_.plane, modal_.motion == Function::ArcCw, *turns};
-    if (block.has(Slot::Radius)) {
-        if (has_center && !rules_.arc_radius_wins) {
-            report(diag::ArcCenterAndRadius, block, Slot::Radius);
-            return std::nullopt;
-        }
-        const Result<path::Arc, path::ArcFault> arc =
-            path::arc_of_radius(ends, radius_of(block, ends), turning);
-        if (arc) return *arc;
-        report_radius_arc(block, arc.error(), ends);
-        return std::nullopt;
-    }
-    const std::optional<Vec3> center = center_of_arc(block, ends.start);
-    if (!center) return std::nullopt;
-    const path::ArcTolerance tolerance{rules_.arc_tolerance, rules_.arc_tolerance_factor,
-                                       rules_.arc_error == nc::ArcError::ShiftCenter
-                                           ? path::RadiusError::ShiftCenter
-                                           : path::RadiusError::Spread};
-    const Result<path::Arc, path::ArcFault> arc =
-        path::arc_about_center(ends, *center, turning, tolerance);
-    if (arc) return *arc;
-    report_center_arc(block, arc.error(), ends, *center);
-    return std::nullopt;
-}
-
-/// Additional full turns; nothing if they were reported.
-std::optional<int> Executor::turns_of(const Block& block) {
-    const double turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
-    if (turns == std::floor(turns) && turns >= 0 && turns <= path::kMaxTurns)
-        return static_cast<int>(turns);
-    report(diag::ArcTurnsInvalid, block, Slot::Turns).arg(turns);
-    return std::nullopt;
-}
-
-/// The centre that the words say, in the programmed system; nothing if it was reported. A distance
-/// is a radius, a coordinate is a diameter where X is one: "Channel-specific diameter/radius
-/// programming" in SINUMERIK's manual of fundamentals.
-std::optional<Vec3> Executor::center_of_arc(const Block& block, const Vec3& start) {
-    const Slot across = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) +
-                                          index(path::axes_of(modal_.plane).normal));
-    if (block.has(across)) {
-        report(diag::ArcCenterOutsidePlane, block, across).arg(slot_word(across));
-        return std::nullopt;
-    }
-    Vec3 center = start;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
-        if (!block.has(slot)) continue;
-        double& value = center[static_cast<Eigen::Index>(i)];
-        const bool is_place = (block.absolute & bit(slot)) != 0;
-        value = is_place ? block.at(slot) * axes_.word_scale[i] : value + block.at(slot);
-    }
-    return center;
-}
-
-void Executor::report_radius_arc(const Block& block, path::ArcFault fault,
-                                 const path::ArcEnds& ends) {
-    const Vec3 way = ends.end - ends.start;
-    if (fault == path::ArcFault::RadiusTooSmall) {
-        const double height = way.dot(path::unit(path::axes_of(modal_.plane).normal));
-        const double chord = std::sqrt(std::max(0.0, way.squaredNorm() - height * height));
-        report(diag::ArcRadiusTooSmall, block, Slot::Radius)
-            .arg(round_to(block.at(Slot::Radius), 6))
-            .arg(round_to(chord, 6));
-        return;
-    }
-    const bool moves = way.norm() > 0;  // along the axis of a helix
-    if (!moves && rules_.arc_radius_without_chord == nc::ArcWithoutChord::NoMotion) return;
-    report(diag::ArcWithoutChord, block, Slot::Radius);
-}
-
-void Executor::report_center_arc(const Block& block, path::ArcFault fault,
-                                 const path::ArcEnds& ends, const Vec3& center) {
-    const SlotMask centers = block.given & nc::kCenterSlots;
-    const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
-    const auto radius_to = [&](const Vec3& place) {
-        const Vec3 arm = place - center;
-        return round_to((arm - arm.dot(normal) * normal).norm(), 6);
-    };
-    // A centre on the start of another place is one, with a radius that does not fit.
-    const bool is_nowhere = fault == path::ArcFault::NoRadius &&
-                            (centers == 0 || radius_to(ends.start) == radius_to(ends.end));
-    if (!is_nowhere) {
-        report(diag::ArcEndOffCircle, block, first_slot(centers))
-            .arg(radius_to(ends.start))
-            .arg(radius_to(ends.end));
-    } else if (centers == 0) {
-        report(diag::ArcCenterMissing, block, block.motion);
-    } else {
-        report(diag::ArcCenterMissing, block, first_slot(centers));
-    }
-}
-
 void Executor::warn_arc_word(const Block& block, SlotMask words) {
     const Slot slot = first_slot(words);
-    report(diag::ArcWordUnused, block, slot)
+    reporter_.report(diag::ArcWordUnused, block, slot)
         .arg(slot_word(slot))
         .arg(modal_.motion == Function::Rapid ? "rapid" : "line");
 }

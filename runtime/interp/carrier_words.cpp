@@ -79,17 +79,18 @@ void Executor::take_carrier(const Block& block) {
         return;
     }
     if (orienting_.is_on || virtual_.axes.is_on()) {
-        report(diag::IsoNotSupported, block, word).arg("a tool carrier under a transformation");
+        reporter_.report(diag::IsoNotSupported, block, word)
+            .arg("a tool carrier under a transformation");
         return;
     }
     const bool ends_comp = block.find(Function::RadiusCompOff) != nullptr;
     if (comp_.is_on() && word != Function::None && !ends_comp) {
-        report(diag::CarrierCompensated, block, word);
+        reporter_.report(diag::CarrierCompensated, block, word);
         return;
     }
     const CarrierData* const data = carriers_.find(carrier_.number);
     if (data == nullptr) {
-        report(diag::CarrierUnknown, block, word).arg(carrier_.number);
+        reporter_.report(diag::CarrierUnknown, block, word).arg(carrier_.number);
         return;
     }
     const std::optional<Carrier> stand = standing_carrier(block, *data);
@@ -104,7 +105,7 @@ void Executor::take_carrier(const Block& block) {
 std::optional<Carrier> Executor::standing_carrier(const Block& block, const CarrierData& data) {
     std::optional<Carrier> carrier = carrier_of(data);
     if (!carrier) {
-        report(diag::CarrierKindUnknown, block).arg(data.kind);
+        reporter_.report(diag::CarrierKindUnknown, block).arg(data.kind);
         return std::nullopt;
     }
     for (std::size_t i = 0; i < 2; ++i) {
@@ -122,7 +123,7 @@ std::optional<Carrier> Executor::standing_carrier(const Block& block, const Carr
     query.near = carrier->angles;
     const auto aligned = laid_along(*carrier, data, query);
     if (aligned) return *aligned;
-    report(diag::CarrierUnreachable, block)
+    reporter_.report(diag::CarrierUnreachable, block)
         .arg(carrier_.number)
         .arg(aligned.error() == CarrierFault::Limits ? "the limits of its axes forbid it"
                                                      : "its axes do not lead there");
@@ -161,7 +162,8 @@ bool Executor::leave_carrier() {
 /// No transformation is switched on beside a carrier.
 Done Executor::require_no_carrier(const Block& block, Function function) {
     if (!carrier_.stand || function == Function::TcpOff) return kDone;
-    report(diag::IsoNotSupported, block, function).arg("a transformation beside a tool carrier");
+    reporter_.report(diag::IsoNotSupported, block, function)
+        .arg("a transformation beside a tool carrier");
     return kFailed;
 }
 

@@ -29,54 +29,35 @@ constexpr double kLimitSlack = 1e-6;  // mm, deg
 
 }  // namespace
 
-Done Executor::require_axes(const Block& block, SlotMask targets) {
-    SlotMask missing = targets & ~SlotMask{axes_.present};
-    if (virtual_.axes.turns()) {
-        missing &= ~bit(nc::slot_of(virtual_.axes.virtual_axis()));
-        if (const Slot turning = nc::slot_of(virtual_.axes.rotary); (targets & bit(turning)) != 0) {
-            report(diag::VirtualRotary, block, turning).arg(nc::slot_name(turning));
-            return kFailed;
-        }
-    }
-    if (missing == 0) return kDone;
-    const Slot slot = first_slot(missing);
-    DiagnosticBuilder message = report(diag::AxisMissing, block, slot);
-    message.arg(kAxisNames[static_cast<std::size_t>(slot)]);
-    const std::string hint =
-        hint_at_comma(dialect_.tables(), static_cast<Axis>(slot), block.at(slot));
-    if (!hint.empty() && !block.is_of_cycle()) message.fix(hint);
-    return kFailed;
-}
-
 /// Between the code that gears the spindle and the tapping cycle no axis moves.
 Done Executor::require_no_move_before_tap(const Block& block, SlotMask targets) {
     if (!taps_rigidly_ || targets == 0 || block.is_of_cycle()) return kDone;
     if (block.find(Function::TapRigid) != nullptr) return kDone;
-    report(diag::TapMoveBefore, block, first_slot(targets));
+    reporter_.report(diag::TapMoveBefore, block, first_slot(targets));
     return kFailed;
 }
 
 Done Executor::require_feed(const Block& block, std::string_view what) {
     if (contour_) return kDone;  // no axis moves
     if (!modal_.has_feed) {
-        DiagnosticBuilder message = report(diag::FeedMissing, block);
+        DiagnosticBuilder message = reporter_.report(diag::FeedMissing, block);
         message.arg(what);
         if (!block.is_of_cycle()) return kFailed;
         const std::string hint =
-            hint_at_bare_cycle(dialect_.tables(), places_, *block.context->caller);
+            hint_at_bare_cycle(dialect_.tables(), reporter_.locations(), *block.context->caller);
         if (!hint.empty()) message.fix(hint);
         return kFailed;
     }
     if (!(modal_.feed > 0)) {
         const double feed = modal_.feed;
-        (block.has(Slot::Feed) ? report(diag::FeedNotPositive, block, Slot::Feed)
-                               : report(diag::FeedNotPositive, block))
+        (block.has(Slot::Feed) ? reporter_.report(diag::FeedNotPositive, block, Slot::Feed)
+                               : reporter_.report(diag::FeedNotPositive, block))
             .arg(feed);
         return kFailed;
     }
     if (modal_.feed_mode == FeedMode::InverseTime && rules_.inverse_time_feed_in_every_block &&
         !block.has(Slot::Feed)) {
-        report(diag::InverseTimeFeedMissing, block);
+        reporter_.report(diag::InverseTimeFeedMissing, block);
         return kFailed;
     }
     if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) {
@@ -87,12 +68,12 @@ Done Executor::require_feed(const Block& block, std::string_view what) {
         return kDone;
     }
     if (modal_.feed_mode == FeedMode::PerRevolution) {
-        report(diag::RevolutionFeedStands, block);
+        reporter_.report(diag::RevolutionFeedStands, block);
         return kFailed;
     }
     // The beam of a scanner comes with its marks.
     if (!is_scanning_ && told_.first_time(Once::SpindleStopped))
-        report(diag::FeedWithSpindleStopped, block);
+        reporter_.report(diag::FeedWithSpindleStopped, block);
     return kDone;
 }
 
@@ -114,14 +95,14 @@ void Executor::check_rapid(const Block& block, const Target& target) {
     const bool is_mill = axes_.word_scale[0] == 1 && modal_.plane == path::Plane::Xy;
     const bool is_danger = stands && dives && is_mill && !contour_;
     if (!is_danger || !told_.first_time(Once::Rapid)) return;
-    report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
+    reporter_.report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
 }
 
 /// A cut on a machine that changes tools, with whatever turns in the spindle.
 void Executor::check_tool(const Block& block) {
     const bool asks = options_.asks_for_tool && machine_.tool_change_time != 0;
     if (!asks || tool_.current != 0 || !told_.first_time(Once::NoTool)) return;
-    DiagnosticBuilder message = report(diag::ToolNeverCalled, block);
+    DiagnosticBuilder message = reporter_.report(diag::ToolNeverCalled, block);
     // `T0101` is a lathe's tool with its offset.
     const std::int64_t tool = tool_.selected / 100;
     const std::int64_t offset = tool_.selected % 100;
@@ -142,14 +123,14 @@ void Executor::check_units(const Block& block, nc::Function function) {
                                   : frames_.is_scaled()  ? "a scaling"
                                                          : "";
     if (changes && rules_.comp_is_innermost && !acts.empty()) {
-        report(diag::UnitsInside, block, function)
+        reporter_.report(diag::UnitsInside, block, function)
             .arg(units == Units::Inch ? "inches" : "millimetres")
             .arg(acts);
         return;
     }
     if (changes && has_moved_ && told_.first_time(Once::Units)) {
         const bool to_inch = units == Units::Inch;
-        report(diag::UnitsMixed, block, function)
+        reporter_.report(diag::UnitsMixed, block, function)
             .arg(to_inch ? "millimetres" : "inches")
             .arg(to_inch ? "inches" : "millimetres");
     }
@@ -174,7 +155,8 @@ Done Executor::require_within_area(const Block& block, const AxisValues& base, A
     const std::optional<WorkArea::Excess> excess = area_.excess(base, axes);
     if (!excess) return kDone;
     const Slot word = nc::slot_of(excess->axis);
-    (block.has(word) ? report(diag::AreaLeft, block, word) : report(diag::AreaLeft, block))
+    (block.has(word) ? reporter_.report(diag::AreaLeft, block, word)
+                     : reporter_.report(diag::AreaLeft, block))
         .arg(kAxisNames[index(excess->axis)])
         .arg(round_to(excess->at, 6))
         .arg(round_to(excess->limit, 6));
@@ -238,8 +220,8 @@ void Executor::report_limit(const Block& block, Axis axis, double at) {
     const std::size_t i = index(axis);
     const double limit = at < axes_.lower[i] ? axes_.lower[i] : axes_.upper[i];
     DiagnosticBuilder builder = block.has(nc::slot_of(axis))
-                                    ? report(diag::AxisLimit, block, nc::slot_of(axis))
-                                    : report(diag::AxisLimit, block);
+                                    ? reporter_.report(diag::AxisLimit, block, nc::slot_of(axis))
+                                    : reporter_.report(diag::AxisLimit, block);
     builder.arg(kAxisNames[i]).arg(round_to(at, 6)).arg(round_to(limit, 6));
 }
 

@@ -38,7 +38,7 @@ void Executor::choose_pointed_corners(const Block& block, const Invocation& invo
     comp_.pointed =
         block.argument(invocation, parameter_of<Function::CompCornerPointed>("percent"));
     if (comp_.pointed < 0 || comp_.pointed > 100)
-        report(diag::CompPointedRange, block, invocation.function).arg(comp_.pointed);
+        reporter_.report(diag::CompPointedRange, block, invocation.function).arg(comp_.pointed);
 }
 
 /// function  of the group RadiusComp
@@ -76,9 +76,9 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
     const bool is_again = actions.radius_comp && rules_.comp_again_on_normal;
     if (is_again && comp_.acting == CompKind::InPlane)
         send_comp({CompChange::Kind::Again, {}, modal_.plane, 0, position_.base, {}, {}});
-    if (ended_) return;
+    if (has_ended()) return;
     const CompChange change = comp_change(block, CompChange::Kind::Set);
-    if (!ended_) send_comp(change);
+    if (!has_ended()) send_comp(change);
 }
 
 /// A direction of the programmed system as one in the plane of the base system; none: it has no
@@ -107,7 +107,7 @@ std::optional<path::Vec2> Executor::leave_direction(const Block& block) const {
 /// An arc about the corner at which the cutter is, in a block of its own.
 void Executor::round_comp_corner(const Block& block, const Invocation& invocation) {
     if ((block.given & nc::kTargetSlots) != 0) {
-        report(diag::CompCornerMoves, block, invocation.function);
+        reporter_.report(diag::CompCornerMoves, block, invocation.function);
         return;
     }
     if (!require_feed(block, "arc")) return;
@@ -155,7 +155,7 @@ void Executor::change_comp(const CompChange& change) {
         case CompChange::Kind::Begin:
             // From one side to the other: the contour so far ends on its normal.
             if (compensation_.is_on()) flush_comp();
-            if (ended_) return;
+            if (has_ended()) return;
             compensation_.begin(change.settings, change.plane, change.distance, change.here);
             compensation_.set_aside(change.aside);
             break;
@@ -164,8 +164,8 @@ void Executor::change_comp(const CompChange& change) {
 
 Done Executor::require_comp_in_plane(const Block& block, Function function) {
     if (!comp_3d_.is_on()) return kDone;
-    report(diag::IsoNotSupported, block, function)
-        .arg(word_of(block, function) + " beside a contour in space");
+    reporter_.report(diag::IsoNotSupported, block, function)
+        .arg(reporter_.word_of(block, function) + " beside a contour in space");
     return kFailed;
 }
 
@@ -179,10 +179,10 @@ void Executor::change_comp_3d(const CompChange& change) {
         case CompChange::Kind::Begin:
             // From one side to the other, or from the plane: the contour so far ends here.
             if (is_any_comp_on()) flush_comp();
-            if (ended_) return;
+            if (has_ended()) return;
             if (!change.space) {
                 stop_comp();
-                if (!ended_) change_comp(change);
+                if (!has_ended()) change_comp(change);
                 return;
             }
             comp_3d_.begin(*change.space, change.here);
@@ -226,7 +226,7 @@ Comp3dSettings Executor::comp_3d_settings() const {
 void Executor::begin_comp(const Block& block, CompSide side) {
     comp_.side = side;
     if (!comp_offset()) {
-        report(diag::CompWithoutTool, block, function_of(comp_.side));
+        reporter_.report(diag::CompWithoutTool, block, function_of(comp_.side));
         return;
     }
     const bool has_number =
@@ -235,8 +235,9 @@ void Executor::begin_comp(const Block& block, CompSide side) {
     const bool has_word =
         !dialect_.tables().forms_of[static_cast<std::size_t>(Function::RadiusOffset)].empty();
     if (rules_.comp_radius_by_offset && !has_number && (has_word || is_lathe_)) {
-        DiagnosticBuilder message = report(diag::CompWithoutOffset, block, function_of(comp_.side));
-        message.arg(word_of(block, function_of(comp_.side))).arg(has_word ? "D" : "T");
+        DiagnosticBuilder message =
+            reporter_.report(diag::CompWithoutOffset, block, function_of(comp_.side));
+        message.arg(reporter_.word_of(block, function_of(comp_.side))).arg(has_word ? "D" : "T");
         if (const Invocation* const length = block.find(Function::LengthOffset)) {
             const std::string number = std::to_string(std::llround(
                 block.argument(*length, parameter_of<Function::LengthOffset>("offset"))));
@@ -247,16 +248,16 @@ void Executor::begin_comp(const Block& block, CompSide side) {
     comp_.is_mirrored = frames_.is_mirrored(modal_.plane);
     const bool is_of_tool = comp_.acting == CompKind::InPlane && !comp_.is_in_frame;
     if (is_of_tool && is_turned_by_carrier() && !is_plane_on_carrier()) {
-        report(diag::CarrierPlane, block, function_of(comp_.side));
+        reporter_.report(diag::CarrierPlane, block, function_of(comp_.side));
         return;
     }
     if (comp_.acting != CompKind::InPlane && comp_settings().start == nc::CompStart::Around) {
-        report(diag::CompSpaceStart, block, function_of(comp_.side));
+        reporter_.report(diag::CompSpaceStart, block, function_of(comp_.side));
         return;
     }
     if (!require_constant_tool(block)) return;
     CompChange change = comp_change(block, CompChange::Kind::Begin);
-    if (!ended_) send_comp(change);
+    if (!has_ended()) send_comp(change);
 }
 
 CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
@@ -354,8 +355,9 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;
     const bool is_gap = (radius == 0 || has_no_tip) && number != 0;
     if (is_gap && told_.first_time(NoticeEach::Radius, number)) {
-        report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block,
-               function_of(comp_.side))
+        reporter_
+            .report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block,
+                    function_of(comp_.side))
             .arg(ToolOffsets::tool_of(number));
     }
     const bool is_left =
@@ -372,18 +374,18 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
 void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_last) {
     std::optional<CompAlarm> alarm;
     if (comp_3d_.is_on()) {
-        if (!alarmed_) alarm = comp_3d_.end_block(block);
-        if (!alarmed_ && !alarm && ended_ && is_last) alarm = comp_3d_.flush();
+        if (!reporter_.has_alarm()) alarm = comp_3d_.end_block(block);
+        if (!reporter_.has_alarm() && !alarm && has_ended() && is_last) alarm = comp_3d_.flush();
         return take_comp(alarm);
     }
     const bool is_same_plane =
         modal_.plane == compensation_.plane() && compensation_.lie().isApprox(comp_lie(), kSameLie);
-    if (!alarmed_ && !is_same_plane) report(diag::CompPlane, block);
-    if (!alarmed_) alarm = compensation_.end_block(here, block);
-    if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();
+    if (!reporter_.has_alarm() && !is_same_plane) reporter_.report(diag::CompPlane, block);
+    if (!reporter_.has_alarm()) alarm = compensation_.end_block(here, block);
+    if (!reporter_.has_alarm() && !alarm && has_ended() && is_last) alarm = compensation_.flush();
     take_comp(alarm);
     // A frame that mirrors the plane from here on changes the side, as the other word would.
-    const bool goes_on = !ended_ && comp_.is_on() && is_same_plane;
+    const bool goes_on = !has_ended() && comp_.is_on() && is_same_plane;
     if (goes_on && frames_.is_mirrored(modal_.plane) != comp_.is_mirrored)
         begin_comp(block, comp_.side);
 }
@@ -405,7 +407,7 @@ void Executor::take_comp(const std::optional<CompAlarm>& alarm) {
 
 void Executor::report_comp(const CompAlarm& alarm) {
     const Block at = block_at(alarm.source, alarm.line);
-    report(*alarm.row, at);
+    reporter_.report(*alarm.row, at);
 }
 
 }  // namespace kadr::interp

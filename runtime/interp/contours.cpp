@@ -56,7 +56,7 @@ std::string_view Executor::begin_contour() {
 Done Executor::require_contour_block(const Block& block) {
     if (!acts(block)) return kDone;
     const auto refuse = [&](const DiagnosticRow& row, Function function) {
-        report(row, block, function).arg(word_of(block, function));
+        reporter_.report(row, block, function).arg(reporter_.word_of(block, function));
         return kFailed;
     };
     if (!nc::has_fact(block.motion, nc::Fact::ContourElement))
@@ -64,7 +64,7 @@ Done Executor::require_contour_block(const Block& block) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
         if (nc::has_fact(function, nc::Fact::EndsProgram)) {
-            report(diag::ContourUnfinished, block, function);
+            reporter_.report(diag::ContourUnfinished, block, function);
             return kFailed;
         }
         const bool changes_units = (function == Function::Inch && units_ != Units::Inch) ||
@@ -93,12 +93,12 @@ void Executor::note_contour_block(const Block& block) {
     // memory is full.
     constexpr std::size_t kMostMotions = 200'000;
     if (commands.size() > kMostMotions || contour_->said.size() > 10 * kMostMotions)
-        report(diag::ContourTableSmall, block).arg("every table").arg("fewer");
+        reporter_.report(diag::ContourTableSmall, block).arg("every table").arg("fewer");
 }
 
 std::optional<ContourElements> Executor::end_contour() {
     leave_corners(diag::CornerWithoutMotion);
-    if (ended_) return std::nullopt;
+    if (has_ended()) return std::nullopt;
     const ContourRun run = std::move(*contour_);
     contour_.reset();
     position_ = run.position;
@@ -141,7 +141,7 @@ std::optional<ContourElements> Executor::contour_of(const ContourRun& run) {
                 Block block{};
                 block.line = command.line;
                 block.source = command.source;
-                report(diag::ContourMotion, block).arg("an arc out of the working plane");
+                reporter_.report(diag::ContourMotion, block).arg("an arc out of the working plane");
                 return std::nullopt;
             }
             const AxisValues center{command.center.x(), command.center.y(), command.center.z()};

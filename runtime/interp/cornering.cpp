@@ -32,7 +32,7 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
             const double radius =
                 block.argument(invocation, parameter_of<Function::CornerRoundModal>("radius"));
             if (radius < 0) {
-                report(diag::CornerNegative, block, invocation.function).arg(radius);
+                reporter_.report(diag::CornerNegative, block, invocation.function).arg(radius);
                 return;
             }
             rounding_ = radius;
@@ -45,7 +45,7 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
             const double feed = block.argument(invocation, kFeed);
             const bool is_off = invocation.function == Function::CornerFeedModal && feed == 0;
             if (!(feed > 0) && !is_off) {
-                report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
+                reporter_.report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
                 return;
             }
             (invocation.function == Function::CornerFeed ? actions.corner_feed : corner_feed_) =
@@ -61,7 +61,7 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
             const bool is_twice =
                 actions.corner != nullptr && (rules_.corner_strict || is_round == was_round);
             if (is_twice) {
-                report(diag::CornerTwice, block, invocation.function);
+                reporter_.report(diag::CornerTwice, block, invocation.function);
                 return;
             }
             if (!was_round) actions.corner = &invocation;
@@ -78,19 +78,20 @@ void Executor::take_corner_feed(const Block& block, const Invocation& invocation
     if (!invocation.has(place)) return;
     const double feed = block.argument(invocation, place);
     if (feed > 0) actions.corner_feed = feed;
-    else report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
+    else reporter_.report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
 }
 
 /// Tells the corners what this block wants, before it puts its motion.
 void Executor::wish_corner(const Block& block, const Actions& actions) {
     if (block.is_of_cycle()) return;
     if (goes_straight(block, actions)) {
-        if (actions.corner != nullptr) report(diag::PointCorner, block, actions.corner->function);
+        if (actions.corner != nullptr)
+            reporter_.report(diag::PointCorner, block, actions.corner->function);
         return;
     }
     // Where a soft approach begins its contour, nothing stands before the corner.
     if (actions.soft != nullptr || smooth_approach_.needs_place()) {
-        if (actions.corner != nullptr) report(diag::CornerNotContour, block);
+        if (actions.corner != nullptr) reporter_.report(diag::CornerNotContour, block);
         return;
     }
     CornerWish wish;
@@ -98,7 +99,7 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
         const Invocation& said = *actions.corner;
         const bool begins = actions.radius_comp && *actions.radius_comp != CompSide::Off;
         if (rules_.corner_strict && begins) {
-            report(diag::CornerAtCompStart, block, said.function);
+            reporter_.report(diag::CornerAtCompStart, block, said.function);
             return;
         }
         const bool is_round = said.function == Function::CornerRound;
@@ -111,7 +112,7 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
                                : CornerWish::Kind::Length;
         wish.size = block.argument(said, is_width ? kWidth : kLength);
         if (wish.size < 0) {
-            report(diag::CornerNegative, block, said.function).arg(wish.size);
+            reporter_.report(diag::CornerNegative, block, said.function).arg(wish.size);
             return;
         }
     } else {
@@ -129,11 +130,12 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
     if (!(wish.size > 0) && !wish.is_open) return;
     if (comp_.is_face_milling_acting()) {
         if (!wish.is_open)
-            report(diag::IsoNotSupported, block).arg("a chamfer or a rounding on a surface");
+            reporter_.report(diag::IsoNotSupported, block)
+                .arg("a chamfer or a rounding on a surface");
         return;
     }
     if (frames_.is_stretched(modal_.plane)) {
-        if (!wish.is_modal) report(diag::ArcStretched, block);
+        if (!wish.is_modal) reporter_.report(diag::ArcStretched, block);
         return;
     }
     wish.lie = plane_lie();
@@ -143,7 +145,7 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
     const CornerSource place{block.source, block.line};
     if (!rules_.corner_in_own_block || wish.is_modal)
         return corners_.wish(wish, position_.base, place);
-    if (const DiagnosticRow* why = corners_.wish_behind(wish, place)) report(*why, block);
+    if (const DiagnosticRow* why = corners_.wish_behind(wish, place)) reporter_.report(*why, block);
 }
 
 /// Whether the words of arcs beside a line say a corner.
@@ -163,11 +165,11 @@ void Executor::wish_square_corner(const Block& block, const Target& target) {
     const bool has_other = block.find(Function::CornerChamfer) != nullptr ||
                            block.find(Function::CornerRound) != nullptr;
     if ((words & (words - 1)) != 0 || has_other) {
-        report(diag::CornerTwice, block);
+        reporter_.report(diag::CornerTwice, block);
         return;
     }
     if (along_first == moves(plane.second)) {
-        report(diag::CornerNotSquare, block);
+        reporter_.report(diag::CornerNotSquare, block);
         return;
     }
     CornerWish wish;
@@ -175,7 +177,7 @@ void Executor::wish_square_corner(const Block& block, const Target& target) {
     wish.next = along_first ? plane.second : plane.first;
     const bool is_round = words == bit(Slot::Radius);
     if (!is_round && words != bit(slot_across(wish.next))) {
-        report(diag::CornerNotSquare, block);
+        reporter_.report(diag::CornerNotSquare, block);
         return;
     }
     wish.kind = is_round ? CornerWish::Kind::Round : CornerWish::Kind::Width;
@@ -191,16 +193,16 @@ void Executor::wish_square_corner(const Block& block, const Target& target) {
 void Executor::settle(const Block& block) {
     if (!corners_.is_active()) return settle_stages(block, position_.base, true);
     std::optional<CornerMessage> message;
-    if (alarmed_) {
+    if (reporter_.has_alarm()) {
         message = corners_.leave(diag::CornerWithoutMotion);
         message.reset();  // the block has said what is wrong
     } else {
         message = corners_.end_block(position_.base, {block.source, block.line});
-        if (!message && ended_) message = corners_.leave(diag::CornerWithoutMotion);
+        if (!message && has_ended()) message = corners_.leave(diag::CornerWithoutMotion);
     }
     pass_corners();
     if (message) report_corner(*message);
-    if (!alarmed_ && ended_ && is_any_comp_on()) flush_comp();
+    if (!reporter_.has_alarm() && has_ended() && is_any_comp_on()) flush_comp();
 }
 
 void Executor::settle_stages(const Block& block, const AxisValues& here, bool is_last) {
@@ -245,7 +247,7 @@ void Executor::pass_corners() {
 
 void Executor::report_corner(const CornerMessage& message) {
     const Block at = block_at(message.place.source, message.place.line);
-    DiagnosticBuilder builder = report(*message.row, at);
+    DiagnosticBuilder builder = reporter_.report(*message.row, at);
     if (message.row == &diag::CornerReduced) builder.arg(message.made).arg(message.wanted);
     if (message.row != &diag::CornerSign) return;
     const std::string size = with_point(std::abs(message.wanted));

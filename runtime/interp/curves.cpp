@@ -69,13 +69,13 @@ void Executor::move_along_curve(const Block& block, const nc::Invocation& call) 
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
     const path::CurveKind* kind = path::find_curve(info.curve);
     if (kind == nullptr) {
-        report(diag::CurveUnknown, block, Function::Cycle)
+        reporter_.report(diag::CurveUnknown, block, Function::Cycle)
             .arg(info.curve)
             .arg(joined(path::curve_names()));
         return;
     }
     const auto refuse = [&](std::string_view words) {
-        report(diag::CurveRefused, block, Function::Cycle).arg(info.name).arg(words);
+        reporter_.report(diag::CurveRefused, block, Function::Cycle).arg(info.name).arg(words);
     };
     if ((block.given & nc::kTargetSlots) != 0) return refuse("its block moves an axis as well");
     if (shape_ || block.is_of_cycle()) return refuse("it stands in a contour or in a cycle");
@@ -101,7 +101,7 @@ void Executor::move_along_curve(const Block& block, const nc::Invocation& call) 
 
     if (!require_feed(block, "curve")) return;
     leave_corners(diag::CornerNotContour);
-    if (ended_) return;
+    if (has_ended()) return;
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
     const Vec3 start = linear(position_.base);
     const path::Parametric curve = path::make_parametric(start, path::end_of(shape, start), shape);

@@ -111,7 +111,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     if (!info.curve.empty()) return move_along_curve(block, invocation);
     if (names_contour(info)) return;  // the program keeps it for the cycles behind
     if (cycles_ == nullptr || cycle_.blocks || shape_) {
-        report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
+        reporter_.report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
         return;
     }
     ModalCycle call;
@@ -140,7 +140,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     }
     if (call.is_active) {
         if (block.motion != Function::None)
-            report(diag::CycleBesideMotion, block, Function::Cycle).arg("the cycle");
+            reporter_.report(diag::CycleBesideMotion, block, Function::Cycle).arg("the cycle");
         // The level where the cycle mode begins stays the initial level until the mode ends.
         const Axis tool_axis = path::axes_of(cycle_plane()).normal;
         if (!modal_cycles_.modal.is_active) {
@@ -170,7 +170,7 @@ void Executor::call_behind_motion(const Block& block) {
     // An axis that moves by itself goes along no path.
     const bool is_path = ((block.given & nc::kTargetSlots) != 0 || is_circle_said) &&
                          block.find(Function::RapidOnce) == nullptr;
-    if (ended_ || cycle_.blocks || shape_ || !is_path) return;
+    if (has_ended() || cycle_.blocks || shape_ || !is_path) return;
     Block call = *modal_cycles_.behind_motions;
     call.line = block.line;
     call.source = block.source;
@@ -178,7 +178,7 @@ void Executor::call_behind_motion(const Block& block) {
     call.given = 0;
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (names_shape(info) && !patterns_.empty()) {  // its contour follows no motion to a place
-        report(diag::CycleUnavailable, call, Function::Cycle).arg(info.name);
+        reporter_.report(diag::CycleUnavailable, call, Function::Cycle).arg(info.name);
         return;
     }
     Actions actions;
@@ -189,7 +189,7 @@ void Executor::call_behind_motion(const Block& block) {
 /// The cycle that was defined last, with the parameters of its definition.
 void Executor::call_defined(const Block& block) {
     if (!modal_cycles_.defined) {
-        report(diag::CycleUndefined, block, Function::CycleCall);
+        reporter_.report(diag::CycleUndefined, block, Function::CycleCall);
         return;
     }
     Block call{};
@@ -205,7 +205,7 @@ void Executor::call_defined(const Block& block) {
 
 /// The motion code behind a cycle ended it; what was its depth is the place of the tool axis.
 void Executor::move_instead_of_cycle(const Block& block, const Actions& actions) {
-    report(diag::CycleBesideMotion, block, Function::Cycle).arg("the motion");
+    reporter_.report(diag::CycleBesideMotion, block, Function::Cycle).arg("the motion");
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
     const Invocation& cycle = *actions.cycle;
     Block moves = block;
@@ -285,7 +285,7 @@ void Executor::keep_levels(const Block& block) {
     const Slot depth = nc::slot_of(path::axes_of(cycle_plane()).normal);
     if (block.has(depth)) {
         const bool is_distance = (block.incremental & bit(depth)) != 0;
-        const double scale = cycle_.is_across ? x_scale(block, is_distance) : 1;
+        const double scale = cycle_.is_across ? motion_words().x_scale(block, is_distance) : 1;
         modal_cycles_.data.levels.depth = depth_now(block.at(depth) * scale);
         modal_cycles_.data.levels.depth.is_distance |= is_distance;
     }
@@ -297,9 +297,9 @@ void Executor::warn_levels(const Block& block) {
     if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
     // A distance that nobody says is none: the cycle begins where the tool stands.
     if (!modal_cycles_.data.levels.retract.is_given && !retract_now(0).is_distance)
-        report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
+        reporter_.report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
     if (!modal_cycles_.data.levels.depth.is_given)
-        report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
+        reporter_.report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
 }
 
 /// Fills the call with what its own words, and those of the cycles before it, have said.
@@ -374,7 +374,7 @@ void Executor::go_straight(ModalCycle& call) {
 void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
     // Words of a target are those of a call, which lacks something; they must move nothing.
     if ((block.given & nc::kTargetSlots) != 0) {
-        report(diag::CycleWordsMissing, block, Function::CyclePreset)
+        reporter_.report(diag::CycleWordsMissing, block, Function::CyclePreset)
             .arg(dialect_.cycles()[block.cycle].name);
         return;
     }
@@ -485,15 +485,15 @@ Done Executor::require_words_of_cycle(const Block& block, const Actions& actions
     if (!rules_.modal_cycles || !is_turning || info.roles.depth >= 0) return kDone;
     const CycleWords& words = actions.cycle_words;
     if (words.stroke || words.dwell || words.times) {
-        report(diag::IsoWordUnused, block, Function::CycleWords)
-            .arg(word_of(block, Function::CycleWords));
+        reporter_.report(diag::IsoWordUnused, block, Function::CycleWords)
+            .arg(reporter_.word_of(block, Function::CycleWords));
         return kFailed;
     }
     for (std::size_t i = 0; i < kAxes; ++i) {
         const auto axis = static_cast<Axis>(i);
         const Slot slot = nc::slot_of(axis);
         if (!block.has(slot) || find_parameter(info.parameters, end_name(axis))) continue;
-        report(info.is_modal ? diag::CycleAxis : diag::CycleAxisBeside, block, slot)
+        reporter_.report(info.is_modal ? diag::CycleAxis : diag::CycleAxisBeside, block, slot)
             .arg(kAxisNames[i]);
         return kFailed;
     }
@@ -530,17 +530,17 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
 void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape* shape) {
     if (comp_.is_on()) {
-        report(diag::CycleCompensated, block);
+        reporter_.report(diag::CycleCompensated, block);
         return;
     }
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const SlotMask place =
         block.given & nc::kTargetSlots & ~SlotMask{bit(nc::slot_of(plane.normal))};
-    if (!require_axes(block, place)) return;
+    if (!motion_words().require_axes(block, place)) return;
     const bool has_end = find_parameter(dialect_.cycles()[call.cycle].parameters, "x").has_value();
     if (place != 0 && !has_end)
-        line(block, target_of(block, place), path::Op::Rapid, stops_exactly());
-    if (ended_) return;
+        line(block, motion_words().target_of(block, place), path::Op::Rapid, stops_exactly());
+    if (has_ended()) return;
 
     if (is_modal(call.cycle) && modal_cycles_.data.stroke.value_or(0) > 0) {
         if (const auto in_strokes = call_in_strokes(dialect_, call)) {
@@ -567,14 +567,14 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     request.speed = spindle_.speed;
     if (is_running(spindle_.mode)) request.spindle = spindle_.mode;
     request.source = block.source;
-    if (places_ != nullptr) request.place = places_->place(block);
+    if (reporter_.locations() != nullptr) request.place = reporter_.locations()->place(block);
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
     request.shape = shape != nullptr || !cycle_.lies_flat ? shape : &plane_of_lathe;
     request.x_is_diameter = !cycle_.lies_flat || axes_.word_scale[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
-        if (require_no_refusal(block)) ended_ = alarmed_ = true;  // the expander has said why
+        if (require_no_refusal(block)) reporter_.stop();  // the expander has said why
         return;
     }
     cycle_.context = {&cycle_.caller, info.name, static_cast<std::uint16_t>(call.cycle + 1),
@@ -608,11 +608,11 @@ Done Executor::complete_tap(const Block& block, ModalCycle& call) {
         find_parameter(dialect_.cycles()[call.cycle].parameters, "pitch");
     if (!pitch || is_given(call, pitch)) return kDone;
     if (!modal_.has_feed || !(modal_.feed > 0) || modal_.feed_mode == path::FeedMode::InverseTime) {
-        report(diag::TapPitchMissing, block, Function::Cycle);
+        reporter_.report(diag::TapPitchMissing, block, Function::Cycle);
         return kFailed;
     }
     if (spindle_.has_cutting_speed || !(spindle_.speed > 0)) {
-        report(diag::TapSpeedMissing, block, Function::Cycle);
+        reporter_.report(diag::TapSpeedMissing, block, Function::Cycle);
         return kFailed;
     }
     const bool is_pitch = modal_.feed_mode == path::FeedMode::PerRevolution;
@@ -630,9 +630,10 @@ Done Executor::complete_thread(const Block& block, ModalCycle& call) {
         find_parameter(dialect_.cycles()[call.cycle].parameters, "lead");
     if (!lead || is_given(call, lead) || !rules_.thread_pitch_is_feed) return kDone;
     if (!modal_.has_feed || !(modal_.feed > 0)) {
-        DiagnosticBuilder message = report(diag::ThreadPitchMissing, block);
+        DiagnosticBuilder message = reporter_.report(diag::ThreadPitchMissing, block);
         message.arg(kAxisNames[index(Axis::Z)]);
-        const std::string hint = hint_at_bare_cycle(dialect_.tables(), places_, block);
+        const std::string hint =
+            hint_at_bare_cycle(dialect_.tables(), reporter_.locations(), block);
         if (!hint.empty()) message.fix(hint);
         return kFailed;
     }
@@ -649,7 +650,7 @@ Done Executor::time_turns(const Block& block, ModalCycle& call) {
         const bool counts_turns = parameters[i].dimension == nc::Dimension::Time && time < 0;
         if (!counts_turns || !is_given(call, i)) continue;
         if (!(spindle_.speed > 0)) {
-            report(diag::DwellInvalid, block, Function::Cycle)
+            reporter_.report(diag::DwellInvalid, block, Function::Cycle)
                 .arg("it counts turns of the spindle, and no speed is set");
             return kFailed;
         }
@@ -668,7 +669,7 @@ Done Executor::require_no_refusal(const Block& block) {
 
 /// An alarm of the cycle in these words, which say what number it has on the control.
 void Executor::refuse_cycle(const Block& block, std::string_view words) {
-    DiagnosticBuilder message = report(diag::CycleRefused, block);
+    DiagnosticBuilder message = reporter_.report(diag::CycleRefused, block);
     message.arg(words);
     if (std::optional<nc::AlarmText> alarm = dialect_.alarm(diag::CycleRefused, words))
         message.alarm(std::move(alarm->number), std::move(alarm->text));
@@ -734,7 +735,7 @@ void Executor::finish_cycle() {
     if (comp_.is_on()) {
         comp_.side = CompSide::Off;
         stop_comp();
-        if (ended_) return;
+        if (has_ended()) return;
         position_.base = comp_3d_.is_on() ? comp_3d_.place() : compensation_.place();
         frame_changed();
     }
@@ -744,7 +745,7 @@ void Executor::finish_cycle() {
     axes_.word_scale[index(Axis::X)] = cycle_.x_scale_before;
     modal_cycles_.modal.is_active = cycle_.is_modal_behind;
     if (cycle_.final_level) return_to_level();
-    if (ended_) return;
+    if (has_ended()) return;
     if (cycle_.frames_outside) {
         frames_ = *cycle_.frames_outside;
         cycle_.frames_outside.reset();
@@ -773,7 +774,7 @@ void Executor::return_to_level() {
     way.set(slot, *cycle_.final_level);
     way.absolute = bit(slot);
     if (cycle_.is_across) way.x_measure = nc::XMeasure::Radius;
-    line(way, target_of(way, bit(slot)), path::Op::Rapid, stops_exactly());
+    line(way, motion_words().target_of(way, bit(slot)), path::Op::Rapid, stops_exactly());
 }
 
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.

@@ -42,8 +42,8 @@ constexpr int kShownDecimals = 4;
 
 /// Whether a comment in the line allows the warning: it silences this line, and not the next one.
 bool Executor::is_allowed(const DiagnosticRow& row, const Block& block) const {
-    return options_.is_allowed && places_ != nullptr &&
-           options_.is_allowed(row, places_->place(block));
+    return options_.is_allowed && reporter_.locations() != nullptr &&
+           options_.is_allowed(row, reporter_.locations()->place(block));
 }
 
 /// Whether a feed is to be warned of here: from here on it counts as told, if no comment allows it.
@@ -59,7 +59,8 @@ void Executor::watch_feed(const Block& block) {
     dangers_.feed = modal_.feed;
     dangers_.feed_mode = modal_.feed_mode;
     const auto at_feed = [&](const DiagnosticRow& row) {
-        return block.has(Slot::Feed) ? report(row, block, Slot::Feed) : report(row, block);
+        return block.has(Slot::Feed) ? reporter_.report(row, block, Slot::Feed)
+                                     : reporter_.report(row, block);
     };
     const double most = mm_min_from_feed(machine_.max_feed);
     double per_minute = 0;  // 0: it is not known
@@ -101,8 +102,8 @@ void Executor::watch_cutting_speed(const Block& block, double from, double to) {
     told_.count_as_reported(Once::SpeedLimit);
     const std::string shown =
         is_in_centre ? "infinitely many" : std::to_string(std::llround(wanted));
-    (block.has(Slot::X) ? report(diag::NoSpeedLimit, block, Slot::X)
-                        : report(diag::NoSpeedLimit, block))
+    (block.has(Slot::X) ? reporter_.report(diag::NoSpeedLimit, block, Slot::X)
+                        : reporter_.report(diag::NoSpeedLimit, block))
         .arg(shown);
 }
 
@@ -116,7 +117,7 @@ void Executor::watch_length(const Block& block, Axis axis) {
     const Slot word = nc::slot_of(axis);
     const SlotMask distances = modal_.is_incremental ? ~block.absolute : block.incremental;
     if (!is_same_length && block.has(word) && (distances & bit(word)) != 0 && !block.is_of_cycle())
-        report(diag::IncrementTakesLength, block, word)
+        reporter_.report(diag::IncrementTakesLength, block, word)
             .arg(tool_.current != 0 ? tool_.current : ToolOffsets::tool_of(number));
     const bool is_by_number = tool_.source == Tool::Source::Offset && number != 0;
     dangers_.says_lengths |= is_by_number;
@@ -125,8 +126,8 @@ void Executor::watch_length(const Block& block, Axis axis) {
     const bool says_offset = block.find(Function::LengthOffset) != nullptr;
     const Function said =
         says_offset ? Function::LengthOffset : nc::programmed_in(block, nc::Group::LengthComp);
-    (said != Function::None ? report(diag::OtherToolsLength, block, said)
-                            : report(diag::OtherToolsLength, block))
+    (said != Function::None ? reporter_.report(diag::OtherToolsLength, block, said)
+                            : reporter_.report(diag::OtherToolsLength, block))
         .arg(number)
         .arg(tool_.current);
 }
@@ -138,7 +139,7 @@ void Executor::watch_missing_length(const Block& block) {
     dangers_.cut_tool = tool_.current;
     const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
     if (has_length || tool_.current == 0 || is_lathe_ || !dangers_.says_lengths) return;
-    report(diag::LengthForgotten, block).arg(tool_.current);
+    reporter_.report(diag::LengthForgotten, block).arg(tool_.current);
 }
 
 /// T0204: on a turret a tool has several offsets, but not that of another tool.
@@ -151,7 +152,7 @@ void Executor::watch_turret_offset(const Block& block, std::int64_t number) {
             return tool.number == number;
         });
     if (tool_.current == 0 || number == tool_.current || !is_other_tool) return;
-    report(diag::OtherToolsOffset, block).arg(number).arg(tool_.current);
+    reporter_.report(diag::OtherToolsOffset, block).arg(number).arg(tool_.current);
 }
 
 /// `G04 F2`: where F and S say no time, the code that dwells (ISO 6983-1) is an exact stop, and the
@@ -160,14 +161,14 @@ void Executor::watch_dwell(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     const SlotMask others = block.given & (bit(Slot::Feed) | bit(Slot::Speed));
     if (others == 0 && targets == 0) return;
-    const std::string code = word_of(block, Function::ExactStopOnce);
+    const std::string code = reporter_.word_of(block, Function::ExactStopOnce);
     if (code != "G04" && code != "G4") return;
     if (targets != 0) {  // a time that the control does not know, or a place: no axis moves for it
         const Slot slot = first_slot(targets);
-        report(diag::IsoWordUnused, block, slot).arg(slot_word(slot));
+        reporter_.report(diag::IsoWordUnused, block, slot).arg(slot_word(slot));
         return;
     }
-    report(diag::DwellWithoutTime, block, Function::ExactStopOnce)
+    reporter_.report(diag::DwellWithoutTime, block, Function::ExactStopOnce)
         .arg(code)
         .arg((others & bit(Slot::Feed)) != 0 ? "F" : "S");
 }
@@ -179,8 +180,8 @@ void Executor::watch_tap(const Block& block, Function function) {
     const double pitch = modal_.feed / spindle_.speed;
     if (!(pitch < danger::kLeastPitch)) return;
     const double unit = units_ == Units::Inch ? kMmPerInch : 1;
-    (block.has(Slot::Feed) ? report(diag::TapPitchTiny, block, Slot::Feed)
-                           : report(diag::TapPitchTiny, block, function))
+    (block.has(Slot::Feed) ? reporter_.report(diag::TapPitchTiny, block, Slot::Feed)
+                           : reporter_.report(diag::TapPitchTiny, block, function))
         .arg(round_to(pitch, 6))
         .arg("F" + format_shortest(round_to(modal_.feed / unit, 6)))
         .arg(round_to(spindle_.speed, 3))
@@ -192,8 +193,8 @@ void Executor::watch_diameter(const Block& block, Function function) {
     if (options_.has_named_machine || is_lathe_ || told_.has_reported(Once::DiameterOnMill)) return;
     if (is_allowed(diag::DiameterOnMill, block)) return;
     told_.count_as_reported(Once::DiameterOnMill);
-    report(diag::DiameterOnMill, block, function)
-        .arg(word_of(block, function))
+    reporter_.report(diag::DiameterOnMill, block, function)
+        .arg(reporter_.word_of(block, function))
         .fix("`-m lathe` runs it on one");
 }
 
@@ -210,8 +211,8 @@ void Executor::watch_radius(const Block& block, std::int64_t number) {
     if (is_allowed(diag::OtherToolsRadius, block)) return;
     told_.count_as_reported(NoticeEach::OtherToolsRadius, number);
     const bool is_said_here = block.find(Function::RadiusOffset) != nullptr;
-    (is_said_here ? report(diag::OtherToolsRadius, block, Function::RadiusOffset)
-                  : report(diag::OtherToolsRadius, block, function_of(comp_.side)))
+    (is_said_here ? reporter_.report(diag::OtherToolsRadius, block, Function::RadiusOffset)
+                  : reporter_.report(diag::OtherToolsRadius, block, function_of(comp_.side)))
         .arg(number)
         .arg(tool_.current);
 }
@@ -235,7 +236,7 @@ void Executor::watch_spindle_stop(const Block& block) {
         Vec3(position_.base[0], position_.base[1], position_.base[2]) - dangers_.rapid_end;
     const double aside = std::sqrt(std::max(0.0, way.squaredNorm() - below * below));
     if (below <= danger::kRetractSlack || aside <= danger::kRetractSlack) return;
-    report(diag::SpindleStopsInCut, block, Function::SpindleStop)
+    reporter_.report(diag::SpindleStopsInCut, block, Function::SpindleStop)
         .arg(format_shortest(round_to(below, kShownDecimals)));
 }
 
@@ -243,12 +244,12 @@ void Executor::watch_spindle_stop(const Block& block) {
 void Executor::watch_change(const Block& block) {
     if (!dangers_.has_moved || dangers_.is_at_rapid || contour_ || is_transformed()) return;
     if (is_lathe_) {
-        report(diag::ChangeInCut, block).arg("where the last cut has ended");
+        reporter_.report(diag::ChangeInCut, block).arg("where the last cut has ended");
         return;
     }
     const double below = below_retract();
     if (below <= danger::kRetractSlack) return;
-    report(diag::ChangeInCut, block)
+    reporter_.report(diag::ChangeInCut, block)
         .arg("in the cut, " + format_shortest(round_to(below, kShownDecimals)) +
              " mm below the last retract");
 }

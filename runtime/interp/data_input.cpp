@@ -31,7 +31,7 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
     constexpr std::size_t kAxis = parameter_of<Function::ParameterData>("axis");
     const std::int64_t number = block.number;
     if (number < 0) {
-        report(diag::ParameterNumber, block, Function::ParameterData);
+        reporter_.report(diag::ParameterNumber, block, Function::ParameterData);
         return;
     }
     const double value = block.argument(invocation, parameter_of<Function::ParameterData>("value"));
@@ -39,7 +39,7 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
     const auto axis =
         has_axis ? axis_of(std::llround(block.argument(invocation, kAxis))) : std::optional<Axis>();
     if (has_axis && !axis) {
-        report(diag::ParameterAxis, block, Function::ParameterData)
+        reporter_.report(diag::ParameterAxis, block, Function::ParameterData)
             .arg(block.argument(invocation, kAxis));
         return;
     }
@@ -53,12 +53,13 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
         return;
     }
     if (!told_.first_time(NoticeEach::Parameter, number)) return;
-    report(diag::ParameterIdle, block, Function::ParameterData).arg(number);
+    reporter_.report(diag::ParameterIdle, block, Function::ParameterData).arg(number);
 }
 
 /// Lives of tools are the control's matter: no tool wears here.
 void Executor::tell_life_data(const Block& block) {
-    if (told_.first_time(Once::LifeData)) report(diag::LifeDataIdle, block, Function::LifeData);
+    if (told_.first_time(Once::LifeData))
+        reporter_.report(diag::LifeDataIdle, block, Function::LifeData);
 }
 
 }  // namespace kadr::interp

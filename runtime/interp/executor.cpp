@@ -10,7 +10,6 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "interp/discarding_sink.h"
 #include "nc/tables.h"
 
 namespace kadr::interp {
@@ -38,10 +37,9 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       is_lathe_(machine.is_lathe || dialect.is_of_lathe()),
       tool_offsets_(machine, is_lathe_),
       tool_names_(machine),
-      places_(places),
       cycles_(cycles),
       options_(options),
-      sink_(&sink),
+      reporter_(dialect, places, sink),
       rules_(dialect.rules()),
       program_(blocks, options.in_step ? 1 : kProgramBatch),
       clocks_(machine),
@@ -83,7 +81,7 @@ std::size_t Executor::pull(std::span<Command> out) {
     output_.open(out);
     clocks_.timed = 0;
     follow_from_here();
-    while (output_.has_room() && !ended_) execute_next();
+    while (output_.has_room() && !has_ended()) execute_next();
     if (virtual_.axes.is_on()) follow_rotary();
     count_time();
     return output_.written();
@@ -105,8 +103,8 @@ void Executor::execute_next() {
     if (!patterns_.empty() && !patterns_.back().is_held) return go_to_next_position();
     const Block* block = program_.next();
     if (block == nullptr) return end_of_blocks();
-    if (places_ != nullptr && places_->is_behind_fault(*block)) {
-        ended_ = alarmed_ = true;  // the control stops at the line that could not be read
+    if (reporter_.locations() != nullptr && reporter_.locations()->is_behind_fault(*block)) {
+        reporter_.stop();  // the control stops at the line that could not be read
         return;
     }
     if (move_plainly(*block) == Plainly::Executed) return;
@@ -118,11 +116,11 @@ void Executor::execute_next() {
     if (contour_ && !require_contour_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
     // What is no block of the control, or is left out, is none without motion either.
-    const bool is_passed = open_line_ || (!ended_ && !acts(*block));
+    const bool is_passed = open_line_ || (!has_ended() && !acts(*block));
     if (has_stages() && !is_passed) settle(*block);
-    if (shape_ && !ended_) end_shape_block(*block);
-    if (contour_ && !ended_) note_contour_block(*block);
-    if (virtual_.axes.is_on() && !ended_) follow_rotary();
+    if (shape_ && !has_ended()) end_shape_block(*block);
+    if (contour_ && !has_ended()) note_contour_block(*block);
+    if (virtual_.axes.is_on() && !has_ended()) follow_rotary();
 }
 
 /// Whether commands pass through something that keeps them back; nearly never.
@@ -133,49 +131,53 @@ bool Executor::has_stages() const {
 /// The program goes on behind this place, which nobody reads: what waits for its blocks goes as far
 /// as it is known, and nothing is missing.
 void Executor::end_where_stopped() {
-    DiscardingSink nobody;
-    DiagnosticSink* const sink = std::exchange(sink_, &nobody);
+    const Reporter::Silence silence(reporter_);
     finish_open_spline();
     leave_corners(diag::CornerWithoutMotion);
     if (is_any_comp_on()) flush_comp();
-    sink_ = sink;
-    ended_ = true;
-    alarmed_ = false;
+    reporter_.go_on();
+    reporter_.end();
 }
 
 void Executor::end_of_blocks() {
-    if (places_ != nullptr && places_->stopped()) return end_where_stopped();
+    if (reporter_.locations() != nullptr && reporter_.locations()->stopped())
+        return end_where_stopped();
     finish_open_spline();
-    if (ended_) return;
-    if (open_line_) report(diag::AngleSecondMissing, *open_line_);
-    if (ended_) return;
+    if (has_ended()) return;
+    if (open_line_) reporter_.report(diag::AngleSecondMissing, *open_line_);
+    if (has_ended()) return;
     leave_corners(diag::CornerWithoutMotion);
-    if (ended_) return;
+    if (has_ended()) return;
     if (smooth_approach_.is_active()) {
         const Block at =
             block_at(smooth_approach_.move().slow.source, smooth_approach_.move().slow.line);
-        report(diag::SoftNoDirection, at);
+        reporter_.report(diag::SoftNoDirection, at);
         return;
     }
     if (is_any_comp_on()) flush_comp();
-    if (ended_) return;
-    if (contour_ && (places_ == nullptr || !places_->failed())) {
+    if (has_ended()) return;
+    if (contour_ && (reporter_.locations() == nullptr || !reporter_.locations()->failed())) {
         Block nowhere{};
-        nowhere.line = places_ != nullptr ? static_cast<std::uint32_t>(places_->lines()) : 0;
-        report(diag::ContourUnfinished, nowhere);
+        nowhere.line = reporter_.locations() != nullptr
+                           ? static_cast<std::uint32_t>(reporter_.locations()->lines())
+                           : 0;
+        reporter_.report(diag::ContourUnfinished, nowhere);
         return;
     }
-    ended_ = true;
+    reporter_.end();
     // The reader has said already why it stopped.
-    if (places_ != nullptr && places_->failed()) {
-        alarmed_ = true;
+    if (reporter_.locations() != nullptr && reporter_.locations()->failed()) {
+        reporter_.stop();
         return;
     }
     const bool is_alarm = rules_.missing_end == nc::MissingEnd::Alarm;
     Block nowhere{};
-    nowhere.line = places_ != nullptr ? static_cast<std::uint32_t>(places_->lines()) : 0;
-    TextLocation place = places_ != nullptr ? places_->place(nowhere) : TextLocation{};
-    report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(place));
+    nowhere.line = reporter_.locations() != nullptr
+                       ? static_cast<std::uint32_t>(reporter_.locations()->lines())
+                       : 0;
+    TextLocation place =
+        reporter_.locations() != nullptr ? reporter_.locations()->place(nowhere) : TextLocation{};
+    reporter_.report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(place));
 }
 
 /// Whether it is a block of the control that the operator lets run.
@@ -187,7 +189,7 @@ bool Executor::acts(const Block& block) const {
 
 void Executor::execute(const Block& block) {
     if (!acts(block)) {
-        if (block.kind == Block::Kind::Raw) report(diag::RawInCycle, block);
+        if (block.kind == Block::Kind::Raw) reporter_.report(diag::RawInCycle, block);
         return;
     }
     if (open_line_) return close_line(block);
@@ -200,12 +202,13 @@ void Executor::run(const Block& block) {
         (spline_ && !continues_spline(block)) || (through_ && !continues_through(block));
     if (ends_spline) {
         finish_open_spline(&block);
-        if (ended_) return;
+        if (has_ended()) return;
     }
     ++block_count_;
     if (options_.max_blocks != 0 && block_count_ > options_.max_blocks) {
         --block_count_;
-        report(diag::TooManyBlocks, block).arg(static_cast<std::size_t>(options_.max_blocks));
+        reporter_.report(diag::TooManyBlocks, block)
+            .arg(static_cast<std::size_t>(options_.max_blocks));
         return;
     }
     if (tilted_plane_.open && !require_block_of_open_plane(block)) return;
@@ -227,7 +230,7 @@ void Executor::run(const Block& block) {
 void Executor::run_functions(const Block& said) {
     const Block& block = with_depth_apart(said);
     Actions actions = apply_functions(block);
-    if (ended_) return;
+    if (has_ended()) return;
     actions.was_rapid = modal_.motion == Function::Rapid;
     actions.feed_before = modal_.feed;
     actions.had_feed = modal_.has_feed;
@@ -237,9 +240,9 @@ void Executor::run_functions(const Block& said) {
     if (actions.tooth_feed) set_tooth_feed(block, *actions.tooth_feed);
     if (actions.preset != nullptr) preset_axes(block, *actions.preset);
     if (actions.corner != nullptr || wishes_corners()) wish_corner(block, actions);
-    if (ended_) return;
+    if (has_ended()) return;
     act_before_motion(block, actions);
-    if (ended_) return;
+    if (has_ended()) return;
     const bool was_in_cycle = cycle_.blocks.has_value();
     if (is_without_frames(actions) && !take_frames_off(block)) return;
     const Block* places = with_positions(block);
@@ -248,8 +251,8 @@ void Executor::run_functions(const Block& said) {
     move_with_own_feed(*places, actions);
     if (frames_off_) put_frames_back(block);
     if (modal_cycles_.behind_motions) call_behind_motion(*places);
-    if (actions.calls_defined && !ended_ && !shape_) call_defined(block);
-    if (ended_) return;
+    if (actions.calls_defined && !has_ended() && !shape_) call_defined(block);
+    if (has_ended()) return;
     if (cycle_.blocks && !was_in_cycle) {
         cycle_.after = actions;  // what the calling block does after its motion waits for the cycle
     } else {
@@ -335,110 +338,6 @@ void Executor::move_to(Block& at, SourceId source, std::uint32_t line) const {
     at.line = line;
     const bool is_call = cycle_.blocks && cycle_.caller.line == line;
     at.context = is_call ? &cycle_.context : nullptr;
-}
-
-DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block) {
-    TextLocation place =
-        places_ != nullptr ? places_->place(block) : TextLocation{{}, block.line, 1, 1, {}};
-    DiagnosticBuilder builder = report(row, std::move(place));
-    if (block.is_of_cycle())
-        builder.note("inside the cycle `" + std::string(block.context->cycle) + "`");
-    return note_calls(std::move(builder), block);
-}
-
-DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Slot slot) {
-    if (places_ == nullptr || block.is_of_cycle()) return report(row, block);
-    return note_calls(report(row, places_->place(block, slot)), block);
-}
-
-DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
-                                   Function function) {
-    if (places_ == nullptr || block.is_of_cycle()) return report(row, block);
-    return note_calls(report(row, places_->place(block, function)), block);
-}
-
-namespace {
-
-/// Characters of a text; columns count them, not bytes.
-std::string characters(std::string_view text, std::size_t first, std::size_t count) {
-    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
-    std::string found;
-    std::size_t at = 0;
-    for (const char c : text) {
-        at += begins(c) ? 1 : 0;
-        if (at > first && at <= first + count) found += c;
-    }
-    return found;
-}
-
-/// Where an argument stands in a call, `TRAORI(1,0,0,1)`: bytes. All of the call if it has no such
-/// argument.
-std::string_view argument_in(std::string_view call, std::size_t argument) {
-    std::size_t begin = call.find('(');
-    int depth = 0;
-    for (std::size_t at = begin; at < call.size(); ++at) {
-        if (call[at] == '(') ++depth;
-        if (call[at] == ')') --depth;
-        const bool ends = (call[at] == ',' && depth == 1) || depth == 0;
-        if (!ends) continue;
-        if (argument == 0) {
-            while (begin + 1 < at && call[begin + 1] == ' ') ++begin;
-            while (at > begin + 2 && call[at - 1] == ' ') --at;
-            return call.substr(begin + 1, at - begin - 1);
-        }
-        begin = at;
-        --argument;
-    }
-    return call;
-}
-
-}  // namespace
-
-DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Function function,
-                                   std::size_t argument) {
-    if (places_ == nullptr || block.is_of_cycle()) return report(row, block);
-    TextLocation place = places_->place(block, function);
-    const std::string call = characters(place.text, place.column - 1, place.length);
-    const std::string_view said = argument_in(call, argument);
-    const auto before = static_cast<std::size_t>(said.data() - call.data());
-    place.column +=
-        static_cast<std::uint32_t>(count_code_points(std::string_view(call).substr(0, before)));
-    place.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, count_code_points(said)));
-    return note_calls(report(row, std::move(place)), block);
-}
-
-std::string Executor::word_of(const Block& block, Function function) const {
-    const std::string name(nc::info(function).name);
-    const bool is_said = block.motion == function || block.find(function) != nullptr;
-    if (places_ == nullptr || block.is_of_cycle() || !is_said) return name;
-    const TextLocation place = places_->place(block, function);
-    const std::string word = characters(place.text, place.column - 1, place.length);
-    return word.empty() ? name : word;
-}
-
-std::string Executor::spelling_of(Function function) const {
-    const nc::DialectTables& tables = dialect_.tables();
-    for (const nc::FormId id : tables.forms_of[static_cast<std::size_t>(function)]) {
-        const nc::Form& form = tables.forms[id];
-        if (form.is_read && form.unsupported.empty()) return form.words[0].text;
-    }
-    return std::string(nc::info(function).name);
-}
-
-/// Adds where the program of the block was called.
-DiagnosticBuilder Executor::note_calls(DiagnosticBuilder builder, const Block& block) const {
-    if (places_ == nullptr) return builder;
-    for (TextLocation& place : places_->calls(block)) builder.note(std::move(place), "called here");
-    return builder;
-}
-
-DiagnosticBuilder Executor::report(const DiagnosticRow& row, TextLocation place) {
-    if (row.severity == Severity::Alarm) ended_ = alarmed_ = true;
-    DiagnosticBuilder builder = sink_->report(row, std::move(place));
-    if (std::optional<nc::AlarmText> alarm = dialect_.alarm(row)) {
-        builder.alarm(std::move(alarm->number), std::move(alarm->text));
-    }
-    return builder;
 }
 
 }  // namespace kadr::interp

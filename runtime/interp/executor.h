@@ -35,9 +35,11 @@
 #include "interp/cycle_run.h"
 #include "interp/dangers.h"
 #include "interp/interpreter.h"
+#include "interp/motion_words.h"
 #include "interp/output.h"
 #include "interp/program_clocks.h"
 #include "interp/reported_in_run.h"
+#include "interp/reporter.h"
 #include "interp/shape_run.h"
 #include "interp/smooth_approach.h"
 #include "interp/snapshot.h"
@@ -71,7 +73,7 @@ class Executor {
 
     std::size_t pull(std::span<path::Command> out);
     std::vector<ProbeTouch> touches_ahead() const;
-    bool alarmed() const { return alarmed_; }
+    bool alarmed() const { return reporter_.has_alarm(); }
     std::uint64_t blocks() const { return block_count_; }
     /// Whether a motion that is out may have a course of its feed to be worked out.
     bool has_feed_characteristic() const { return panel_.has_feed_characteristic; }
@@ -252,10 +254,6 @@ class Executor {
     void move_with_own_feed(const nc::Block& places, const Actions& actions);
     void move(const nc::Block& block, const Actions& actions);
     void check_place(const nc::Block& block, nc::SlotMask targets);
-    Target target_of(const nc::Block& block, nc::SlotMask targets) const;
-    double x_scale(const nc::Block& block, bool is_distance) const;
-    Done require_rotary_approaches(const nc::Block& block);
-    void turn_rotary(const nc::Block& block, Target& target) const;
     void arrive(const Target& target);
     // probing.cpp
     bool knows_touches() const;
@@ -296,17 +294,7 @@ class Executor {
                       bool exact_stop);
     void stretched_arc_about_center(const nc::Block& block, const Target& target, bool exact_stop);
     void stretched_arc(const nc::Block& block, const Target& target, bool exact_stop);
-    double radius_of(const nc::Block& block, const path::ArcEnds& ends) const;
-    std::optional<path::Arc> resolve_arc(const nc::Block& block, const Target& target);
-    std::optional<int> turns_of(const nc::Block& block);
-    std::optional<path::Vec3> center_of_arc(const nc::Block& block, const path::Vec3& start);
-    void report_radius_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends);
-    void report_center_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends,
-                           const path::Vec3& center);
     // circles.cpp
-    path::Vec3 through_point(const nc::Block& block) const;
-    std::optional<path::Arc> arc_by_opening(const nc::Block& block, Target& target);
-    std::nullopt_t report_arc_words(const nc::Block& block, nc::SlotMask words);
     void arc_over_point(const nc::Block& block, const Target& target, bool exact_stop);
     void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
 
@@ -516,9 +504,6 @@ class Executor {
     Done take_pole(const nc::Block& block);
     const nc::Block* with_polar_slots(const nc::Block& block);
     const nc::Block* with_polar_axes(const nc::Block& block);
-    bool is_distance(const nc::Block& block, nc::Slot slot) const;
-    void set_polar_position(const nc::Block& block);
-    void set_place(nc::Block& block, Axis axis, double value) const;
 
     // angles.cpp
     path::Plane plane_in(const nc::Block& block) const;
@@ -619,15 +604,11 @@ class Executor {
     void choose_spline_end(const nc::Block& block, const nc::Invocation& invocation);
     bool continues_through(const nc::Block& block);
     bool only_turns(const nc::Block& block);
-    Target target_in(const nc::Block& block, nc::SlotMask targets);
     void go_through(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
     Done start_through(const nc::Block& block);
     void move_through();
     void finish_through(const nc::Block* next);
     std::optional<path::Vec3> direction_into(const nc::Block& next);
-    bool frames_change_in(const nc::Block& block) const;
-    std::optional<path::Vec3> direction_into_next(const nc::Block& block);
-    std::optional<path::Vec3> way_into_arc(const nc::Block& block, Target target);
     bool is_in_spline() const { return spline_ || through_; }
     bool leaves_spline_open(const nc::Block& block, const nc::Invocation& invocation) const;
     ControlPointBlock control_point_block(const nc::Block& block, const AxisValues& to);
@@ -637,22 +618,12 @@ class Executor {
     void finish_open_spline(const nc::Block* next = nullptr);
 
     // polynomials.cpp
-    struct Polynomials {
-        Target target;
-        std::vector<path::Pole> poles;  // homogeneous, in the programmed system
-    };
-    std::optional<Target> end_of_polynomials(const nc::Block& block);
-    std::optional<Polynomials> polynomials_of(const nc::Block& block);
     void polynomial(const nc::Block& block, const ToolWords& tool, bool exact_stop);
 
     // involutes.cpp
     void involute(const nc::Block& block, const Target& programmed, bool exact_stop);
-    std::optional<path::InvoluteWords> involute_words(const nc::Block& block);
-    Done take_involute_end(const nc::Block& block, const path::InvoluteWords& words,
-                           Target& target);
     void put_involute(const nc::Block& block, const path::InvoluteWords& words, double radius,
                       const Target& target, bool exact_stop);
-    void report_involute(const nc::Block& block, path::InvoluteFault fault);
 
     // surfaces.cpp
     std::optional<Cutter3d> mill_shape_now(const nc::Block& block);
@@ -667,7 +638,6 @@ class Executor {
     // motion.cpp: what is wrong or strange
     const nc::Block& with_center(const nc::Block& block);
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
-    Done require_axes(const nc::Block& block, nc::SlotMask targets);
     Done require_no_move_before_tap(const nc::Block& block, nc::SlotMask targets);
     Done require_feed(const nc::Block& block, std::string_view what);
     Done require_probe_feed(const nc::Block& block);
@@ -778,26 +748,25 @@ class Executor {
     void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
     void frame_changed();
     AxisMask plane_mask() const;
-    /// A message at the block, or at the word that set the slot or said the function. Inside a
-    /// cycle the place is that of the block which called it. An alarm ends the run.
-    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block);
-    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block, nc::Slot slot);
-    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
-                             nc::Function function);
-    /// … or at an argument of the call that said it.
-    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
-                             nc::Function function, std::size_t argument);
-    DiagnosticBuilder report(const DiagnosticRow& row, TextLocation place);
-    /// A function as the text of the block says it; by the vocabulary where no text does.
-    std::string word_of(const nc::Block& block, nc::Function function) const;
-    /// A function as the control spells it, whether a block has said it or not; by the vocabulary
-    /// where the control has no word for it.
-    std::string spelling_of(nc::Function function) const;
+    MotionView motion_view() const {
+        return {modal_.motion,
+                modal_.plane,
+                modal_.is_incremental,
+                diameter_is_absolute_,
+                is_transformed(),
+                position_,
+                frames_,
+                axes_,
+                virtual_.axes,
+                rules_,
+                dialect_.tables()};
+    }
+    MotionWords motion_words() { return {motion_view(), reporter_}; }
+    bool has_ended() const { return reporter_.has_ended(); }
     /// A block for messages, at the place of a command. Where that is the call of the cycle that
     /// runs, it is one of the cycle's.
     nc::Block block_at(SourceId source, std::uint32_t line) const;
     void move_to(nc::Block& at, SourceId source, std::uint32_t line) const;
-    DiagnosticBuilder note_calls(DiagnosticBuilder builder, const nc::Block& block) const;
 
     const nc::Dialect& dialect_;
     const machine::Machine& machine_;
@@ -807,10 +776,9 @@ class Executor {
     const bool is_lathe_;           // the machine is one, or the control is a lathe's
     ToolOffsets tool_offsets_;
     ToolNames tool_names_;
-    const nc::BlockLocations* places_;
     CycleExpander* cycles_;
     InterpreterOptions options_;
-    DiagnosticSink* sink_;
+    Reporter reporter_;
     nc::Rules rules_;
 
     BlockQueue program_;
@@ -821,8 +789,6 @@ class Executor {
     std::optional<control::ControlFrame> probe_frame_;  // of the surfaces that the probe meets
     double probe_kept_ = 0;                             // a coordinate that was measured
     std::uint64_t block_count_ = 0;
-    bool ended_ = false;
-    bool alarmed_ = false;
 
     Modal modal_;
     Position position_;

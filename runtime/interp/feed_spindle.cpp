@@ -60,7 +60,7 @@ double Executor::turning_speed() const {
 
 void Executor::limit_speed(const Block& block, Function function, double limit) {
     if (!(limit > 0)) {
-        report(diag::SpeedLimitInvalid, block, function).arg(limit);
+        reporter_.report(diag::SpeedLimitInvalid, block, function).arg(limit);
         return;
     }
     const SpeedLimits before = speed_limits();
@@ -89,7 +89,7 @@ void Executor::put_speed_limits(const Block& block, const SpeedLimits& before) {
 
 void Executor::bound_speed(const Block& block, Function function, bool is_upper, double bound) {
     if (bound < 0 || (is_upper && bound == 0)) {
-        report(diag::SpeedLimitInvalid, block, function).arg(bound);
+        reporter_.report(diag::SpeedLimitInvalid, block, function).arg(bound);
         return;
     }
     const SpeedLimits before = speed_limits();
@@ -104,7 +104,7 @@ double Executor::bounded_speed(const Block& block) {
     double speed = std::max(wanted, spindle_.least);
     if (spindle_.most > 0) speed = std::min(speed, spindle_.most);
     if (speed != wanted && told_.first_time_of_bound(wanted))
-        report(diag::SpeedBounded, block).arg(wanted).arg(speed);
+        reporter_.report(diag::SpeedBounded, block).arg(wanted).arg(speed);
     return speed;
 }
 
@@ -129,7 +129,7 @@ void Executor::update_spindle(const Block& block) {
                                                     : spindle_.speed;
     const Spindle::Told now{spindle_.mode, runs ? speed : 0, runs && spindle_.has_cutting_speed};
     if (now == spindle_.told) return;
-    if (runs && !(speed > 0)) report(diag::SpindleWithoutSpeed, block);
+    if (runs && !(speed > 0)) reporter_.report(diag::SpindleWithoutSpeed, block);
     spindle_.told = now;
     Command& command = put_spindle(block);
     command.spindle = now.mode;
@@ -150,7 +150,7 @@ void Executor::orient_spindle(const Block& block, const Invocation& invocation) 
 void Executor::stand_spindle(const Block& block, Function function, double angle, bool is_by) {
     if (is_by) {
         if (spindle_.mode != SpindleMode::Orient) {
-            report(diag::SpindleAngleUnknown, block, function);
+            reporter_.report(diag::SpindleAngleUnknown, block, function);
             return;
         }
         angle = std::fmod(spindle_.angle_deg + angle, 360);
@@ -174,7 +174,7 @@ void Executor::check_edge_turns(const Block& block) {
     constexpr double kTurned = 1e-6;
     if ((turned - across).norm() < kTurned && !frames_.is_mirrored(modal_.plane)) return;
     if (!told_.first_time(Once::TurnedEdge)) return;
-    report(diag::EdgeNotTurned, block)
+    reporter_.report(diag::EdgeNotTurned, block)
         .arg(frames_.is_mirrored(modal_.plane) ? "mirrored" : "turned");
 }
 

@@ -47,7 +47,7 @@ std::optional<Axis> Executor::known_axis(const Block& block, const Invocation& i
     const std::int64_t named = said > 0 ? -said : said;
     if (const std::optional<Axis> axis = axis_of(named); axis && named < 0) return axis;
     const auto place = static_cast<std::size_t>(-named - 1);
-    report(diag::AxisMissing, block, invocation.function)
+    reporter_.report(diag::AxisMissing, block, invocation.function)
         .arg(named < 0 && place < kAxes ? kAxisNames[place] : std::string_view("of this number"));
     return std::nullopt;
 }
@@ -70,7 +70,7 @@ void Executor::choose_feed_axes(const Block& block, const Invocation& invocation
 void Executor::set_feed_radius(const Block& block, const Invocation& invocation) {
     const double radius = block.argument(invocation, parameter_of<Function::FeedRadius>("radius"));
     if (!(radius > 0)) {
-        report(diag::FeedRadiusRange, block, invocation.function).arg(radius);
+        reporter_.report(diag::FeedRadiusRange, block, invocation.function).arg(radius);
         return;
     }
     const std::optional<Axis> axis =
@@ -126,7 +126,9 @@ void Executor::set_axis_speed(const Block& block, const Invocation& invocation) 
             block.argument(invocation, parameter_of<Function::AxisOverride>("percent"));
         constexpr double kMost = 200;
         if (!(percent >= 0 && percent <= kMost)) {
-            report(diag::OverrideRange, block, invocation.function).arg(percent).arg(kMost);
+            reporter_.report(diag::OverrideRange, block, invocation.function)
+                .arg(percent)
+                .arg(kMost);
             return;
         }
         positioning.is_said = true;
@@ -137,8 +139,9 @@ void Executor::set_axis_speed(const Block& block, const Invocation& invocation) 
     const bool is_positioning = invocation.function == Function::AxisFeed;
     const double speed = block.argument(invocation, turns ? kTurning : kSpeed);
     if (!(speed > 0)) {
-        report(is_positioning ? diag::AxisFeedRange : diag::AxisSpeedRange, block,
-               invocation.function)
+        reporter_
+            .report(is_positioning ? diag::AxisFeedRange : diag::AxisSpeedRange, block,
+                    invocation.function)
             .arg(speed)
             .arg(kAxisNames[i]);
         return;
@@ -171,7 +174,7 @@ void Executor::put_positioning(path::Command& command) const {
 /// The polynomial of the block's motions; its end is F from here on.
 void Executor::take_polynomial(const Block& block, const Invocation& invocation) {
     if (modal_.feed_mode == path::FeedMode::PerRevolution) {
-        report(diag::FeedPolynomialMode, block, invocation.function);
+        reporter_.report(diag::FeedPolynomialMode, block, invocation.function);
         return;
     }
     modal_.feed = block.argument(invocation, parameter_of<Function::FeedPolynomial>("end"));
@@ -204,7 +207,7 @@ void Executor::put_feed_law(path::Command& command) const {
 /// The course of a motion's feed falls to this, in the unit of F.
 void Executor::report_varying_feed(const path::Command& command, double feed) {
     const Block at = block_at(command.source, command.line);
-    report(diag::FeedCourseNotPositive, at).arg(round_to(feed, 3));
+    reporter_.report(diag::FeedCourseNotPositive, at).arg(round_to(feed, 3));
 }
 
 }  // namespace kadr::interp

@@ -21,7 +21,7 @@ using path::Op;
 
 void Executor::select_work_offset(const Block& block, std::int64_t number) {
     if (number < 0 || number > rules_.work_offsets) {
-        report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
+        reporter_.report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
         return;
     }
     frames_.select_work_offset(work_offset_frame(number));
@@ -56,7 +56,7 @@ void Executor::change_frame(const Block& block, const Invocation& invocation,
                             void (control::Frames::*change)(const control::FrameWords&)) {
     let_comp_go(block, invocation);
     const control::FrameWords words = words_of_frame(block, invocation);
-    if (ended_ || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
+    if (has_ended() || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
         return;
     (frames_.*change)(words);
     frame_changed();
@@ -64,7 +64,7 @@ void Executor::change_frame(const Block& block, const Invocation& invocation,
 
 Done Executor::require_no_places(const Block& block, const Invocation& invocation) {
     if (!modal_cycles_.modal.is_active) return kDone;
-    report(diag::SetPositionInCycle, block, invocation.function);
+    reporter_.report(diag::SetPositionInCycle, block, invocation.function);
     return kFailed;
 }
 
@@ -73,7 +73,7 @@ void Executor::set_position(const Block& block, const Invocation& invocation) {
     if (!require_no_places(block, invocation)) return;
     let_comp_go(block, invocation);
     const control::FrameWords words = words_of_frame(block, invocation);
-    if (ended_ || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
+    if (has_ended() || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
         return;
     frames_.set_position(words, position_.here, position_.base);
     name_position(words);
@@ -83,7 +83,7 @@ void Executor::set_position(const Block& block, const Invocation& invocation) {
 void Executor::reset_position(const Block& block, const Invocation& invocation) {
     if (!require_no_places(block, invocation)) return;
     let_comp_go(block, invocation);
-    if (ended_) return;
+    if (has_ended()) return;
     const control::FrameWords words = words_of_frame(block, invocation);
     frames_.reset_position(static_cast<AxisMask>(words.given));
     name_position(words);
@@ -124,7 +124,7 @@ Done Executor::require_named_axes(const Block& block, const Invocation& invocati
                                   AxisMask named) {
     const auto missing = static_cast<AxisMask>(named & ~(axes_.present | kLinearXYZ));
     if (missing == 0) return kDone;
-    report(diag::AxisMissing, block, invocation.function)
+    reporter_.report(diag::AxisMissing, block, invocation.function)
         .arg(kAxisNames[static_cast<std::size_t>(std::countr_zero(missing))]);
     return kFailed;
 }
@@ -154,7 +154,7 @@ void Executor::rotate_in_space(const Block& block, const Invocation& invocation)
     } else if (angles.size() <= 2) {
         frames_.turn(solid_frame(angles).linear);
     } else {
-        report(diag::SolidAngles, block, invocation.function).arg(angles.size());
+        reporter_.report(diag::SolidAngles, block, invocation.function).arg(angles.size());
     }
     frame_changed();
 }
@@ -167,7 +167,7 @@ void Executor::scale(const Block& block, const Invocation& invocation) {
     for (std::size_t i = 0; i < 3; ++i) {
         const double factor = block.argument(invocation, kFactors + i, all);
         if (factor == 0) {
-            report(diag::ScaleInvalid, block, Function::Scale).arg(factor);
+            reporter_.report(diag::ScaleInvalid, block, Function::Scale).arg(factor);
             return;
         }
         factors[static_cast<Eigen::Index>(i)] = factor;
@@ -187,7 +187,7 @@ void Executor::pass_machine_function(const Block& block, std::int64_t number) {
     }
     if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
     if (!told_.first_time(NoticeEach::MachineFunction, number)) return;
-    report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
+    reporter_.report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
 }
 
 /// No axis moves when a frame changes, but the tool has other coordinates now.

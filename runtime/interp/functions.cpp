@@ -29,7 +29,7 @@ Actions Executor::apply_functions(const Block& block) {
     std::uint8_t asked = nc::Effect::kMotionCode;  // the function that was looked at last …
     bool is_allowed = false;                       // … and whether it may stand here
     for (const nc::Effect& effect : nc::effects_of(rules_, block, changer())) {
-        if (ended_) break;
+        if (has_ended()) break;
         if (effect.invocation != asked)
             is_allowed = static_cast<bool>(require_allowed(block, effect.function));
         asked = effect.invocation;
@@ -64,16 +64,16 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
 /// Refuses a function that cannot stand where it does.
 Done Executor::require_allowed(const Block& block, Function function) {
     if (needs_comp_off(block, function)) {
-        report(diag::CompFrame, block, function).arg(word_of(block, function));
+        reporter_.report(diag::CompFrame, block, function).arg(reporter_.word_of(block, function));
         return kFailed;
     }
     if (taps_rigidly_ && !block.is_of_cycle() && is_other_plane(function)) {
-        report(diag::TapPlane, block, function);
+        reporter_.report(diag::TapPlane, block, function);
         return kFailed;
     }
     if (is_too_late(function)) {
-        report(diag::FrameInsideRotation, block, function)
-            .arg(word_of(block, function))
+        reporter_.report(diag::FrameInsideRotation, block, function)
+            .arg(reporter_.word_of(block, function))
             .arg(frames_.is_rotated() || tilted_plane_.is_on ? "rotation" : "scaling");
         return kFailed;
     }
@@ -225,7 +225,7 @@ void Executor::switch_tcp(const Block& block, const Invocation& invocation, Acti
     if (!require_no_carrier(block, function)) return;
     if (nc::has_fact(function, nc::Fact::VirtualAxes)) return begin_virtual(block, invocation);
     end_virtual(block);
-    if (!ended_) switch_transformation(block, invocation);
+    if (!has_ended()) switch_transformation(block, invocation);
 }
 
 void Executor::select_tool(const Block& block, const Invocation& invocation, Actions& actions) {
@@ -283,7 +283,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::CompKeepVector:
         case Function::CompCornerHere:
             if (!comp_.is_on()) {
-                report(diag::CompNoVector, block, invocation.function);
+                reporter_.report(diag::CompNoVector, block, invocation.function);
                 return;
             }
             if (!require_comp_in_plane(block, invocation.function)) return;
@@ -293,11 +293,11 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::SmoothApproach:
         case Function::SmoothRetract:
             if (actions.soft != nullptr || smooth_approach_.is_active()) {
-                report(diag::SoftTwice, block, invocation.function);
+                reporter_.report(diag::SoftTwice, block, invocation.function);
                 return;
             }
             if (is_lathe_) {
-                report(diag::IsoNotSupported, block).arg("a soft approach on a lathe");
+                reporter_.report(diag::IsoNotSupported, block).arg("a soft approach on a lathe");
                 return;
             }
             actions.soft = &invocation;
@@ -665,13 +665,13 @@ void Executor::change_plane(const Block& block, Function plane) {
 void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.data != nullptr) write_data(block, *actions.data);
     if (actions.tool_change) change_tool(block);
-    if (tool_.edge_called != 0 && !ended_) take_edge(block);
-    if (!ended_ && takes_carrier(block, actions)) take_carrier(block);
+    if (tool_.edge_called != 0 && !has_ended()) take_edge(block);
+    if (!has_ended() && takes_carrier(block, actions)) take_carrier(block);
     if (actions.comp_changed) act_on_comp(block, actions);
     if (actions.keeps_vector)
         send_comp({CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});
     if (actions.comp_corner != nullptr) round_comp_corner(block, *actions.comp_corner);
-    if (ended_) return;
+    if (has_ended()) return;
     if (actions.limit != nullptr) {
         limit_speed(block, Function::SpeedLimit,
                     block.argument(*actions.limit, parameter_of<Function::SpeedLimit>("limit")));
@@ -679,7 +679,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (block.has(Slot::Speed)) program_speed(block);
     if (spindle_.has_cutting_speed && !(spindle_.cutting_speed > 0) &&
         block.find(Function::CuttingSpeedOn) != nullptr) {
-        report(diag::CuttingSpeedMissing, block, Function::CuttingSpeedOn);
+        reporter_.report(diag::CuttingSpeedMissing, block, Function::CuttingSpeedOn);
         return;
     }
     if (actions.spindle) told_.renew_spindle();
@@ -689,7 +689,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.orient != nullptr) orient_spindle(block, *actions.orient);
     if (!other_spindles_.empty() || block.find(Function::SpindleStand) != nullptr)
         update_other_spindles(block);
-    if (ended_) return;
+    if (has_ended()) return;
     if (actions.flood) set_coolant(block, path::CoolantMode::Flood);
     if (actions.mist) set_coolant(block, path::CoolantMode::Mist);
     issue_functions(block, actions, Side::Before);
@@ -701,7 +701,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
             dwell(block, *actions.dwell);
         }
     }
-    if (actions.align != nullptr && !ended_) align(block, *actions.align);
+    if (actions.align != nullptr && !has_ended()) align(block, *actions.align);
 }
 
 void Executor::act_after_motion(const Block& block, const Actions& actions) {
@@ -713,7 +713,7 @@ void Executor::act_after_motion(const Block& block, const Actions& actions) {
     }
     if (actions.ends) {
         put(Op::End, block);
-        ended_ = true;
+        reporter_.end();
     }
 }
 
@@ -731,11 +731,11 @@ void Executor::dwell(const Block& block, const Invocation& invocation) {
     const double revolutions =
         block.argument(invocation, parameter_of<Function::Dwell>("revolutions"));
     if (time < 0 || revolutions < 0) {
-        report(diag::DwellInvalid, block, Function::Dwell).arg("it is negative");
+        reporter_.report(diag::DwellInvalid, block, Function::Dwell).arg("it is negative");
         return;
     }
     if (revolutions > 0 && !is_running(spindle_.mode)) {
-        report(diag::DwellInvalid, block, Function::Dwell).arg("the spindle stands");
+        reporter_.report(diag::DwellInvalid, block, Function::Dwell).arg("the spindle stands");
         return;
     }
     if (time == 0 && revolutions == 0) return;

@@ -43,7 +43,7 @@ Done Executor::require_no_cycle(const Block& block, const Actions& actions) {
         return kDone;
     }
     const Function own = actions.probes ? Function::Probe : Function::MachineCoordinates;
-    report(diag::MotionInCycle, block, own).arg(word_of(block, own));
+    reporter_.report(diag::MotionInCycle, block, own).arg(reporter_.word_of(block, own));
     return kFailed;
 }
 
@@ -61,7 +61,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     // They have told where the compensation ends.
     if (arc_words != 0 && leave_direction(block)) arc_words &= ~nc::kCenterSlots;
     if (actions.soft != nullptr && (comp_3d_.is_on() || comp_.chosen() != CompKind::InPlane)) {
-        report(diag::CompSpaceStart, block, actions.soft->function);
+        reporter_.report(diag::CompSpaceStart, block, actions.soft->function);
         return;
     }
     if (actions.soft != nullptr) {
@@ -72,7 +72,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.reference != nullptr) return refer(block, *actions.reference);
     if (actions.measure != nullptr) return measure_length(block, *actions.measure);
     if (actions.probes && comp_.is_on()) {
-        report(diag::ProbeCompensated, block, Function::Probe);
+        reporter_.report(diag::ProbeCompensated, block, Function::Probe);
         return;
     }
     if (targets != 0 && (actions.machine_coordinates || actions.probes) &&
@@ -93,7 +93,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);
     const bool is_elsewhere = actions.machine_coordinates && !frames_off_;
     if (actions.tool.is_any() && !nc::has_fact(modal_.motion, nc::Fact::TakesOrientation)) {
-        report(diag::IsoNotSupported, block).arg("a tool that turns beside a thread");
+        reporter_.report(diag::IsoNotSupported, block).arg("a tool that turns beside a thread");
         return;
     }
     if (modal_.motion == Function::Spline && !is_elsewhere &&
@@ -113,13 +113,15 @@ void Executor::move(const Block& block, const Actions& actions) {
         if (actions.length_changed) move_length_alone(block);
         return;
     }
-    if (!require_axes(block, targets) || !require_rotary_approaches(block)) return;
+    if (!motion_words().require_axes(block, targets) ||
+        !motion_words().require_rotary_approaches(block))
+        return;
     if (actions.at_rapid && !require_no_lone_axis(block, targets)) return;
     if ((unplaced_ & targets) != 0) [[unlikely]]
         check_place(block, targets);
     if (is_elsewhere) return move_in_machine_coordinates(block);
 
-    Target target = target_of(block, targets);
+    Target target = motion_words().target_of(block, targets);
     if (orienting_.is_on && !orient(block, actions, target)) return;
     if (comp_.takes_surface_normals() && !lay_surface(block, actions.tool)) return;
     if (tilted_plane_.carries || tilted_plane_.on_tables) {
@@ -138,7 +140,7 @@ void Executor::move(const Block& block, const Actions& actions) {
             position_.here[kC] == 0 && turn > 0 && turn < danger::kLeastSpindleTurn;
         const std::string hint = hint_at_comma(dialect_.tables(), Axis::C, block.at(Slot::C));
         if (turns && cuts && is_tiny && !hint.empty() && !block.is_of_cycle()) {
-            report(diag::TinyRotation, block, Slot::C)
+            reporter_.report(diag::TinyRotation, block, Slot::C)
                 .arg("C" + format_shortest(round_to(block.at(Slot::C), 4)))
                 .arg(round_to(target.here[kC], 4))
                 .fix(hint);
@@ -150,7 +152,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     const bool goes_to_machine = frames_off_ && modal_.motion == Function::Rapid;
     const bool exact_stop = stops_exactly(actions.exact_stop || goes_to_machine);
     if (actions.at_rapid && comp_.is_on() && (targets & plane_mask()) != 0) {
-        report(diag::CompMotion, block);
+        reporter_.report(diag::CompMotion, block);
         return;
     }
     if (actions.suspends_length) return move_without_length(block, target, exact_stop);
@@ -170,7 +172,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (modal_.motion == Function::ArcTangent) return arc_along(block, target, exact_stop);
     if (arc_words != 0 && has_square_corner(block)) wish_square_corner(block, target);
     else if (arc_words != 0) warn_arc_word(block, arc_words);
-    if (ended_) return;
+    if (has_ended()) return;
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
 }
 
@@ -182,68 +184,9 @@ AxisMask Executor::plane_mask() const {
 /// The first motion behind the end of a rotation.
 void Executor::check_place(const Block& block, SlotMask targets) {
     const SlotMask distances = modal_.is_incremental ? ~block.absolute : block.incremental;
-    if ((distances & targets & unplaced_) != 0) report(diag::IncrementBehindRotation, block);
+    if ((distances & targets & unplaced_) != 0)
+        reporter_.report(diag::IncrementBehindRotation, block);
     unplaced_ = 0;
-}
-
-Target Executor::target_of(const Block& block, SlotMask targets) const {
-    Target target{position_.here, position_.base, static_cast<AxisMask>(targets)};
-    const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
-    const AxisValues& last = rules_.incremental_frame == nc::IncrementalFrame::Traversed
-                                 ? position_.programmed
-                                 : position_.here;
-    const AxisValues& shift = frames_.shift_values();
-    for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        const bool is_distance = (incremental >> i & 1u) != 0;
-        double value =
-            block.values[i] * (i == 0 ? x_scale(block, is_distance) : axes_.word_scale[i]);
-        if (is_distance) value += last[i];
-        target.here[i] = value;
-        target.base[i] = value + shift[i];
-    }
-    if (block.rotary_approaches != 0) turn_rotary(block, target);
-    if (!frames_.is_shift()) target.base = frames_.to_base(target.here);
-    return target;
-}
-
-/// What a word for X is multiplied with: half a diameter is a radius.
-double Executor::x_scale(const Block& block, bool is_distance) const {
-    switch (block.x_measure) {
-        case nc::XMeasure::Diameter: return 0.5;
-        case nc::XMeasure::Radius: return 1;
-        case nc::XMeasure::Modal: break;
-    }
-    return diameter_is_absolute_ && is_distance ? 1 : axes_.word_scale[index(Axis::X)];
-}
-
-/// Places of rotary axes whose direction is said lie within one turn.
-Done Executor::require_rotary_approaches(const Block& block) {
-    if (block.rotary_approaches == 0) return kDone;
-    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-        const nc::RotaryApproach way = block.rotary_approach(axis);
-        const double place = block.at(nc::slot_of(axis));
-        const bool is_free = way == nc::RotaryApproach::AsProgrammed;
-        if (is_free || (place >= 0 && place < 360)) continue;
-        report(diag::RotaryRange, block, nc::slot_of(axis)).arg(place);
-        return kFailed;
-    }
-    return kDone;
-}
-
-/// Rotary axes go to a place of their turn on the way that the word says.
-void Executor::turn_rotary(const Block& block, Target& target) const {
-    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-        const nc::RotaryApproach way = block.rotary_approach(axis);
-        if (way == nc::RotaryApproach::AsProgrammed || !block.has(nc::slot_of(axis))) continue;
-        const std::size_t i = index(axis);
-        double turn = std::fmod(block.values[i] - position_.here[i], 360);
-        if (way == nc::RotaryApproach::Shortest) turn = std::remainder(turn, 360);
-        if (way == nc::RotaryApproach::Positive && turn < 0) turn += 360;
-        if (way == nc::RotaryApproach::Negative && turn > 0) turn -= 360;
-        target.here[i] = position_.here[i] + turn;
-        target.base[i] = target.here[i] + frames_.shift_values()[i];
-    }
 }
 
 void Executor::arrive(const Target& target) {

@@ -66,7 +66,7 @@ void Executor::with_spindle(const Block& block, const Invocation& invocation, Ac
     if (number == spindle_.number) return act();
     const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
     if (other == other_spindles_.end()) {
-        report(diag::SpindleMissing, block, invocation.function).arg(number);
+        reporter_.report(diag::SpindleMissing, block, invocation.function).arg(number);
         return;
     }
     const bool owed = owes_speed_;
@@ -96,12 +96,12 @@ void Executor::select_master(const Block& block, const Invocation& invocation) {
     if (number == spindle_.number) return;
     const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
     if (other == other_spindles_.end()) {
-        report(diag::SpindleMissing, block, invocation.function).arg(number);
+        reporter_.report(diag::SpindleMissing, block, invocation.function).arg(number);
         return;
     }
     if (spindle_.has_cutting_speed) {
         // Which spindle would hold the cutting speed from here on is not known (unsure).
-        report(diag::MasterUnderCuttingSpeed, block, invocation.function).arg(number);
+        reporter_.report(diag::MasterUnderCuttingSpeed, block, invocation.function).arg(number);
         return;
     }
     const SpeedLimits limits = speed_limits();
@@ -160,7 +160,7 @@ void Executor::update_other_spindles(const Block& block) {
         std::swap(spindle_, other);
         told_.exchange_bound(warned);
     }
-    for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
+    for (std::size_t i = 0; i < block.function_count && !has_ended(); ++i) {
         const Invocation& invocation = block.functions[i];
         if (invocation.function != Function::SpindleStand) continue;
         constexpr std::size_t kAngle = parameter_of<Function::SpindleStand>("angle");
@@ -181,7 +181,7 @@ void Executor::dwell_by_spindle(const Block& block, const Invocation& invocation
         const double speed = spindle_.has_cutting_speed ? turning_speed() : spindle_.told.speed;
         const bool turns = is_running(spindle_.mode) && speed > 0;
         if (revolutions < 0 || !turns) {
-            report(diag::DwellInvalid, block, invocation.function)
+            reporter_.report(diag::DwellInvalid, block, invocation.function)
                 .arg(revolutions < 0 ? "it is negative" : "the spindle stands");
             return;
         }

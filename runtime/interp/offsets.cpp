@@ -198,14 +198,14 @@ void Executor::write_work_offset(const Block& block, const Invocation& invocatio
     constexpr std::size_t kX = parameter_of<Function::WorkOffsetData>("x");
     const std::int64_t number = std::llround(block.argument(invocation, kNumber));
     if (number < 0 || number > rules_.work_offsets) {
-        report(diag::OffsetDataNumber, block, invocation.function).arg(number);
+        reporter_.report(diag::OffsetDataNumber, block, invocation.function).arg(number);
         return;
     }
     for (std::size_t i = 0; i < kAxes; ++i) {
         if (!invocation.has(kX + i)) continue;
         const auto axis = static_cast<Axis>(i);
         if ((axes_.present & bit(axis)) == 0) {
-            report(diag::AxisMissing, block, invocation.function).arg(kAxisNames[i]);
+            reporter_.report(diag::AxisMissing, block, invocation.function).arg(kAxisNames[i]);
             return;
         }
         double value = block.argument(invocation, kX + i) * axes_.word_scale[i];
@@ -260,7 +260,7 @@ void Executor::write_lathe_offset(const Block& block, const Invocation& invocati
         if (word.geometry == Quantity::CrossGeometry) value *= axes_.word_scale[index(Axis::X)];
         if (word.is_added) value += tool_offsets_.value(column, number);
         put_tool_offset(block, invocation, column, value);
-        if (ended_) return;
+        if (has_ended()) return;
     }
 }
 
@@ -269,10 +269,10 @@ void Executor::put_tool_offset(const Block& block, const Invocation& invocation,
     const std::int64_t number = std::llround(block.argument(invocation, kOffsetNumber));
     switch (set_tool_offset(column, number, value)) {
         case Write::NoSuchEntry:
-            report(diag::OffsetDataNumber, block, invocation.function).arg(number);
+            reporter_.report(diag::OffsetDataNumber, block, invocation.function).arg(number);
             return;
         case Write::TooLarge:
-            report(diag::OffsetDataValue, block, invocation.function).arg(value);
+            reporter_.report(diag::OffsetDataValue, block, invocation.function).arg(value);
             return;
         case Write::Done:
         case Write::Refused: return;

@@ -119,7 +119,9 @@ Done Executor::require_transformation(const Block& block, const nc::Invocation& 
     const Function function = invocation.function;
     const double number = block.argument(invocation, kNumber, 1);
     if (number != 1) {
-        report(diag::TransformationNumber, block, function, kNumber).arg(number).arg(machine_.name);
+        reporter_.report(diag::TransformationNumber, block, function, kNumber)
+            .arg(number)
+            .arg(machine_.name);
         return kFailed;
     }
     const Vec3 said(block.argument(invocation, kX), block.argument(invocation, kX + 1),
@@ -128,11 +130,11 @@ Done Executor::require_transformation(const Block& block, const nc::Invocation& 
         const auto direction = machine::unit_of(said);
         const Vec3& own = machine_.kinematics->chain.tool_direction;
         if (!direction) {
-            report(diag::OrientationZero, block, function, kX);
+            reporter_.report(diag::OrientationZero, block, function, kX);
             return kFailed;
         }
         if ((*direction - own).norm() > kSameDirection) {
-            report(diag::BaseDirection, block, function, kX)
+            reporter_.report(diag::BaseDirection, block, function, kX)
                 .arg(written_direction(said))
                 .arg(written_direction(own));
             return kFailed;
@@ -141,7 +143,7 @@ Done Executor::require_transformation(const Block& block, const nc::Invocation& 
     for (std::size_t i = kOffsets; i < kOffsets + 2; ++i) {
         const double offset = block.argument(invocation, i);
         if (offset == 0) continue;
-        report(diag::RotaryOffset, block, function, i).arg(offset);
+        reporter_.report(diag::RotaryOffset, block, function, i).arg(offset);
         return kFailed;
     }
     return kDone;
@@ -151,13 +153,13 @@ Done Executor::require_transformation(const Block& block, const nc::Invocation& 
 void Executor::switch_transformation(const Block& block, const nc::Invocation& invocation) {
     const bool is_wanted = invocation.function != Function::TcpOff;
     if (is_wanted && !machine_.kinematics) {
-        report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
+        reporter_.report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
         return;
     }
     if (is_wanted == orienting_.is_on || !require_no_spline(block, invocation.function)) return;
     if (comp_.is_on()) {
-        report(diag::TransformationComp, block, invocation.function)
-            .arg(word_of(block, invocation.function));
+        reporter_.report(diag::TransformationComp, block, invocation.function)
+            .arg(reporter_.word_of(block, invocation.function));
         return;
     }
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
@@ -188,7 +190,8 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
 /// Inside of a spline no other coordinate system begins. S 7.1: 14402.
 Done Executor::require_no_spline(const Block& block, Function function) {
     if (!nc::has_fact(modal_.motion, nc::Fact::SplineMotion)) return kDone;
-    report(diag::TransformationSpline, block, function).arg(word_of(block, function));
+    reporter_.report(diag::TransformationSpline, block, function)
+        .arg(reporter_.word_of(block, function));
     return kFailed;
 }
 
@@ -198,7 +201,7 @@ Done Executor::require_no_lone_axis(const Block& block, SlotMask targets) {
     // Where a transformation is a kind of length compensation a rapid is one like any other.
     if (moved == 0 || !is_transformed() || orienting_.has_length) return kDone;
     const auto first = static_cast<std::size_t>(std::countr_zero(moved));
-    report(diag::TransformationAxis, block, nc::slot_of(static_cast<Axis>(first)))
+    reporter_.report(diag::TransformationAxis, block, nc::slot_of(static_cast<Axis>(first)))
         .arg(kAxisNames[first]);
     return kFailed;
 }
@@ -210,12 +213,12 @@ Done Executor::require_no_lone_axis(const Block& block, SlotMask targets) {
 void Executor::begin_length_transformation(const Block& block, const nc::Invocation& invocation,
                                            Actions& actions) {
     if (!machine_.kinematics) {
-        report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
+        reporter_.report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
         return;
     }
     if (comp_.is_on()) {
-        report(diag::TransformationComp, block, invocation.function)
-            .arg(word_of(block, invocation.function));
+        reporter_.report(diag::TransformationComp, block, invocation.function)
+            .arg(reporter_.word_of(block, invocation.function));
         return;
     }
     orienting_.takes_vectors = invocation.function == Function::TcpVector;
@@ -234,7 +237,7 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
         if (rules_.tcp_as_table_stands) {
             // Where the rotary axes go in this block counts as where they stand.
             const auto rotary = static_cast<nc::SlotMask>(block.given & joint_axes());
-            const Vec3 joints = joints_of(target_of(block, rotary).base);
+            const Vec3 joints = joints_of(motion_words().target_of(block, rotary).base);
             frames_.set_table(table_frame(machine_.kinematics->chain, joints));
         }
         position_.base = frames_.to_base(position_.here);
@@ -273,7 +276,7 @@ void Executor::end_length_transformation(Actions& actions) {
 void Executor::check_offset_programmed(const Block& block) {
     if (!std::exchange(orienting_.owes_offset, false)) return;
     if (!told_.first_time(Once::WorkOffset)) return;
-    DiagnosticBuilder warning = report(diag::TransformationOffset, block);
+    DiagnosticBuilder warning = reporter_.report(diag::TransformationOffset, block);
     const std::string offset = write::spelling_of_offset(dialect_, work_offset_);
     if (!offset.empty()) warning.fix("say it there: `" + offset + "`");
 }
@@ -284,11 +287,12 @@ Done Executor::require_allowed_under_tcp(const Block& block, Function function) 
     if (!orienting_.has_length || block.is_of_cycle()) return kDone;
     const bool is_peripheral = comp_.is_on() && comp_.is_peripheral_code;
     if (is_peripheral && nc::info(function).group == nc::Group::LengthComp) {
-        report(diag::SideCompOrder, block, function).arg(word_of(block, function));
+        reporter_.report(diag::SideCompOrder, block, function)
+            .arg(reporter_.word_of(block, function));
         return kFailed;
     }
     if (!nc::has_fact(function, nc::Fact::AlarmUnderTcpLength)) return kDone;
-    report(diag::TcpForbidden, block, function).arg(word_of(block, function));
+    reporter_.report(diag::TcpForbidden, block, function).arg(reporter_.word_of(block, function));
     return kFailed;
 }
 

@@ -52,7 +52,7 @@ void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
                          Function::AxisJerk>();
     const double percent = block.argument(invocation, kPart);
     if (!(percent >= kLeast && percent <= most)) {
-        report(diag::DynamicsRange, block, function)
+        reporter_.report(diag::DynamicsRange, block, function)
             .arg(percent)
             .arg(name_of(function))
             .arg(kLeast)
@@ -62,7 +62,7 @@ void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
     const std::int64_t number = std::llround(block.argument(invocation, kAxis));
     const std::size_t axis = number >= 1 ? static_cast<std::size_t>(number) - 1 : kAxes;
     if (axis >= kAxes || (axes_.present >> axis & 1) == 0) {
-        report(diag::AxisMissing, block, function)
+        reporter_.report(diag::AxisMissing, block, function)
             .arg(axis < kAxes ? kAxisNames[axis] : std::string_view("of this number"));
         return;
     }
@@ -78,7 +78,7 @@ void Executor::set_override(const Block& block, const Invocation& invocation) {
         parameter_of_all<"percent", Function::FeedOverride, Function::RapidOverride>();
     const double percent = block.argument(invocation, kPart);
     if (!(percent >= 0 && percent <= most)) {
-        report(diag::OverrideRange, block, invocation.function).arg(percent).arg(most);
+        reporter_.report(diag::OverrideRange, block, invocation.function).arg(percent).arg(most);
         return;
     }
     (is_feed ? dynamics.feed : dynamics.rapid) = percent * kPercent;

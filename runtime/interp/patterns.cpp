@@ -19,7 +19,7 @@ constexpr std::size_t kPlaceBatch = 16;
 void Executor::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> places) {
     if (corners_.is_active()) settle(block);
     leave_corners(diag::CornerWithoutMotion);
-    if (ended_) return;
+    if (has_ended()) return;
     Stream<Block>& stream = *places;
     patterns_.push_back({std::move(places), BlockQueue(stream, kPlaceBatch), block, modal_,
                          calls_program_at(block), false});
@@ -55,7 +55,7 @@ void Executor::finish_pattern() {
 
 /// Whether the program of the text is called at the places of this block, and not a cycle.
 bool Executor::calls_program_at(const Block& block) const {
-    return places_ != nullptr && places_->calls_at_positions(block);
+    return reporter_.locations() != nullptr && reporter_.locations()->calls_at_positions(block);
 }
 
 bool Executor::is_at_pattern_position() const {

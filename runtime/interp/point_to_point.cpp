@@ -63,7 +63,7 @@ Done Executor::require_point_to_point_way(const Block& block, const Actions& act
                            (orienting_.point_to_point == PointToPoint::Rapids &&
                             (actions.at_rapid || modal_.motion == Function::Rapid));
     if (is_wanted && virtual_.axes.is_on()) {
-        report(diag::IsoNotSupported, block)
+        reporter_.report(diag::IsoNotSupported, block)
             .arg(
                 "a motion from point to point on a face, on a cylinder or along an inclined slide");
         return kFailed;
@@ -72,15 +72,15 @@ Done Executor::require_point_to_point_way(const Block& block, const Actions& act
         orienting_.has_length)
         return kDone;
     std::string why;
-    if (actions.soft != nullptr) why = word_of(block, actions.soft->function);
-    else if (comp_.is_on()) why = spelling_of(function_of(comp_.side));
-    else if (actions.probes) why = word_of(block, Function::Probe);
+    if (actions.soft != nullptr) why = reporter_.word_of(block, actions.soft->function);
+    else if (comp_.is_on()) why = reporter_.spelling_of(function_of(comp_.side));
+    else if (actions.probes) why = reporter_.word_of(block, Function::Probe);
     else if (!actions.at_rapid && modal_.motion != Function::Rapid &&
              modal_.motion != Function::Line)
-        why = spelling_of(modal_.motion);
-    else if (actions.taps) why = word_of(block, Function::TapFloating);
+        why = reporter_.spelling_of(modal_.motion);
+    else if (actions.taps) why = reporter_.word_of(block, Function::TapFloating);
     if (why.empty()) return kDone;
-    report(diag::PointMotion, block).arg(why);
+    reporter_.report(diag::PointMotion, block).arg(why);
     return kFailed;
 }
 
@@ -88,7 +88,8 @@ Done Executor::require_point_to_point_way(const Block& block, const Actions& act
 void Executor::choose_axes(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
     const Function function = invocation.function;
     if (!is_transformed()) {
-        report(diag::AxisChoiceAlone, block, function).arg(word_of(block, function));
+        reporter_.report(diag::AxisChoiceAlone, block, function)
+            .arg(reporter_.word_of(block, function));
         return;
     }
     constexpr double kMost = 1 << 16;
@@ -103,7 +104,9 @@ void Executor::choose_axes(const Block& block, const nc::Invocation& invocation,
             if (machine_.axes[i].is_rotary) known |= 1u << i;
     }
     if ((bits & ~known) != 0) {
-        report(diag::AxisChoiceBit, block, function).arg(value).arg(word_of(block, function));
+        reporter_.report(diag::AxisChoiceBit, block, function)
+            .arg(value)
+            .arg(reporter_.word_of(block, function));
         return;
     }
     if (function == Function::AxisConfiguration) {
@@ -138,10 +141,10 @@ Done Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Tar
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || spins_with_path(tool);
     if (is_led || tool.lead) {
         const Function word = tool.lead ? Function::ToolLead : function_of(orienting_.turning);
-        report(diag::PointMotion, block)
-            .arg(spins_with_path(tool) ? spelling_of(function_of(orienting_.spin))
-                 : tool.lead           ? word_of(block, word)
-                                       : spelling_of(word));
+        reporter_.report(diag::PointMotion, block)
+            .arg(spins_with_path(tool) ? reporter_.spelling_of(function_of(orienting_.spin))
+                 : tool.lead           ? reporter_.word_of(block, word)
+                                       : reporter_.spelling_of(word));
         return kFailed;
     }
     orienting_.point.reset();
@@ -175,7 +178,7 @@ Done Executor::stand_along(const Block& block, const ToolWords& tool, const Vec3
     query.limits = signed_limits(tool);
     const auto end = machine::choose_path(chain, query);
     if (!end) {
-        report(diag::AxisChoiceMissing, block);
+        reporter_.report(diag::AxisChoiceMissing, block);
         return kFailed;
     }
     put_joints(end->rotary, target);
@@ -199,7 +202,7 @@ Done Executor::turn_by_signs(const Block& block, const ToolWords& tool, Target& 
         for (const double other : {place - kWhole, place + kWhole})
             if (!fits(place) && fits(other)) place = other;
         if (!fits(place)) {
-            report(diag::AxisChoiceMissing, block);
+            reporter_.report(diag::AxisChoiceMissing, block);
             return kFailed;
         }
         target.here[i] = place - frames_.shift_values()[i];

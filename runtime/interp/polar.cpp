@@ -33,7 +33,7 @@ void Executor::set_pole(const Block& block, const Invocation& invocation) {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const std::size_t across = index(plane.normal);
     if (has(kX + across)) {
-        report(diag::PoleOutsidePlane, block, Function::Pole).arg(kAxisNames[across]);
+        reporter_.report(diag::PoleOutsidePlane, block, Function::Pole).arg(kAxisNames[across]);
         return;
     }
     const bool is_polar = has(kAngle) || has(kRadius);
@@ -42,15 +42,15 @@ void Executor::set_pole(const Block& block, const Invocation& invocation) {
     const double radius = block.argument(invocation, kRadius);
     if (is_polar && has_axes) {
         const Axis named = has(kX + index(plane.first)) ? plane.first : plane.second;
-        report(diag::PolarMixed, block, Function::Pole).arg(kAxisNames[index(named)]);
+        reporter_.report(diag::PolarMixed, block, Function::Pole).arg(kAxisNames[index(named)]);
         return;
     }
     if (radius < 0) {
-        report(diag::PoleRadiusNegative, block, Function::Pole).arg(radius);
+        reporter_.report(diag::PoleRadiusNegative, block, Function::Pole).arg(radius);
         return;
     }
     if (std::abs(angle_deg) > kFullTurn) {
-        report(diag::PoleAngleTooLarge, block, Function::Pole).arg(angle_deg);
+        reporter_.report(diag::PoleAngleTooLarge, block, Function::Pole).arg(angle_deg);
         return;
     }
     path::Vec2 place{radius * std::cos(rad_from_deg(angle_deg)),
@@ -122,12 +122,13 @@ const Block* Executor::with_polar_point(const Block& block, const Invocation& po
     const bool has_radius = has_own_radius || block.has(Slot::Radius);
     if (block.motion != Function::None) polar_.is_by_points = true;
     if (!polar_.is_by_points) {
-        report(diag::PolarPointAlone, block, Function::PolarPoint);
+        reporter_.report(diag::PolarPointAlone, block, Function::PolarPoint);
         return nullptr;
     }
     if (!take_pole(block)) return nullptr;
     if (has_radius && modal_.is_incremental) {
-        report(diag::IsoNotSupported, block).arg("a polar radius under incremental dimensions");
+        reporter_.report(diag::IsoNotSupported, block)
+            .arg("a polar radius under incremental dimensions");
         return nullptr;
     }
     Block said = block;
@@ -149,7 +150,8 @@ const Block* Executor::with_polar_point(const Block& block, const Invocation& po
     const double more = std::abs(turns) - (rest == 0 ? 1 : 0);
     if (!modal_.is_incremental || !is_arc(motion) || more < 1) return with_polar_slots(said);
     if ((angle_deg < 0) != (motion == Function::ArcCw)) {
-        report(diag::PolarAngleTooLarge, block, Function::PolarPoint, kAngle).arg(angle_deg);
+        reporter_.report(diag::PolarAngleTooLarge, block, Function::PolarPoint, kAngle)
+            .arg(angle_deg);
         return nullptr;
     }
     said.set(Slot::Turns, more);
@@ -163,7 +165,7 @@ Done Executor::take_pole(const Block& block) {
         const std::optional<double> first = center_[index(plane.first)];
         const std::optional<double> second = center_[index(plane.second)];
         if (!first || !second) {
-            report(diag::PolarPoleMissing, block);
+            reporter_.report(diag::PolarPoleMissing, block);
             return kFailed;
         }
         polar_.pole = {*first, *second};
@@ -177,48 +179,9 @@ Done Executor::take_pole(const Block& block) {
 
 /// Angle and radius have words of their own.
 const Block* Executor::with_polar_slots(const Block& block) {
-    const path::PlaneAxes plane = path::axes_of(modal_.plane);
-    for (const Axis axis : {plane.first, plane.second}) {
-        if (!block.has(nc::slot_of(axis))) continue;
-        report(diag::PolarMixed, block, nc::slot_of(axis)).arg(kAxisNames[index(axis)]);
-        return nullptr;
-    }
-    if (block.has(Slot::PolarRadius)) {
-        if (block.at(Slot::PolarRadius) < 0) {
-            report(diag::PolarRadiusNegative, block, Slot::PolarRadius)
-                .arg(block.at(Slot::PolarRadius));
-            return nullptr;
-        }
-        polar_.radius = block.at(Slot::PolarRadius);
-    }
-    if (block.has(Slot::PolarAngle)) {
-        const double angle_deg = block.at(Slot::PolarAngle);
-        if (std::abs(angle_deg) > kFullTurn) {
-            report(diag::PolarAngleTooLarge, block, Slot::PolarAngle).arg(angle_deg);
-            return nullptr;
-        }
-        polar_.angle_deg =
-            is_distance(block, Slot::PolarAngle) ? polar_.angle_deg + angle_deg : angle_deg;
-    }
-    set_polar_position(block);
-    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
-    if (!is_arc(motion)) return &cartesian_;
-    // The pole is the centre of the arc.
-    const SlotMask others = block.given & (nc::kCenterSlots | nc::kThroughSlots |
-                                           bit(Slot::Radius) | bit(Slot::Opening));
-    if (others != 0) {
-        const auto slot = static_cast<Slot>(std::countr_zero(others));
-        report(diag::ArcWordsMixed, block, slot).arg(slot_word(slot));
-        return nullptr;
-    }
-    for (const auto& [axis, value] :
-         {std::pair(plane.first, polar_.pole.x()), std::pair(plane.second, polar_.pole.y())}) {
-        const auto center =
-            static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + index(axis));
-        cartesian_.set(center, value);
-        cartesian_.absolute |= bit(center);
-        cartesian_.incremental &= ~bit(center);
-    }
+    std::optional<Block> made = motion_words().with_polar_slots(block, polar_);
+    if (!made) return nullptr;
+    cartesian_ = *made;
     return &cartesian_;
 }
 
@@ -229,46 +192,19 @@ const Block* Executor::with_polar_axes(const Block& block) {
     const Slot radius = nc::slot_of(plane.first);
     const Slot angle = nc::slot_of(plane.second);
     if (block.has(radius)) {
-        polar_.pole = is_distance(block, radius) ? position_in_plane() : path::Vec2::Zero();
+        polar_.pole =
+            motion_words().is_distance(block, radius) ? position_in_plane() : path::Vec2::Zero();
         polar_.radius = block.at(radius);
     }
     if (block.has(angle)) {
         // The reader took the number for a length.
         const double angle_deg =
             units_ == Units::Inch ? block.at(angle) / kMmPerInch : block.at(angle);
-        polar_.angle_deg = is_distance(block, angle) ? polar_.angle_deg + angle_deg : angle_deg;
+        polar_.angle_deg =
+            motion_words().is_distance(block, angle) ? polar_.angle_deg + angle_deg : angle_deg;
     }
-    set_polar_position(block);
+    cartesian_ = motion_words().at_polar(block, polar_);
     return &cartesian_;
-}
-
-/// Whether a word is a distance: by itself, or as the modal state says.
-bool Executor::is_distance(const Block& block, Slot slot) const {
-    return modal_.is_incremental ? (block.absolute & bit(slot)) == 0
-                                 : (block.incremental & bit(slot)) != 0;
-}
-
-/// `cartesian_` is the block with the place that the polar coordinates have come to.
-void Executor::set_polar_position(const Block& block) {
-    const path::PlaneAxes plane = path::axes_of(modal_.plane);
-    const double angle = rad_from_deg(polar_.angle_deg);
-    const path::Vec2 place =
-        polar_.pole + polar_.radius * path::Vec2(std::cos(angle), std::sin(angle));
-    cartesian_ = block;
-    cartesian_.given &= ~nc::kPolarSlots;
-    set_place(cartesian_, plane.first, place.x());
-    set_place(cartesian_, plane.second, place.y());
-}
-
-/// The axis goes to a coordinate of the programmed system.
-void Executor::set_place(Block& block, Axis axis, double value) const {
-    const Slot slot = nc::slot_of(axis);
-    block.set(slot, value / axes_.word_scale[index(axis)]);
-    block.absolute |= bit(slot);
-    block.incremental &= ~bit(slot);
-    if (axis == Axis::X) {
-        block.x_measure = axes_.word_scale[0] == 1 ? nc::XMeasure::Radius : nc::XMeasure::Diameter;
-    }
 }
 
 }  // namespace kadr::interp

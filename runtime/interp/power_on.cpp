@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "interp/discarding_sink.h"
 #include "interp/executor.h"
 #include "nc/tables.h"
 
@@ -26,9 +25,7 @@ bool is_ruled(const nc::Dialect& dialect, Group group) {
 /// Every default is executed as if it stood in a block of its own. Nobody has written it: there is
 /// no place to tell anything of it. Units are the reader's matter.
 void Executor::power_on() {
-    DiscardingSink nobody;
-    DiagnosticSink* const sink = std::exchange(sink_, &nobody);
-    const nc::BlockLocations* const places = std::exchange(places_, nullptr);
+    const Reporter::Silence silence(reporter_, Reporter::Locations::Hidden);
     const nc::DialectTables& tables = dialect_.tables();
     for (std::size_t i = 0; i < tables.power_on.size(); ++i) {
         const auto group = static_cast<Group>(i);
@@ -42,8 +39,6 @@ void Executor::power_on() {
             if (nc::info(function).group == Group::Once) begin_with(function);
     }
     tool_.has_changed = tool_.source != Tool::Source::None;
-    sink_ = sink;
-    places_ = places;
 }
 
 void Executor::begin_with(Function function) {
@@ -51,10 +46,10 @@ void Executor::begin_with(Function function) {
     if (!block.add(function)) return;
     if (nc::info(function).group == Group::Motion) modal_.motion = function;
     const Actions actions = apply_functions(block);
-    if (!ended_) act_before_motion(block, actions);
+    if (!has_ended()) act_before_motion(block, actions);
     // What this machine, without a tool, cannot do does not act.
-    if (ended_) comp_.side = CompSide::Off;
-    ended_ = alarmed_ = false;
+    if (has_ended()) comp_.side = CompSide::Off;
+    reporter_.go_on();
 }
 
 }  // namespace kadr::interp

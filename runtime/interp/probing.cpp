@@ -44,7 +44,8 @@ Probing Executor::probe_along(const Block& block, const Target& target, const Pr
     const Invocation& call = *block.find(Function::Probe);
     probing.goes_on = block.argument(call, parameter_of<Function::Probe>("through")) != 0;
     if (!knows_touches()) {
-        if (told_.first_time(Once::Touch)) report(diag::TouchMissing, block, Function::Probe);
+        if (told_.first_time(Once::Touch))
+            reporter_.report(diag::TouchMissing, block, Function::Probe);
         probing.touched = target;
         return probing;
     }
@@ -85,7 +86,7 @@ std::optional<double> Executor::touch_of_event(const Block& block, const Program
         constexpr double kRounding = 1e-9;
         if (std::isfinite(part) && part >= -kRounding && part <= 1 + kRounding)
             return std::clamp(part, 0.0, 1.0);
-        report(diag::TouchAside, block, Function::Probe)
+        reporter_.report(diag::TouchAside, block, Function::Probe)
             .arg(std::string(kAxisNames[i]) + format_shortest(round_to(found->at[i], 6)))
             .arg(std::string(kAxisNames[i]) + format_shortest(round_to(from / unit, 6)))
             .arg(std::string(kAxisNames[i]) + format_shortest(round_to(to / unit, 6)));
@@ -161,10 +162,10 @@ void Executor::use_probed(const Block& block, const Invocation& invocation) {
     };
     switch (invocation.function) {
         case Function::ProbeCheck:
-            if (!probed_->is_found) report(diag::ProbeMissed, block, invocation.function);
+            if (!probed_->is_found) reporter_.report(diag::ProbeMissed, block, invocation.function);
             return;
         case Function::ProbeClear:
-            if (probed_->is_found) report(diag::ProbeMet, block, invocation.function);
+            if (probed_->is_found) reporter_.report(diag::ProbeMet, block, invocation.function);
             return;
         case Function::ProbeKeep:
             if (const auto axis = axis_at(parameter_of<Function::ProbeKeep>("axis")))

@@ -30,14 +30,14 @@ constexpr std::int64_t kTeeth = 100;
 /// next motion of each.
 void Executor::move_without_length(const Block& block, const Target& target, bool exact_stop) {
     if (orienting_.is_on || comp_.is_on()) {
-        report(diag::IsoNotSupported, block, Function::LengthSuspend)
+        reporter_.report(diag::IsoNotSupported, block, Function::LengthSuspend)
             .arg(orienting_.is_on
                      ? "a block without tool offsets under a transformation"
                      : "a block without tool offsets under cutter radius compensation");
         return;
     }
     if (modal_.motion != Function::Rapid && modal_.motion != Function::Line) {
-        report(diag::IsoNotSupported, block, Function::LengthSuspend)
+        reporter_.report(diag::IsoNotSupported, block, Function::LengthSuspend)
             .arg("a block without tool offsets that is no line");
         return;
     }
@@ -54,7 +54,7 @@ void Executor::move_without_length(const Block& block, const Target& target, boo
 /// knows, limits and fixed points, stays where it is.
 void Executor::preset_axes(const Block& block, const Invocation& invocation) {
     if (orienting_.is_on || comp_.is_on() || corners_.is_active()) {
-        report(diag::PresetMisplaced, block, Function::Preset)
+        reporter_.report(diag::PresetMisplaced, block, Function::Preset)
             .arg(orienting_.is_on ? "a transformation" : "cutter radius compensation");
         return;
     }
@@ -66,11 +66,12 @@ void Executor::preset_axes(const Block& block, const Invocation& invocation) {
         const double name = block.argument(invocation, kAxis + i);
         const auto axis = axis_of(std::llround(name));
         if (!axis || name >= 0) {
-            report(diag::PresetAxis, block, Function::Preset);
+            reporter_.report(diag::PresetAxis, block, Function::Preset);
             return;
         }
         if (!invocation.has(kTo + i)) {
-            report(diag::PresetValue, block, Function::Preset).arg(kAxisNames[index(*axis)]);
+            reporter_.report(diag::PresetValue, block, Function::Preset)
+                .arg(kAxisNames[index(*axis)]);
             return;
         }
         const double wanted = block.argument(invocation, kTo + i) * axes_.word_scale[index(*axis)] *
@@ -80,22 +81,23 @@ void Executor::preset_axes(const Block& block, const Invocation& invocation) {
         preset_[index(*axis)] += now - wanted;
     }
     frame_changed();
-    if (told_.first_time(Once::Preset)) report(diag::PresetLimits, block, Function::Preset);
+    if (told_.first_time(Once::Preset))
+        reporter_.report(diag::PresetLimits, block, Function::Preset);
 }
 
 /// The feed of a tooth times the number of teeth is the feed of a turn.
 void Executor::set_tooth_feed(const Block& block, double feed) {
     if (modal_.feed_mode != path::FeedMode::PerRevolution) {
-        report(diag::ToothFeedIdle, block, Function::ToothFeed);
+        reporter_.report(diag::ToothFeedIdle, block, Function::ToothFeed);
         return;
     }
     if (!(feed > 0)) {
-        report(diag::FeedNotPositive, block, Function::ToothFeed).arg(feed);
+        reporter_.report(diag::FeedNotPositive, block, Function::ToothFeed).arg(feed);
         return;
     }
     tooth_feed_ = feed;
     take_tooth_feed();
-    if (!(modal_.feed > 0)) report(diag::TeethUnknown, block, Function::ToothFeed);
+    if (!(modal_.feed > 0)) reporter_.report(diag::TeethUnknown, block, Function::ToothFeed);
 }
 
 /// The tool in the spindle, or its data, may have become others.
@@ -110,29 +112,29 @@ void Executor::take_tooth_feed() {
 void Executor::measure_length(const Block& block, const Invocation& invocation) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     if ((targets & (targets - 1)) != 0 || targets == 0) {
-        report(diag::MeasureAxes, block, Function::MeasureLength);
+        reporter_.report(diag::MeasureAxes, block, Function::MeasureLength);
         return;
     }
     if (invocation.has(parameter_of<Function::MeasureLength>("offset")) ||
         block.find(Function::LengthOffset) != nullptr) {
-        report(diag::MeasureOffsetBeside, block, Function::MeasureLength);
+        reporter_.report(diag::MeasureOffsetBeside, block, Function::MeasureLength);
         return;
     }
     if (tool_.source != Tool::Source::Offset || tool_.offset == 0) {
-        report(diag::MeasureOffsetMissing, block, Function::MeasureLength);
+        reporter_.report(diag::MeasureOffsetMissing, block, Function::MeasureLength);
         return;
     }
     if (comp_.is_on()) {
-        report(diag::ProbeCompensated, block, Function::MeasureLength);
+        reporter_.report(diag::ProbeCompensated, block, Function::MeasureLength);
         return;
     }
     if (modal_cycles_.modal.is_active) {
-        report(diag::MotionInCycle, block, Function::MeasureLength).arg("measure_length");
+        reporter_.report(diag::MotionInCycle, block, Function::MeasureLength).arg("measure_length");
         return;
     }
-    if (!require_axes(block, targets)) return;
-    if (told_.first_time(Once::Measure)) report(diag::MeasureFinds, block);
-    line(block, target_of(block, targets), Op::Rapid, true);
+    if (!motion_words().require_axes(block, targets)) return;
+    if (told_.first_time(Once::Measure)) reporter_.report(diag::MeasureFinds, block);
+    line(block, motion_words().target_of(block, targets), Op::Rapid, true);
 }
 
 }  // namespace kadr::interp

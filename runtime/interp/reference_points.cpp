@@ -33,13 +33,13 @@ Done Executor::take_frames_off(const Block& block) {
     constexpr SlotMask kPlaces = nc::kTargetSlots | nc::kPolarSlots | nc::kArcSlots;
     if ((block.given & kPlaces) == 0) return kDone;
     if (is_transformed()) {
-        report(diag::TransformationMotion, block, Function::MachineCoordinates)
+        reporter_.report(diag::TransformationMotion, block, Function::MachineCoordinates)
             .arg("a place in machine coordinates");
         return kFailed;
     }
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     if (nc::has_fact(motion, nc::Fact::SplineMotion)) {
-        report(diag::IsoNotSupported, block, Function::MachineCoordinates)
+        reporter_.report(diag::IsoNotSupported, block, Function::MachineCoordinates)
             .arg("a spline in machine coordinates");
         return kFailed;
     }
@@ -71,18 +71,18 @@ void Executor::put_frames_back(const Block& block) {
 /// the tool length act. The way is none of the contour.
 void Executor::move_in_machine_coordinates(const Block& block) {
     if (is_transformed()) {
-        report(diag::TransformationMotion, block, Function::MachineCoordinates)
+        reporter_.report(diag::TransformationMotion, block, Function::MachineCoordinates)
             .arg("a place in machine coordinates");
         return;
     }
     // The skip function goes by distances as well, `G91 G53 G31 Z-5.`, and at its feed.
     const bool probes = block.find(Function::Probe) != nullptr;
     if (rules_.machine_coordinates_need_absolute && modal_.is_incremental && !probes) {
-        report(diag::MachineCoordinatesIgnored, block, Function::MachineCoordinates);
+        reporter_.report(diag::MachineCoordinatesIgnored, block, Function::MachineCoordinates);
         return;
     }
     if (is_arc(modal_.motion) && !rules_.machine_coordinates_rapid) {
-        report(diag::ArcInMachineCoordinates, block, Function::MachineCoordinates);
+        reporter_.report(diag::ArcInMachineCoordinates, block, Function::MachineCoordinates);
         return;
     }
     const bool is_rapid =
@@ -154,14 +154,15 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
         const bool is_fixed = invocation.function == Function::ReferencePoint &&
                               invocation.has(parameter_of<Function::ReferencePoint>("point"));
         if (is_fixed) {
-            report(diag::TransformationMotion, block, invocation.function).arg("a fixed point");
+            reporter_.report(diag::TransformationMotion, block, invocation.function)
+                .arg("a fixed point");
         } else {
-            report(diag::TransformationReference, block, invocation.function);
+            reporter_.report(diag::TransformationReference, block, invocation.function);
         }
         return;
     }
     if (is_among_positions()) {
-        report(diag::ReferenceInCycle, block, invocation.function);
+        reporter_.report(diag::ReferenceInCycle, block, invocation.function);
         return;
     }
     if (modal_cycles_.modal.is_active) forget_ends();
@@ -176,13 +177,13 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
 void Executor::check_reference(const Block& block) {
     constexpr double kWidth = 0.0005;  // mm, deg: half an increment
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (targets == 0 || !require_axes(block, targets)) return;
-    line(block, target_of(block, targets), Op::Rapid, true);
-    for (std::size_t i = 0; i < kAxes && !ended_; ++i) {
+    if (targets == 0 || !motion_words().require_axes(block, targets)) return;
+    line(block, motion_words().target_of(block, targets), Op::Rapid, true);
+    for (std::size_t i = 0; i < kAxes && !has_ended(); ++i) {
         if ((targets >> i & 1u) == 0) continue;
         const double at = position_.base[i] + length_shift_[i];
         if (std::abs(at - axes_.reference_points[0][i]) <= kWidth) continue;
-        report(diag::ReferenceMissed, block, Function::ReferenceCheck)
+        reporter_.report(diag::ReferenceMissed, block, Function::ReferenceCheck)
             .arg(kAxisNames[i])
             .arg(round_to(at, 4))
             .arg(round_to(axes_.reference_points[0][i], 4));
@@ -193,29 +194,30 @@ void Executor::check_reference(const Block& block) {
 /// distance counts from the place between.
 void Executor::leave_reference(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (targets == 0 || !require_axes(block, targets)) return;
+    if (targets == 0 || !motion_words().require_axes(block, targets)) return;
     Target over{position_.here, {}, static_cast<AxisMask>(targets)};
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((targets >> i & 1u) == 0) continue;
         if ((axes_.has_left >> i & 1u) == 0) {
-            report(diag::ReferenceNoPlace, block, Function::ReferenceLeave).arg(kAxisNames[i]);
+            reporter_.report(diag::ReferenceNoPlace, block, Function::ReferenceLeave)
+                .arg(kAxisNames[i]);
             return;
         }
         over.here[i] = axes_.left_over[i];
     }
     over.base = frames_.to_base(over.here);
     if (over.base != position_.base) line(block, over, Op::Rapid, true);
-    if (!ended_) line(block, target_of(block, targets), Op::Rapid, true);
+    if (!has_ended()) line(block, motion_words().target_of(block, targets), Op::Rapid, true);
 }
 
 /// Makes the ways longer by the radius offset, so many times.
 Done Executor::increase_by_tool_offset(const Block& block, double times, Target& target) {
     if (comp_.is_on()) {
-        report(diag::WayOffsetCompensated, block, Function::ToolOffsetIncrease);
+        reporter_.report(diag::WayOffsetCompensated, block, Function::ToolOffsetIncrease);
         return kFailed;
     }
     if (nc::has_fact(modal_.motion, nc::Fact::Circle)) {
-        report(diag::IsoNotSupported, block, Function::ToolOffsetIncrease)
+        reporter_.report(diag::IsoNotSupported, block, Function::ToolOffsetIncrease)
             .arg("an arc whose ends are moved by an offset");
         return kFailed;
     }
@@ -236,7 +238,7 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
     if (invocation.function == Function::ReferencePoint) {
         constexpr std::size_t kX = parameter_of<Function::ReferencePoint>("x");
         moved = static_cast<AxisMask>(invocation.given >> kX & 0b111u);
-    } else if (!require_axes(block, targets)) {
+    } else if (!motion_words().require_axes(block, targets)) {
         return;
     }
     constexpr std::size_t kPoint =
@@ -245,7 +247,8 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
     const bool is_one = number >= 1 && number < machine::kReferencePoints + 1;
     const std::size_t point = is_one ? static_cast<std::size_t>(number) - 1 : 0;
     if (!is_one || (moved & ~axes_.has_reference_point[point]) != 0) {
-        DiagnosticBuilder message = report(diag::ReferenceUnknown, block, invocation.function);
+        DiagnosticBuilder message =
+            reporter_.report(diag::ReferenceUnknown, block, invocation.function);
         message.arg(number);
         if (is_one && point > 0)
             message.fix("the machine's file says where it is: `home" + std::to_string(point + 1) +
@@ -253,9 +256,9 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
         return;
     }
     if (targets != 0) {
-        const Target over = target_of(block, targets);
+        const Target over = motion_words().target_of(block, targets);
         if (over.base != position_.base) line(block, over, Op::Rapid, true);
-        if (ended_) return;
+        if (has_ended()) return;
     }
     AxisValues to = position_.base;
     for (std::size_t i = 0; i < kAxes; ++i) {

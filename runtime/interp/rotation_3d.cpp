@@ -30,7 +30,8 @@ constexpr int kMostTurns = 2;  // PS5043
 Done Executor::require_nested_length(const Block& block, Function function) {
     const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
     if (!has_length) return kDone;
-    report(diag::SpaceTurnLength, block, function).arg(word_of(block, function));
+    reporter_.report(diag::SpaceTurnLength, block, function)
+        .arg(reporter_.word_of(block, function));
     return kFailed;
 }
 
@@ -39,7 +40,7 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kAxis = parameter_of<Function::Rotation3d>("i");
     constexpr std::size_t kAngle = parameter_of<Function::Rotation3d>("angle");
     if (tilted_plane_.turns >= kMostTurns) {
-        report(diag::SpaceTurnNested, block, invocation.function);
+        reporter_.report(diag::SpaceTurnNested, block, invocation.function);
         return;
     }
     if (!require_place_for_plane(block, invocation, tilted_plane_.turns > 0)) return;
@@ -47,7 +48,7 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
     const Vec3 axis{block.argument(invocation, kAxis), block.argument(invocation, kAxis + 1),
                     block.argument(invocation, kAxis + 2)};
     if (axis.norm() == 0) {
-        report(diag::SpaceTurnAxis, block, invocation.function);
+        reporter_.report(diag::SpaceTurnAxis, block, invocation.function);
         return;
     }
     Vec3 center;

@@ -30,11 +30,11 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
     const auto given = [&](int parameter) { return (call.given >> parameter & 1u) != 0; };
     const bool is_named = macro::names_shape(info);
     if (!is_named && (!given(info.roles.first_block) || !given(info.roles.last_block))) {
-        report(diag::ShapeNotNamed, block, Function::Cycle);
+        reporter_.report(diag::ShapeNotNamed, block, Function::Cycle);
         return;
     }
     if (!is_named && modal_.plane != path::Plane::Zx) {
-        report(diag::ShapePlane, block, Function::Cycle);
+        reporter_.report(diag::ShapePlane, block, Function::Cycle);
         return;
     }
     modal_cycles_.modal.is_active = false;
@@ -60,12 +60,13 @@ Done Executor::require_shape_block(const Block& block) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (!nc::has_fact(block.functions[i].function, nc::Fact::EndsShape)) continue;
         if (is_plane(block.functions[i].function, modal_.plane)) continue;
-        report(diag::ShapeBlockWrong, block, block.functions[i].function)
-            .arg(word_of(block, block.functions[i].function));
+        reporter_.report(diag::ShapeBlockWrong, block, block.functions[i].function)
+            .arg(reporter_.word_of(block, block.functions[i].function));
         return kFailed;
     }
     if (!nc::has_fact(block.motion, nc::Fact::ShapeElement)) {
-        report(diag::ShapeBlockWrong, block, block.motion).arg(word_of(block, block.motion));
+        reporter_.report(diag::ShapeBlockWrong, block, block.motion)
+            .arg(reporter_.word_of(block, block.motion));
         return kFailed;
     }
     if (shape_->is_named && !modal_.has_feed) {  // the cycle says the feeds
@@ -83,7 +84,7 @@ Done Executor::require_shape_block(const Block& block) {
         shape_->approach_axes = block.given & nc::kTargetSlots;
         return kDone;
     }
-    report(diag::ShapeFirstBlock, block);
+    reporter_.report(diag::ShapeFirstBlock, block);
     return kFailed;
 }
 
@@ -103,7 +104,7 @@ void Executor::end_shape_block(const Block& block) {
 
 void Executor::finish_shape() {
     leave_corners(shape_->is_named ? diag::CornerWithoutMotion : diag::ShapeLastBlock);
-    if (alarmed_) return;
+    if (reporter_.has_alarm()) return;
     if (shape_->is_followed) return return_from_shape();
     const ShapeRun run = std::move(*shape_);
     shape_.reset();

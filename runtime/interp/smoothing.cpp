@@ -41,7 +41,8 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
         smoothing_.orientation = size < 0 ? std::nullopt : std::optional(rad_from_deg(size));
         return;
     }
-    if (size < 0) report(diag::BlendDistanceNegative, block, invocation.function).arg(size);
+    if (size < 0)
+        reporter_.report(diag::BlendDistanceNegative, block, invocation.function).arg(size);
     const bool is_rapid = invocation.function == Function::BlendRapidDistance;
     (is_rapid ? smoothing_.rapid_distance : smoothing_.feed_distance) = std::max(size, 0.0);
 }

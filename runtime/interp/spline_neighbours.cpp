@@ -1,7 +1,7 @@
 // spline_neighbours.cpp — the direction in which the block behind a spline begins, for its end.
 //
-// The block is not executed yet: what it says of its motion is understood under the modal state
-// that it makes, and that is put back. What is wrong with its words is said here already.
+// The block is not executed yet: what it says of its motion is read under the state that it will
+// find. What is wrong with its words is said here already.
 //
 // No direction has a block that takes its own from the spline before it: a tangent arc, another
 // spline through points. Nor one that moves places first, or says no motion of X, Y and Z.
@@ -42,55 +42,44 @@ Vec3 start_of(const std::vector<Pole>& poles) {
     return Vec3::Zero();
 }
 
-}  // namespace
-
-/// In the base system, of length 1; nothing if the block has none, or it was reported.
-std::optional<Vec3> Executor::direction_into(const Block& next) {
-    if (frames_change_in(next)) return std::nullopt;
-    const Modal modal_before = modal_;
-    const Polar polar_before = polar_;
-    if (next.find(Function::Incremental) != nullptr) modal_.is_incremental = true;
-    if (next.find(Function::Absolute) != nullptr) modal_.is_incremental = false;
-    if (next.motion != Function::None) modal_.motion = next.motion;
-    const bool is_polar = (next.given & nc::kPolarSlots) != 0;
-    const Block* const places = is_polar ? with_polar_slots(next) : &next;
-    const std::optional<Vec3> way = places != nullptr ? direction_into_next(*places) : std::nullopt;
-    modal_ = modal_before;
-    polar_ = polar_before;
-    if (!way) return std::nullopt;
-    const Vec3 direction = frames_.total().direction(*way);
-    const double length = direction.norm();
-    return length > path::kSameKnot ? std::optional(Vec3(direction / length)) : std::nullopt;
+std::optional<Vec3> direction_into_arc(MotionWords& words, const Block& block, Target target) {
+    if (words.view().frames.is_stretched(words.view().plane)) return std::nullopt;
+    const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
+    if (!has_form && !block.has(Slot::Opening)) return std::nullopt;
+    const auto arc = block.has(Slot::Opening) ? words.arc_by_opening(block, target)
+                                              : words.resolve_arc(block, target);
+    return arc ? std::optional(start_of(*arc)) : std::nullopt;
 }
 
-/// The same in the programmed system, of any length; polar coordinates have become places, and the
-/// motion is modal.
-std::optional<Vec3> Executor::direction_into_next(const Block& block) {
-    const Function motion = modal_.motion;
+/// In the programmed system, of any length; nothing if the block has none, or it was reported.
+std::optional<Vec3> direction_into_next(MotionWords& words, const Block& block) {
+    const Function motion = words.view().motion;
     if (motion == Function::Polynomial) {
-        const auto course = polynomials_of(block);
+        const auto course = words.polynomials_of(block);
         return course ? std::optional(start_of(course->poles)) : std::nullopt;
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0 && !is_arc(motion) && !nc::has_fact(motion, nc::Fact::Involute))
         return std::nullopt;
-    if (!require_axes(block, targets)) return std::nullopt;
-    Target target = target_of(block, targets);
-    const Vec3 start = linear(position_.here);
+    if (!words.require_axes(block, targets)) return std::nullopt;
+    Target target = words.target_of(block, targets);
+    const Vec3 start = linear(words.view().position.here);
     const Vec3 way = linear(target.here) - start;
-    if (is_arc(motion)) return way_into_arc(block, target);
+    if (is_arc(motion)) return direction_into_arc(words, block, target);
     if (nc::has_fact(motion, nc::Fact::Involute)) {
-        const auto words = involute_words(block);
-        if (!words) return std::nullopt;
-        if (block.has(Slot::Opening) && !take_involute_end(block, *words, target))
+        const auto involute = words.involute_words(block);
+        if (!involute) return std::nullopt;
+        if (block.has(Slot::Opening) && !words.take_involute_end(block, *involute, target))
             return std::nullopt;
-        const path::Involute involute = path::make_involute(
-            start, linear(target.here), words->center, words->normal, words->base_radius);
-        return path::evaluate(involute, 0).tangent;
+        return path::evaluate(path::make_involute(start, linear(target.here), involute->center,
+                                                  involute->normal, involute->base_radius),
+                              0)
+            .tangent;
     }
     switch (motion) {
         case Function::ArcThrough: {
-            const auto arc = path::arc_through({start, linear(target.here)}, through_point(block));
+            const auto arc =
+                path::arc_through({start, linear(target.here)}, words.through_point(block));
             return arc ? std::optional(start_of(*arc)) : std::nullopt;
         }
         case Function::Line:
@@ -101,18 +90,27 @@ std::optional<Vec3> Executor::direction_into_next(const Block& block) {
     }
 }
 
-std::optional<Vec3> Executor::way_into_arc(const Block& block, Target target) {
-    if (frames_.is_stretched(modal_.plane)) return std::nullopt;
-    const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
-    if (!has_form && !block.has(Slot::Opening)) return std::nullopt;
-    const auto arc =
-        block.has(Slot::Opening) ? arc_by_opening(block, target) : resolve_arc(block, target);
-    return arc ? std::optional(start_of(*arc)) : std::nullopt;
-}
+}  // namespace
 
-/// Whether the block changes where places are: its direction is not known before it is executed.
-bool Executor::frames_change_in(const Block& block) const {
-    return block.find(nc::Fact::MovesPositions) != nullptr;
+/// In the base system, of length 1; nothing if the block has none, or it was reported.
+std::optional<Vec3> Executor::direction_into(const Block& next) {
+    // Where positions are in another frame is not known before the block is executed.
+    if (next.find(nc::Fact::MovesPositions) != nullptr) return std::nullopt;
+    MotionView view = motion_view();
+    view.take(next);
+    MotionWords words(view, reporter_);
+    std::optional<Vec3> way;
+    if ((next.given & nc::kPolarSlots) != 0) {
+        Polar polar = polar_;
+        const std::optional<Block> made = words.with_polar_slots(next, polar);
+        if (made) way = direction_into_next(words, *made);
+    } else {
+        way = direction_into_next(words, next);
+    }
+    if (!way) return std::nullopt;
+    const Vec3 direction = frames_.total().direction(*way);
+    const double length = direction.norm();
+    return length > path::kSameKnot ? std::optional(Vec3(direction / length)) : std::nullopt;
 }
 
 }  // namespace kadr::interp

@@ -42,7 +42,7 @@ Done Executor::require_orientation_along(const Block& block, const ToolWords& to
         is_refused |= is_led_by_surface(tool) || (tool.is_any() && !is_free) || spins;
     }
     if (is_refused) {
-        report(diag::IsoNotSupported, block).arg("a tool that turns so beside a spline");
+        reporter_.report(diag::IsoNotSupported, block).arg("a tool that turns so beside a spline");
         return kFailed;
     }
     if (!orienting_.is_on) return kDone;
@@ -106,7 +106,7 @@ Done Executor::lay_span_orientation(const Block& at, const ControlPointBlock& sa
     course_.reset();
     if (said.direction) {
         if (said.direction->norm() < kNoDirection) {
-            report(diag::OrientationOpposite, at);
+            reporter_.report(diag::OrientationOpposite, at);
             return kFailed;
         }
         if (!lay_orientation(at, said.direction->normalized(), target)) return kFailed;
@@ -133,7 +133,7 @@ Done Executor::share_orientation(const Block& block, const ToolWords& tool,
     const bool is_plane = orienting_.turning == OrientInterpolation::Plane &&
                           tool.programs_direction() && !is_led && !tool.spin && !tool.spin_by;
     if (!is_plane) {
-        report(diag::IsoNotSupported, block)
+        reporter_.report(diag::IsoNotSupported, block)
             .arg("a tool that turns so beside a polynomial with such a denominator");
         return kFailed;
     }
@@ -143,7 +143,7 @@ Done Executor::share_orientation(const Block& block, const ToolWords& tool,
     const Vec3 from = machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
     const auto arc = machine::great_circle(from, *to);
     if (!arc) {
-        report(diag::OrientationOpposite, block);
+        reporter_.report(diag::OrientationOpposite, block);
         return kFailed;
     }
     double reached = 0;

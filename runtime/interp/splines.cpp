@@ -77,7 +77,7 @@ void Executor::set_spline_degree(const Block& block, const nc::Invocation& invoc
         spline_degree_ = static_cast<int>(degree);
         return;
     }
-    report(diag::SplineValue, block, Function::SplineDegree)
+    reporter_.report(diag::SplineValue, block, Function::SplineDegree)
         .arg("degree")
         .arg(degree)
         .arg("1, 2 or 3");
@@ -91,14 +91,16 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
     const bool leads_others = !is_transformed() && !knot && !(spline_ && spline_->is_by_knots());
     if (others != 0 && !leads_others) {
         const auto other = static_cast<nc::Slot>(std::countr_zero(others));
-        report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
+        reporter_.report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
         return;
     }
-    if (!require_axes(block, targets) || !require_rotary_approaches(block)) return;
+    if (!motion_words().require_axes(block, targets) ||
+        !motion_words().require_rotary_approaches(block))
+        return;
     if (const auto interval = word(block, Function::SplineInterval, kInterval);
         interval && *interval < 0) {
-        report(diag::IsoMinusNotAllowed, block, Function::SplineInterval)
-            .arg(word_of(block, Function::SplineInterval));
+        reporter_.report(diag::IsoMinusNotAllowed, block, Function::SplineInterval)
+            .arg(reporter_.word_of(block, Function::SplineInterval));
         return;
     }
     if (!require_orientation_along(block, tool)) return;
@@ -122,9 +124,9 @@ Done Executor::start_spline(const Block& block, bool by_knots) {
     const bool counts_knots =
         dialect_.can_write(Function::SplineKnot) && !dialect_.can_write(Function::SplineInterval);
     leave_corners(diag::CornerNotContour);
-    if (ended_) return kFailed;
+    if (has_ended()) return kFailed;
     if (!by_knots && counts_knots) {
-        report(diag::SplineKnots, block).arg("are missing");
+        reporter_.report(diag::SplineKnots, block).arg("are missing");
         return kFailed;
     }
     if (!require_feed(block, "spline")) return kFailed;
@@ -142,13 +144,13 @@ Done Executor::start_spline(const Block& block, bool by_knots) {
 Done Executor::add_control_point(const Block& block, SlotMask targets, const ToolWords& tool) {
     const double weight = word(block, Function::SplineWeight, kWeight).value_or(1);
     if (!(weight > 0)) {
-        report(diag::SplineValue, block, Function::SplineWeight)
+        reporter_.report(diag::SplineValue, block, Function::SplineWeight)
             .arg("weight")
             .arg(weight)
             .arg("above 0");
         return kFailed;
     }
-    const Target target = target_of(block, targets);
+    const Target target = motion_words().target_of(block, targets);
     const Vec3 pole = linear(target.base);
     // Poles of X, Y and Z may lie where the axes never go; those of the others are held to theirs.
     if (!require_within_limits(block, target.base,
@@ -156,7 +158,8 @@ Done Executor::add_control_point(const Block& block, SlotMask targets, const Too
         return kFailed;
     const bool is_start = spline_->poles() == 0;
     if (is_start && (pole - linear(position_.base)).norm() > kSamePlace) {
-        report(diag::SplineStart, block).arg(round_to((pole - linear(position_.base)).norm(), 4));
+        reporter_.report(diag::SplineStart, block)
+            .arg(round_to((pole - linear(position_.base)).norm(), 4));
         return kFailed;
     }
     ControlPointBlock said = control_point_block(block, target.base);
@@ -222,7 +225,7 @@ void Executor::put_commands_before(std::uint32_t number) {
 
 /// Puts out the spans that are known by now.
 void Executor::move_along_spline() {
-    while (!ended_) {
+    while (!has_ended()) {
         const std::optional<SplineStep> step = spline_->next();
         if (!step) return;
         put_commands_before(step->block.number);
@@ -285,12 +288,12 @@ void Executor::finish_spline() {
 
 void Executor::report_spline(const Block& block, NurbsFault fault) {
     if (fault == NurbsFault::Poles) {
-        report(diag::SplinePoles, block)
+        reporter_.report(diag::SplinePoles, block)
             .arg(spline_->degree())
             .arg(spline_->degree() + 1)
             .arg(static_cast<int>(spline_->poles()));
     } else {
-        report(diag::SplineKnots, block).arg(words_of(fault));
+        reporter_.report(diag::SplineKnots, block).arg(words_of(fault));
     }
 }
 

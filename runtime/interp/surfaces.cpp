@@ -20,14 +20,15 @@ std::optional<Cutter3d> Executor::mill_shape_now(const Block& block) {
     const std::int64_t number = comp_offset().value_or(0);
     const auto found = face_cutter(tool_offsets_, number, extra_.radius + sum_offset(4));
     if (!found) {
-        report(diag::CompFaceTool, block, function_of(comp_.side))
+        reporter_.report(diag::CompFaceTool, block, function_of(comp_.side))
             .arg(found.error() == MillShapeFault::EdgeTooLarge
                      ? "its edge is rounded with more than its radius, or with less than nothing"
                      : "its side leans by 90 degrees and more, or inwards");
         return std::nullopt;
     }
     if (!found->is_known && number != 0 && told_.first_time(Once::ToolShape))
-        report(diag::CompFaceShape, block, function_of(comp_.side)).arg(tool_offsets_.type(number));
+        reporter_.report(diag::CompFaceShape, block, function_of(comp_.side))
+            .arg(tool_offsets_.type(number));
     Cutter3d cutter;
     cutter.contact.kind = path::ContactKind::Face;
     cutter.contact.radius = found->radius;
@@ -42,7 +43,7 @@ Done Executor::require_constant_tool(const Block& block) {
     const bool is_constant = comp_.acting == CompKind::FaceMillingInFrame ||
                              comp_.acting == CompKind::FaceMillingInPlane;
     if (!is_constant || !orienting_.is_on) return kDone;
-    report(diag::CompFaceTurned, block, function_of(comp_.side));
+    reporter_.report(diag::CompFaceTurned, block, function_of(comp_.side));
     return kFailed;
 }
 
@@ -52,7 +53,7 @@ Done Executor::lay_surface(const Block& block, const ToolWords& tool) {
     if (!normals) return kFailed;
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
     if (!arc) {
-        report(diag::CompFaceNormal, block, Function::SurfaceNormal)
+        reporter_.report(diag::CompFaceNormal, block, Function::SurfaceNormal)
             .arg("at the end of the block it points the other way than at its start");
         return kFailed;
     }
@@ -71,7 +72,7 @@ Done Executor::lay_surface(const Block& block, const ToolWords& tool) {
 /// control, which ends after it. F 4.4.
 Done Executor::require_tcp_for_peripheral_comp(const Block& block, Function function) {
     if (orienting_.has_length) return kDone;
-    report(diag::SideCompAlone, block, function);
+    reporter_.report(diag::SideCompAlone, block, function);
     return kFailed;
 }
 
@@ -87,7 +88,7 @@ Done Executor::require_no_peripheral_arc(const Block& block) {
         turns_table |= joint.is_present && joint.side == machine::Side::Table;
     }
     if (!changes_orientation || !turns_table) return kDone;
-    report(diag::SideCompArc, block, modal_.motion);
+    reporter_.report(diag::SideCompArc, block, modal_.motion);
     return kFailed;
 }
 

@@ -66,10 +66,10 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     const bool says_none = invocation.given == 0 && block.text.empty();
     if (says_none || block.text == "0") return end_swivel(block);
     const auto refuse = [&](std::string_view what) {
-        report(diag::SwivelValue, block, Function::Swivel).arg(what);
+        reporter_.report(diag::SwivelValue, block, Function::Swivel).arg(what);
     };
     if (comp_.is_on()) {
-        report(diag::TiltCompensated, block, Function::Swivel).arg("CYCLE800");
+        reporter_.report(diag::TiltCompensated, block, Function::Swivel).arg("CYCLE800");
         return;
     }
     if (!require_rotary_axes(block, Function::Swivel)) return;
@@ -80,13 +80,14 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
         return refuse("_DIR is not -1, 0 or 1");
     const double options = block.argument(invocation, parameter_of<Function::Swivel>("options"));
     if (digit(options, 2) != 0) {
-        report(diag::IsoNotSupported, block, Function::Swivel).arg("swivelling the tool alone");
+        reporter_.report(diag::IsoNotSupported, block, Function::Swivel)
+            .arg("swivelling the tool alone");
         return;
     }
     if (digit(options, 0) > 1 || digit(options, 1) > 1) return refuse("_ST has a digit above 1");
     // The cycle sees to it that no transformation acts: the axes stay, as at TRAFOOF. S 6.5.
     if (orienting_.is_on) switch_transformation(block, {Function::TcpOff});
-    if (ended_ || !retract_before_swivel(block, invocation)) return;
+    if (has_ended() || !retract_before_swivel(block, invocation)) return;
 
     // A new plane is said in the system of the work offset; one that is added, in the plane so far
     // with all that the program has done in it.
@@ -114,7 +115,7 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     if (direction != 0)
         holds_tip ? turn_about_tip(block, *joints, Op::Rapid, 0)
                   : turn_joints(block, *joints, Op::Rapid);
-    if (!ended_) carry(block, *joints);
+    if (!has_ended()) carry(block, *joints);
 }
 
 /// Where the rotary axes 1 and 2 of the swivel data are to stand, rad. S 6.5.
@@ -134,7 +135,7 @@ Vec3 Executor::direct_joints(const Block& block, const Invocation& invocation) c
 std::optional<Mat3> Executor::swivel_rotation(const Block& block, const Invocation& invocation) {
     const double mode = block.argument(invocation, kMode);
     const auto refuse = [&](std::string_view what) -> std::optional<Mat3> {
-        report(diag::SwivelValue, block, Function::Swivel).arg(what);
+        reporter_.report(diag::SwivelValue, block, Function::Swivel).arg(what);
         return std::nullopt;
     };
     if (mode < 0 || mode > 255) return refuse("_MODE is not between 0 and 255");
@@ -179,7 +180,7 @@ Done Executor::retract_before_swivel(const Block& block, const Invocation& invoc
         for (std::size_t i = 0; i < 3; ++i)
             if ((axes >> i & 1u) != 0) to[i] = axes_.reference_points[0][i];
         rapid_to_machine_position(block, to, axes);
-        return Done(!ended_);
+        return Done(!has_ended());
     };
     const auto across = static_cast<AxisMask>((bit(Axis::X) | bit(Axis::Y)) & axes_.present);
     if (kind == 0) return kDone;
@@ -190,7 +191,7 @@ Done Executor::retract_before_swivel(const Block& block, const Invocation& invoc
         const double by = block.argument(invocation, parameter_of<Function::Swivel>("by"));
         return retract_along_tool(block, by);
     }
-    report(diag::SwivelValue, block, Function::Swivel).arg("_FR is not 0, 1, 2, 4 or 5");
+    reporter_.report(diag::SwivelValue, block, Function::Swivel).arg("_FR is not 0, 1, 2, 4 or 5");
     return kFailed;
 }
 
@@ -206,7 +207,7 @@ Done Executor::retract_along_tool(const Block& block, std::optional<double> by) 
     }
     const double way = by.value_or(most);
     if (!std::isfinite(way) || way < 0 || way > most + 1e-6) {
-        report(diag::SwivelRetract, block, Function::Swivel);
+        reporter_.report(diag::SwivelRetract, block, Function::Swivel);
         return kFailed;
     }
     if (way == 0) return kDone;
@@ -215,7 +216,7 @@ Done Executor::retract_along_tool(const Block& block, std::optional<double> by) 
     for (std::size_t i = 0; i < 3; ++i) target.base[i] += way * tool[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
     line(block, target, Op::Rapid, true);
-    return Done(!ended_);
+    return Done(!has_ended());
 }
 
 /// The frames of the cycle go; no axis moves.

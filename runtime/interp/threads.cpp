@@ -28,12 +28,12 @@ void Executor::tap(const Block& block, const Target& target) {
     const SlotMask words = block.given & nc::kCenterSlots;
     const double pitch = words == 0 ? 0 : block.at(first_slot(words));
     if (pitch == 0) {
-        (words == 0 ? report(diag::TapPitchMissing, block)
-                    : report(diag::TapPitchMissing, block, first_slot(words)));
+        (words == 0 ? reporter_.report(diag::TapPitchMissing, block)
+                    : reporter_.report(diag::TapPitchMissing, block, first_slot(words)));
         return;
     }
     if (spindle_.has_cutting_speed || !(spindle_.speed > 0)) {
-        report(diag::TapSpeedMissing, block);
+        reporter_.report(diag::TapSpeedMissing, block);
         return;
     }
     if (tool_.has_changed) activate_length(block, target.moved);
@@ -82,11 +82,11 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
 /// The spindle, which the thread is geared to, turns.
 Done Executor::require_thread_spindle(const Block& block) {
     if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
-        report(diag::RevolutionFeedStands, block);
+        reporter_.report(diag::RevolutionFeedStands, block);
         return kFailed;
     }
     if (spindle_.has_cutting_speed && told_.first_time(Once::ThreadSpeed))
-        report(diag::ThreadUnderCuttingSpeed, block);
+        reporter_.report(diag::ThreadUnderCuttingSpeed, block);
     return kDone;
 }
 
@@ -96,13 +96,13 @@ std::optional<double> Executor::thread_change(const Block& block, double pitch, 
     if (!nc::has_fact(modal_.motion, nc::Fact::VaryingThread)) return 0;
     const nc::Invocation* const word = block.find(Function::ThreadChange);
     if (word == nullptr) {
-        report(diag::ThreadChangeMissing, block);
+        reporter_.report(diag::ThreadChangeMissing, block);
         return std::nullopt;
     }
     const double said = block.argument(*word, nc::parameter_of<Function::ThreadChange>("change"));
     const double change = modal_.motion == Function::ThreadDecreasing ? -said : said;
     if (pitch * pitch + 2 * change * way > 0) return change;
-    report(diag::ThreadPitchVanishes, block, Function::ThreadChange)
+    reporter_.report(diag::ThreadPitchVanishes, block, Function::ThreadChange)
         .arg(round_to(pitch * pitch / (-2 * change), 4));
     return std::nullopt;
 }
@@ -118,7 +118,7 @@ std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way
     if (rules_.thread_pitch_is_feed && !block.is_of_cycle()) {
         if (words != 0) warn_arc_word(block, words);
         if (modal_.has_feed && modal_.feed > 0) return modal_.feed;
-        report(diag::ThreadPitchMissing, block).arg(name);
+        reporter_.report(diag::ThreadPitchMissing, block).arg(name);
         return std::nullopt;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -126,8 +126,8 @@ std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way
         const bool is_long = std::abs(way[static_cast<Eigen::Index>(axis)]) >= most - kEqualTravels;
         if (is_long && block.has(word) && block.at(word) > 0) return block.at(word);
     }
-    (words == 0 ? report(diag::ThreadPitchMissing, block)
-                : report(diag::ThreadPitchMissing, block, first_slot(words)))
+    (words == 0 ? reporter_.report(diag::ThreadPitchMissing, block)
+                : reporter_.report(diag::ThreadPitchMissing, block, first_slot(words)))
         .arg(name);
     return std::nullopt;
 }

@@ -63,18 +63,10 @@ bool Executor::only_turns(const Block& block) {
     const bool is_turned = block.find(nc::Fact::ToolWord) != nullptr;
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (!is_turned || targets == 0 || (block.given & nc::kPolarSlots) != 0) return false;
-    const Target target = target_in(block, targets);
+    MotionView view = motion_view();
+    view.take(block);
+    const Target target = MotionWords(view, reporter_).target_of(block, targets);
     return !((linear(target.base) - linear(position_.base)).norm() > path::kSameKnot);
-}
-
-/// Where a block that is not executed yet leads.
-Target Executor::target_in(const Block& block, SlotMask targets) {
-    const Modal before = modal_;
-    if (block.find(Function::Incremental) != nullptr) modal_.is_incremental = true;
-    if (block.find(Function::Absolute) != nullptr) modal_.is_incremental = false;
-    const Target target = target_of(block, targets);
-    modal_ = before;
-    return target;
 }
 
 /// A block with a position under such a function.
@@ -82,22 +74,24 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
     const SlotMask others = targets & ~SlotMask{kLinearXYZ};
     const auto refuse_others = [&] {
         const auto other = static_cast<Slot>(std::countr_zero(others));
-        report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
+        reporter_.report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
     };
     if (others != 0 && is_transformed()) return refuse_others();
-    if (!require_axes(block, targets) || !require_rotary_approaches(block)) return;
+    if (!motion_words().require_axes(block, targets) ||
+        !motion_words().require_rotary_approaches(block))
+        return;
     if (!require_feed(block, "spline")) return;
     if (!require_orientation_along(block, tool)) return;
     if (!through_ && !start_through(block)) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
-    const Target target = target_of(block, targets);
+    const Target target = motion_words().target_of(block, targets);
     if (!require_within_limits(block, target.base, target.moved)) return;
     if (!through_->spline.add_point(linear(target.base))) {
         // An axis has no way of the spline to follow.
         const bool is_followed = others != 0 && target.base != position_.base;
         if (is_followed) refuse_others();
-        else report(diag::SplinePointRepeated, block);
+        else reporter_.report(diag::SplinePointRepeated, block);
         return;
     }
     through_->moved = static_cast<AxisMask>(through_->moved | target.moved);
@@ -109,12 +103,12 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
 
 Done Executor::start_through(const Block& block) {
     leave_corners(diag::CornerNotContour);
-    if (ended_) return kFailed;
+    if (has_ended()) return kFailed;
     SplineEnd start{spline_ends_.start, Vec3::Zero()};
     if (start.kind == SplineEnd::Kind::Tangent) {
         const auto direction = direction_of(linear(position_.base) - came_from_);
         if (!direction) {
-            report(diag::SplineNoDirection, block).arg("before");
+            reporter_.report(diag::SplineNoDirection, block).arg("before");
             return kFailed;
         }
         start.tangent = *direction;
@@ -133,7 +127,7 @@ Done Executor::start_through(const Block& block) {
 /// Puts out the spans that are known by now. One that is known while points may still come is not
 /// the last.
 void Executor::move_through() {
-    while (!ended_) {
+    while (!has_ended()) {
         const std::optional<path::ThroughSpan> span = through_->spline.next();
         if (!span) return;
         const ControlPointBlock block = through_->blocks.front();
@@ -152,7 +146,7 @@ void Executor::finish_through(const Block* next) {
         const auto direction = next != nullptr ? direction_into(*next) : std::nullopt;
         if (!direction) {
             // What is wrong with the block itself was said.
-            if (!ended_) report(diag::SplineNoDirection, spline_end_).arg("behind");
+            if (!has_ended()) reporter_.report(diag::SplineNoDirection, spline_end_).arg("behind");
             through_.reset();
             return;
         }

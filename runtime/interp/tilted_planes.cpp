@@ -95,7 +95,7 @@ std::optional<Vec3> Executor::origin_of_plane(const Block& block, const Invocati
                                               std::size_t first) {
     const unsigned given = invocation.given >> first & 0b111u;
     if (given == 0 || given == 0b111u) return three(block, invocation, first);
-    report(diag::TiltFormat, block, invocation.function)
+    reporter_.report(diag::TiltFormat, block, invocation.function)
         .arg("one of the coordinates of its origin is missing");
     return std::nullopt;
 }
@@ -104,12 +104,12 @@ std::optional<Vec3> Executor::origin_of_plane(const Block& block, const Invocati
 Done Executor::require_place_for_plane(const Block& block, const Invocation& invocation,
                                        bool is_added) {
     if (comp_.is_on()) {
-        report(diag::TiltCompensated, block, invocation.function)
-            .arg(word_of(block, invocation.function));
+        reporter_.report(diag::TiltCompensated, block, invocation.function)
+            .arg(reporter_.word_of(block, invocation.function));
         return kFailed;
     }
     if (tilted_plane_.is_on && !is_added && invocation.function != Function::Tilt) {
-        report(diag::TiltNested, block, invocation.function);
+        reporter_.report(diag::TiltNested, block, invocation.function);
         return kFailed;
     }
     return kDone;
@@ -146,13 +146,13 @@ std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocat
     if (kind == 4) {
         const auto plane = machine::projected({angles[1], angles[0], angles[2]});
         if (plane) return shift * turned(*plane);
-        report(diag::TiltFormat, block, invocation.function).arg(words_of(plane.error()));
+        reporter_.report(diag::TiltFormat, block, invocation.function).arg(words_of(plane.error()));
         return std::nullopt;
     }
     const auto order = axes_in_order(
         block.argument(invocation, parameter_of<Function::TiltedPlaneByAngles>("order"), 123));
     if (!order) {
-        report(diag::TiltFormat, block, invocation.function)
+        reporter_.report(diag::TiltFormat, block, invocation.function)
             .arg("its order of the axes is none of 123, 132, 213, 231, 312, 321");
         return std::nullopt;
     }
@@ -197,7 +197,7 @@ void Executor::set_plane_by_blocks(const Block& block, const Invocation& invocat
     }
     OpenPlane& said = *tilted_plane_.open;
     if (said.is_by_points != is_by_points || said.is_added != is_added || number != said.next) {
-        report(diag::TiltFormat, block, invocation.function)
+        reporter_.report(diag::TiltFormat, block, invocation.function)
             .arg("its blocks do not stand in their order");
         return;
     }
@@ -225,7 +225,7 @@ std::optional<Frame> Executor::plane_by_blocks(const Block& block, const OpenPla
                            ? machine::through_points(points)
                            : machine::by_axes(said.values[1], said.values[2], kSquareTolerance);
     if (!plane) {
-        report(diag::TiltFormat, block, function_of(said)).arg(words_of(plane.error()));
+        reporter_.report(diag::TiltFormat, block, function_of(said)).arg(words_of(plane.error()));
         return std::nullopt;
     }
     if (!said.is_by_points) return path::translation(said.origin) * turned(*plane);
@@ -235,7 +235,7 @@ std::optional<Frame> Executor::plane_by_blocks(const Block& block, const OpenPla
 
 Done Executor::require_block_of_open_plane(const Block& block) {
     if (block.find(function_of(*tilted_plane_.open)) != nullptr) return kDone;
-    report(diag::TiltFormat, block)
+    reporter_.report(diag::TiltFormat, block)
         .arg("its blocks are not complete: number " + std::to_string(tilted_plane_.open->next) +
              " is missing");
     return kFailed;
@@ -276,7 +276,7 @@ void Executor::end_tilted_plane(const Block& block) {
 
 Done Executor::require_rotary_axes(const Block& block, Function function) {
     if (machine_.kinematics && machine_.kinematics->chain.is_turning()) return kDone;
-    report(diag::TiltNoKinematics, block, function).arg(machine_.name);
+    reporter_.report(diag::TiltNoKinematics, block, function).arg(machine_.name);
     return kFailed;
 }
 
@@ -285,7 +285,7 @@ void Executor::align(const Block& block, const Invocation& invocation) {
     const Function function = invocation.function;
     const bool is_about_tip = function == Function::AlignToolAtTip;
     if (!tilted_plane_.is_on) {
-        report(diag::TiltAlignAlone, block, function);
+        reporter_.report(diag::TiltAlignAlone, block, function);
         return;
     }
     if (!require_rotary_axes(block, function)) return;
@@ -308,7 +308,7 @@ void Executor::align(const Block& block, const Invocation& invocation) {
         is_about_tip ? block.argument(invocation, parameter_of<Function::AlignToolAtTip>("above"))
                      : 0;
     is_about_tip ? turn_about_tip(block, *joints, op, above) : turn_joints(block, *joints, op);
-    if (!ended_) carry(block, *joints);
+    if (!has_ended()) carry(block, *joints);
 }
 
 /// Places of the rotary axes with the tool along Z of the programmed system; nothing if it was
@@ -334,7 +334,7 @@ std::optional<Vec3> Executor::joints_for_plane(const Block& block, Function func
     if (joints) return *joints;
     const machine::PathRefusal& refusal = joints.error();
     if (refusal.fault == machine::PathFault::Unreachable) {
-        report(diag::TiltUnreachable, block, function)
+        reporter_.report(diag::TiltUnreachable, block, function)
             .arg(chain.orients() ? "its rotary axes do not reach so far"
                                  : "it has one rotary axis, which does not lead there");
         return std::nullopt;
@@ -346,7 +346,7 @@ std::optional<Vec3> Executor::joints_for_plane(const Block& block, Function func
         words += kAxisNames[index(chain.joints[refused.joint].axis)];
         words += format_shortest(round_to(deg_from_rad(refused.value), 4));
     }
-    report(diag::TiltLimits, block, function).arg(words);
+    reporter_.report(diag::TiltLimits, block, function).arg(words);
     return std::nullopt;
 }
 
@@ -375,7 +375,7 @@ void Executor::turn_about_tip(const Block& block, const Vec3& joints, Op op, dou
     tool_.lengths -= above * machine_.kinematics->chain.tool_direction;
     stand_at(block, machine_axes(), true);
     hold_tip(block, joints, op);
-    if (ended_) return;
+    if (has_ended()) return;
     const AxisValues axes = machine_axes();
     tool_.lengths = lengths;
     stand_at(block, axes, true);
@@ -482,7 +482,7 @@ void Executor::check_carried(const Block& block) {
         constexpr double kWidth = 0.0005;  // deg: half an increment
         if (std::abs(std::remainder(block.at(slot) - place, 360)) < kWidth) continue;
         told_.count_as_reported(Once::TiltTurned);
-        report(diag::TiltTurned, block, slot)
+        reporter_.report(diag::TiltTurned, block, slot)
             .arg(kAxisNames[index(chain.joints[k].axis)])
             .arg(round_to(place, 4));
         return;

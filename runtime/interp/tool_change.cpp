@@ -38,11 +38,15 @@ void Executor::check_edge(const Block& block) {
     if (tool_.current == 0 || tool_.edge == 1 || tool_offsets_.is_known(number)) return;
     const bool is_known_tool = tool_offsets_.edges(tool_.current) > 0;
     if (is_known_tool) {
-        report(diag::EdgeMissing, block, Function::ToolEdge).arg(tool_.current).arg(tool_.edge);
+        reporter_.report(diag::EdgeMissing, block, Function::ToolEdge)
+            .arg(tool_.current)
+            .arg(tool_.edge);
         return;
     }
     if (!told_.first_time(NoticeEach::Edge, number)) return;
-    report(diag::EdgeUnknown, block, Function::ToolEdge).arg(tool_.edge).arg(tool_.current);
+    reporter_.report(diag::EdgeUnknown, block, Function::ToolEdge)
+        .arg(tool_.edge)
+        .arg(tool_.current);
 }
 
 /// DL. A new edge has none, and a tool that is changed; S 2.3 with MD20272 = 0 (unsure).
@@ -51,7 +55,9 @@ void Executor::choose_sum_offset(const Block& block, const Invocation& invocatio
     constexpr std::int64_t kMost = 6;  // MD18110
     tool_.sum = count_of(block, invocation, parameter_of<Function::SumOffset>("number"));
     if (tool_.sum > kMost) {
-        report(diag::SumOffsetRange, block, invocation.function).arg(tool_.sum).arg(kMost);
+        reporter_.report(diag::SumOffsetRange, block, invocation.function)
+            .arg(tool_.sum)
+            .arg(kMost);
         return;
     }
     tool_.has_changed = true;
@@ -76,7 +82,9 @@ std::int64_t Executor::tool_number(const Block& block, const Invocation& invocat
     if (!invocation.has(kTool) && !block.text.empty()) return named_tool(block);
     const std::int64_t number = count_of(block, invocation, kTool);
     if (rules_.most_tool > 0 && number > rules_.most_tool) {
-        report(diag::ToolNumberRange, block, invocation.function).arg(number).arg(rules_.most_tool);
+        reporter_.report(diag::ToolNumberRange, block, invocation.function)
+            .arg(number)
+            .arg(rules_.most_tool);
     }
     return number;
 }
@@ -88,18 +96,18 @@ std::int64_t Executor::named_tool(const Block& block) {
     if (known.empty()) {
         const std::int64_t number = tool_names_.invent(block.text, tool_offsets_.last_tool());
         told_.count_as_reported(NoticeEach::Tool, number);
-        report(diag::ToolUnknown, block).arg(block.text);
+        reporter_.report(diag::ToolUnknown, block).arg(block.text);
         return number;
     }
     if (known.size() > 1 && told_.first_time_of_name(block.text))
-        report(diag::ToolNameShared, block).arg(block.text).arg(known[0]).arg(known[1]);
+        reporter_.report(diag::ToolNameShared, block).arg(block.text).arg(known[0]).arg(known[1]);
     return known[0];
 }
 
 void Executor::change_tool(const Block& block) {
     const bool is_other = tool_.selected != tool_.current;
     if (is_other && rules_.comp_keeps_tool && comp_.is_on()) {
-        report(diag::CompToolChange, block);
+        reporter_.report(diag::CompToolChange, block);
         return;
     }
     if (is_other) {

@@ -73,7 +73,7 @@ void Executor::check_length_known(const Block& block) {
     if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
     const std::int64_t tool = ToolOffsets::tool_of(number);
     if (!told_.first_time(NoticeEach::Tool, tool)) return;
-    report(diag::ToolUnknown, block).arg(tool);
+    reporter_.report(diag::ToolUnknown, block).arg(tool);
 }
 
 /// A length that was selected acts along an axis with the first motion of that axis: the motion
@@ -119,7 +119,7 @@ Done Executor::activate_length_on_arc(const Block& block, const Vec3& normal, Ax
     const Vec3 way = activate_length(block, moved);
     const double aside = (way - way.dot(normal) * normal).norm();
     if (aside <= rules_.arc_tolerance) return kDone;
-    report(diag::ArcLengthChange, block, modal_.motion).arg(round_to(aside, 4));
+    reporter_.report(diag::ArcLengthChange, block, modal_.motion).arg(round_to(aside, 4));
     return kFailed;
 }
 

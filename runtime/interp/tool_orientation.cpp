@@ -102,7 +102,7 @@ Done Executor::orient(const Block& block, const Actions& actions, Target& target
     check_offset_programmed(block);
     if (!require_one_turn(block, tool) || !require_no_idle_words(block, tool)) return kFailed;
     if (orienting_.takes_vectors && is_arc(modal_.motion)) {
-        report(diag::TcpArc, block, modal_.motion);
+        reporter_.report(diag::TcpArc, block, modal_.motion);
         return kFailed;
     }
     if (!require_no_peripheral_arc(block)) return kFailed;
@@ -158,7 +158,7 @@ Done Executor::orient_by_axes(const Block& block, Target& target) {
     if ((reached - wanted).norm() < kSameJoint) return kDone;
     const std::size_t joint =
         std::abs(reached[0] - wanted[0]) > kSameJoint ? machine::kR1 : machine::kR2;
-    report(diag::OrientationNoWay, block)
+    reporter_.report(diag::OrientationNoWay, block)
         .arg(std::string(kAxisNames[index(chain.joints[joint].axis)]) + " comes to " +
              degrees(reached[static_cast<Eigen::Index>(joint)]) + "° on the great circle");
     return kFailed;
@@ -204,11 +204,11 @@ void Executor::put_joints(const Vec3& joints, Target& target) const {
 void Executor::report_no_solution(const Block& block, const machine::PathRefusal& refusal) {
     const Chain& chain = machine_.kinematics->chain;
     if (refusal.fault == machine::PathFault::Unreachable) {
-        report(diag::OrientationBeyond, block)
+        reporter_.report(diag::OrientationBeyond, block)
             .arg(chain.orients() ? "the direction is outside of the reach of its rotary axes"
                                  : "it has one rotary axis, which does not lead there");
     } else {
-        report(diag::OrientationNoWay, block).arg(words_of(chain, refusal));
+        reporter_.report(diag::OrientationNoWay, block).arg(words_of(chain, refusal));
     }
 }
 
@@ -227,7 +227,7 @@ Done Executor::lay_orientation(const Block& block, const Vec3& to, Target& targe
     query.mode = is_plane ? machine::PathMode::Vector : machine::PathMode::Axis;
     const auto arc = machine::great_circle(from, to);
     if (is_plane && !arc) {
-        report(diag::OrientationOpposite, block);
+        reporter_.report(diag::OrientationOpposite, block);
         return kFailed;
     }
     const auto end = machine::choose_path(chain, query);
@@ -237,7 +237,7 @@ Done Executor::lay_orientation(const Block& block, const Vec3& to, Target& targe
     }
     put_joints(end->rotary, target);
     if (is_plane && end->mode == machine::PathMode::Axis)
-        report(diag::PlaneLeft, block)
+        reporter_.report(diag::PlaneLeft, block)
             .arg(degrees(angle_out_of(chain, arc->axis, joints, end->rotary)));
     if (end->mode == machine::PathMode::Vector && arc->turn > kSameDirection) {
         next_orientation_.turning = Turning::Cone;
@@ -281,7 +281,7 @@ std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, con
     const bool is_cw = (orienting_.turning == OrientInterpolation::ConeCw) != mirrors_words();
     const ConeSense sense = is_cw ? ConeSense::Cw : ConeSense::Ccw;
     const auto refuse = [&](const DiagnosticRow& row) {
-        report(row, block);
+        reporter_.report(row, block);
         return std::nullopt;
     };
     Result<machine::OrientationArc, machine::OrientationFault> arc =
@@ -298,7 +298,7 @@ std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, con
         if (!axis) return std::nullopt;
         const double off = path::angle_between(*axis, from) - path::angle_between(*axis, to);
         if (std::abs(off) > kOnCone) {
-            report(diag::ConeBeside, block, Function::ConeAxis)
+            reporter_.report(diag::ConeBeside, block, Function::ConeAxis)
                 .arg(degrees(path::angle_between(*axis, from)))
                 .arg(degrees(path::angle_between(*axis, to)));
             return std::nullopt;
@@ -307,7 +307,7 @@ std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, con
     } else if (tool.opening) {
         arc = machine::cone_of_opening(from, to, rad_from_deg(std::abs(*tool.opening)), sense);
         if (!arc && arc.error() == machine::OrientationFault::OpeningSmall) {
-            report(diag::ConeOpeningSmall, block, Function::ConeOpening)
+            reporter_.report(diag::ConeOpeningSmall, block, Function::ConeOpening)
                 .arg(*tool.opening)
                 .arg(degrees(path::angle_between(from, to)));
             return std::nullopt;
@@ -380,7 +380,7 @@ std::optional<Vec3> Executor::direction_on_surface(const Block& block, const Vec
                                                    const Vec3& tangent, const path::Lean& lean) {
     if (lean.lead == 0 && lean.tilt == 0) return normal;
     if (tangent.isZero(0)) {
-        report(diag::LeanWithoutTravel, block);
+        reporter_.report(diag::LeanWithoutTravel, block);
         return std::nullopt;
     }
     if (!require_small_rise(block, path::rise_of(normal, tangent))) return std::nullopt;
@@ -390,7 +390,7 @@ std::optional<Vec3> Executor::direction_on_surface(const Block& block, const Vec
 /// The direction of travel leads out of the surface by no more than the control takes, rad. S 7.4.
 Done Executor::require_small_rise(const Block& block, double rise) {
     if (std::abs(rise) <= rad_from_deg(rules_.surface_rise)) return kDone;
-    report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
+    reporter_.report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
     return kFailed;
 }
 
@@ -417,7 +417,7 @@ std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, cons
         const Vec3 normal = tool.normals[i].vector();
         const bool is_none = comp_.takes_surface_normals() && normal.isZero(0);
         if (!is_none) return direction_in_base(block, normal, Function::SurfaceNormal);
-        report(diag::CompFaceNormal, block, Function::SurfaceNormal)
+        reporter_.report(diag::CompFaceNormal, block, Function::SurfaceNormal)
             .arg("all its components are zero");
         return std::optional<Vec3>();
     };
@@ -457,7 +457,7 @@ Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     if (!is_led) return orient_to(block, tool, *end, target);
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
     if (!arc) {
-        report(diag::OrientationOpposite, block);
+        reporter_.report(diag::OrientationOpposite, block);
         return kFailed;
     }
     const path::Turn surface{Turning::Surface,   length, (*normals)[0], arc->axis,
@@ -494,7 +494,7 @@ Done Executor::lead_by_point(const Block& block, const ToolWords& tool, const pa
     const Vec3 start = orienting_.point.value_or(tip + reach * direction);
     constexpr double kNoReach = 1e-6;  // mm
     if (reach < kNoReach || (start - tip).norm() < kNoReach) {
-        report(diag::PointAtTip, block, Function::ToolPoint);
+        reporter_.report(diag::PointAtTip, block, Function::ToolPoint);
         return kFailed;
     }
     if (!orient_first(block, (start - tip).normalized())) return kFailed;
@@ -576,7 +576,8 @@ Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
     if (!tool.spin && !tool.spin_by) return kDone;
     const Chain& chain = machine_.kinematics->chain;
     if (!chain.has(machine::kPsi)) {
-        if (told_.first_time(Once::Spin)) report(diag::SpinWithoutAxis, block, Function::ToolSpin);
+        if (told_.first_time(Once::Spin))
+            reporter_.report(diag::SpinWithoutAxis, block, Function::ToolSpin);
         return kDone;
     }
     Vec3 joints = joints_of(target.base);
@@ -589,7 +590,7 @@ Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
         const Vec3 direction = machine::tool_vector(chain, joints);
         const auto reference = spin_reference(direction, curve);
         if (!reference) {
-            report(diag::SpinUndefined, block, Function::ToolSpin);
+            reporter_.report(diag::SpinUndefined, block, Function::ToolSpin);
             return kFailed;
         }
         // Where the tool's own X would be without Ψ, and where it is wanted.
@@ -617,8 +618,8 @@ Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
 /// The rotary axes of the transformation go to places of their own. S 7.4 ORIRESET.
 void Executor::reset_orientation(const Block& block, const nc::Invocation& invocation) {
     if (!orienting_.is_on) {
-        report(diag::OrientationAlone, block, invocation.function)
-            .arg(word_of(block, invocation.function));
+        reporter_.report(diag::OrientationAlone, block, invocation.function)
+            .arg(reporter_.word_of(block, invocation.function));
         return;
     }
     const Chain& chain = machine_.kinematics->chain;
@@ -634,7 +635,7 @@ void Executor::reset_orientation(const Block& block, const nc::Invocation& invoc
             rad_from_deg(block.argument(invocation, kFirst + axes++));
     }
     if (invocation.given >> (kFirst + axes) != 0) {
-        report(diag::ResetTooMany, block, invocation.function).arg(axes);
+        reporter_.report(diag::ResetTooMany, block, invocation.function).arg(axes);
         return;
     }
     put_joints(joints, target);

@@ -45,8 +45,8 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
     const bool is_of_cutter =
         invocation.function == Function::SurfaceNormal && comp_.takes_surface_normals();
     if (!orienting_.is_on && !is_of_cutter) {
-        report(diag::OrientationAlone, block, invocation.function)
-            .arg(word_of(block, invocation.function));
+        reporter_.report(diag::OrientationAlone, block, invocation.function)
+            .arg(reporter_.word_of(block, invocation.function));
         return;
     }
     ToolWords& tool = actions.tool;
@@ -103,7 +103,7 @@ void Executor::take_opening(const Block& block, const nc::Invocation& invocation
     if (std::abs(opening) <= kMostOpening) {
         tool.opening = opening;
     } else {
-        report(diag::ConeOpeningRange, block, invocation.function).arg(opening);
+        reporter_.report(diag::ConeOpeningRange, block, invocation.function).arg(opening);
     }
 }
 
@@ -113,7 +113,8 @@ void Executor::take_lead_tilt(const Block& block, const nc::Invocation& invocati
     const double angle = block.argument(
         invocation, parameter_of_all<"angle", Function::SurfaceLead, Function::SurfaceTilt>());
     if (!(std::abs(angle) < kMostLeadTilt)) {
-        report(is_lead ? diag::LeadTooLarge : diag::TiltTooLarge, block, invocation.function)
+        reporter_
+            .report(is_lead ? diag::LeadTooLarge : diag::TiltTooLarge, block, invocation.function)
             .arg(angle);
         return;
     }
@@ -140,7 +141,7 @@ Done Executor::require_one_turn(const Block& block, const ToolWords& tool) {
                                    ? &diag::OrientOnSurface
                                    : nullptr;
     if (row == nullptr) return kDone;
-    report(*row, block, has_vector ? Function::ToolVector : Function::ToolAngle);
+    reporter_.report(*row, block, has_vector ? Function::ToolVector : Function::ToolAngle);
     return kFailed;
 }
 
@@ -149,7 +150,7 @@ Done Executor::require_axes_for_direction(const Block& block) {
     const machine::Chain& chain = machine_.kinematics->chain;
     const bool has_both = chain.has(machine::kR1) && chain.has(machine::kR2);
     if (has_both || !rules_.direction_needs_two_axes) return kDone;
-    report(diag::OrientationBeyond, block).arg("it has one rotary axis");
+    reporter_.report(diag::OrientationBeyond, block).arg("it has one rotary axis");
     return kFailed;
 }
 
@@ -183,13 +184,13 @@ Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) 
                                comp_.takes_surface_normals();
     const nc::Invocation* const spin = block.find(Function::ToolSpin);
     if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == SpinFrom::Path) {
-        report(diag::SpinAgainstPath, block, Function::ToolSpin)
-            .arg(word_of(block, Function::ToolSpin));
+        reporter_.report(diag::SpinAgainstPath, block, Function::ToolSpin)
+            .arg(reporter_.word_of(block, Function::ToolSpin));
         return kFailed;
     }
     if (tool.lead.has_value() && !tool.vector.is_said()) {
-        report(diag::OrientLeadAlone, block, Function::ToolLead)
-            .arg(word_of(block, Function::ToolLead));
+        reporter_.report(diag::OrientLeadAlone, block, Function::ToolLead)
+            .arg(reporter_.word_of(block, Function::ToolLead));
         return kFailed;
     }
     const struct {
@@ -209,14 +210,14 @@ Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) 
     };
     for (const auto& check : checks) {
         if (!check.is_idle) continue;
-        report(diag::OrientWordIdle, block, check.word)
-            .arg(word_of(block, check.word))
-            .arg(spelling_of(function_of(turning)));
+        reporter_.report(diag::OrientWordIdle, block, check.word)
+            .arg(reporter_.word_of(block, check.word))
+            .arg(reporter_.spelling_of(function_of(turning)));
         return kFailed;
     }
     if (is_on_cone(turning) && !tool.programs_direction() && tool.is_any() && !tool.spin &&
         !tool.spin_by) {
-        report(diag::ConeEndMissing, block);
+        reporter_.report(diag::ConeEndMissing, block);
         return kFailed;
     }
     return kDone;
@@ -253,7 +254,7 @@ std::optional<Vec3> Executor::direction_in_base(const Block& block, const Vec3& 
                                                 Function word) {
     const auto direction = machine::unit_of(Vec3(turn_into_base() * said));
     if (direction) return *direction;
-    report(diag::OrientationZero, block, word);
+    reporter_.report(diag::OrientationZero, block, word);
     return std::nullopt;
 }
 

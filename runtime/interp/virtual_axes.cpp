@@ -113,7 +113,7 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
                                invocation.has(kRadius) && block.argument(invocation, kRadius) == 0;
     if (ends_cylinder) {
         if (virtual_.axes.kind == VirtualKind::Cylinder) return end_virtual(block);
-        report(diag::CylinderWrong, block, invocation.function)
+        reporter_.report(diag::CylinderWrong, block, invocation.function)
             .arg("radius 0")
             .arg("it ends the work on a cylinder, and none has begun");
         return;
@@ -121,15 +121,15 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
     if (rules_.virtual_is_narrow && virtual_.axes.is_on())
         return refuse_virtual(block, invocation.function);
     if (comp_.is_on()) {
-        report(diag::VirtualComp, block, invocation.function);
+        reporter_.report(diag::VirtualComp, block, invocation.function);
         return;
     }
     if (!require_no_spline(block, invocation.function)) return;
     end_virtual(block);
     leave_corners(diag::CornerWithoutMotion);
-    if (ended_) return;
+    if (has_ended()) return;
     if (orienting_.is_on) switch_transformation(block, {Function::TcpOff});
-    if (ended_) return;
+    if (has_ended()) return;
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
     if (compensation_.is_on()) flush_comp();
     const std::optional<VirtualAxes> axes = wanted_virtual(block, invocation);
@@ -147,13 +147,13 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
 void Executor::end_virtual(const Block& block) {
     if (!virtual_.axes.is_on()) return;
     if (comp_.is_on()) {
-        report(diag::VirtualComp, block, ending_function(virtual_.axes.kind));
+        reporter_.report(diag::VirtualComp, block, ending_function(virtual_.axes.kind));
         return;
     }
     leave_corners(diag::CornerWithoutMotion);
-    if (!ended_ && compensation_.is_on()) flush_comp();
-    if (!ended_) follow_rotary();
-    if (ended_) return;
+    if (!has_ended() && compensation_.is_on()) flush_comp();
+    if (!has_ended()) follow_rotary();
+    if (has_ended()) return;
     const Virtual was = std::exchange(virtual_, {});
     if (was.by_rotary) {
         modal_.plane = was.plane_before;
@@ -185,7 +185,7 @@ std::optional<VirtualAxes> Executor::wanted_virtual(const Block& block,
 
 std::optional<VirtualAxes> Executor::wanted_polar_interpolation(const Block& block) {
     const auto refuse = [&](std::string_view why) {
-        report(diag::FaceUnavailable, block, Function::PolarInterpolationOn)
+        reporter_.report(diag::FaceUnavailable, block, Function::PolarInterpolationOn)
             .arg(machine_.name)
             .arg(why);
         return std::nullopt;
@@ -212,7 +212,7 @@ std::optional<VirtualAxes> Executor::wanted_polar_interpolation(const Block& blo
         axes.zero = rad_from_deg(angle);
         if (const double said = position_.here[index(Axis::C)];
             std::abs(std::remainder(said, 360)) > kAtZero)
-            report(diag::FaceStart, block, Function::PolarInterpolationOn)
+            reporter_.report(diag::FaceStart, block, Function::PolarInterpolationOn)
                 .arg("C")
                 .arg(round_to(said, 4));
     }
@@ -243,7 +243,7 @@ std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
         axes.rotary = (axes_.present & bit(Axis::A)) != 0 ? Axis::A : Axis::B;
     const AxisMask needed = bit(axes.rotary) | bit(axis_along(axes.rotary));
     if ((axes_.present & needed) != needed) {
-        report(diag::CylinderUnavailable, block, Function::CylindricalInterpolationOn)
+        reporter_.report(diag::CylinderUnavailable, block, Function::CylindricalInterpolationOn)
             .arg(machine_.name)
             .arg(axis == 0 ? "it needs a rotary axis, and the linear one along it"
                            : "it needs the axes " + std::string(kAxisNames[index(axes.rotary)]) +
@@ -252,13 +252,13 @@ std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
     }
     if (block.argument(invocation, parameter_of<Function::CylindricalInterpolationOn>("walls")) !=
         0) {
-        report(diag::IsoNotSupported, block, Function::CylindricalInterpolationOn)
+        reporter_.report(diag::IsoNotSupported, block, Function::CylindricalInterpolationOn)
             .arg("a cylinder with the width of a groove");
         return std::nullopt;
     }
     axes.size = block.argument(invocation, kRadius, block.argument(invocation, kDiameter) / 2);
     if (!(axes.size > 0)) {
-        report(diag::CylinderWrong, block, Function::CylindricalInterpolationOn)
+        reporter_.report(diag::CylinderWrong, block, Function::CylindricalInterpolationOn)
             .arg("radius " + format_shortest(round_to(axes.size, 6)))
             .arg("it must be above 0");
         return std::nullopt;
@@ -276,7 +276,7 @@ std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
                                                      const Invocation& invocation) {
     constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z);
     if ((axes_.present & kNeeded) != kNeeded) {
-        report(diag::InclinedUnavailable, block, Function::InclinedAxisOn)
+        reporter_.report(diag::InclinedUnavailable, block, Function::InclinedAxisOn)
             .arg(machine_.name)
             .arg("it needs the axes X and Z");
         return std::nullopt;
@@ -284,7 +284,7 @@ std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
     constexpr std::size_t kAngle = parameter_of<Function::InclinedAxisOn>("angle");
     const double angle = block.argument(invocation, kAngle, 90);
     if (!(std::abs(angle) < 90)) {
-        report(diag::InclinedAngle, block, Function::InclinedAxisOn)
+        reporter_.report(diag::InclinedAngle, block, Function::InclinedAxisOn)
             .arg(invocation.has(kAngle) ? format_shortest(angle) + "°" : "not said");
         return std::nullopt;
     }
@@ -298,13 +298,13 @@ std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
 
 void Executor::refuse_virtual(const Block& block, Function function) {
     const bool is_face = virtual_.axes.kind == VirtualKind::Face;
-    report(is_face ? diag::FaceWord : diag::CylinderWord, block, function)
-        .arg('`' + word_of(block, function) + '`');
+    reporter_.report(is_face ? diag::FaceWord : diag::CylinderWord, block, function)
+        .arg('`' + reporter_.word_of(block, function) + '`');
 }
 
 void Executor::refuse_virtual(const Block& block, Slot slot) {
     const bool is_face = virtual_.axes.kind == VirtualKind::Face;
-    report(is_face ? diag::FaceWord : diag::CylinderWord, block, slot)
+    reporter_.report(is_face ? diag::FaceWord : diag::CylinderWord, block, slot)
         .arg("the word " + std::string(nc::slot_name(slot)));
 }
 
@@ -325,8 +325,8 @@ Done Executor::require_virtual_words(const Block& block) {
         if (block.motion != Function::None) {
             refuse_virtual(block, motion);
         } else {
-            report(kind == VirtualKind::Face ? diag::FaceWord : diag::CylinderWord, block)
-                .arg('`' + word_of(block, motion) + '`');
+            reporter_.report(kind == VirtualKind::Face ? diag::FaceWord : diag::CylinderWord, block)
+                .arg('`' + reporter_.word_of(block, motion) + '`');
         }
         return kFailed;
     }
@@ -429,7 +429,7 @@ Done Executor::follow_leg_by_leg(const Command& command, const path::Curve& curv
         if (rules_.pole_passage == nc::PolePassage::Alarm && std::abs(by) > kSameTurn) {
             const Block at = block_at(command.source, command.line);
             output_.drop_from(rotary_.followed);
-            report(diag::PoleOnPath, at)
+            reporter_.report(diag::PoleOnPath, at)
                 .arg(kAxisNames[index(virtual_.axes.rotary)])
                 .arg(round_to(deg_from_rad(by), 3));
             return kFailed;
