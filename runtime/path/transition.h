@@ -1,7 +1,7 @@
 // transition.h — a curve around a corner of a path.
 //
 // Leaves the path before the corner and comes back to it behind, with the path's direction and
-// curvature at both places. Geometry only: whether a corner is worth it is motion/rounding.h.
+// curvature at both places. Geometry only: whether a corner is worth it is motion/corner_blend.h.
 #pragma once
 
 #include <array>
