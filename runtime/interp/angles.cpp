@@ -17,17 +17,7 @@ using path::Vec2;
 
 namespace {
 
-/// Sine of the angle below which two directions are one.
-constexpr double kParallel = 1e-9;
-
 constexpr std::size_t kAngle = parameter_of<Function::ContourAngle>("angle");
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-Vec2 direction_of(double angle_deg) {
-    const double angle = rad_from_deg(angle_deg);
-    return {std::cos(angle), std::sin(angle)};
-}
 
 }  // namespace
 
@@ -105,48 +95,6 @@ bool Executor::is_open_distance(const Block& first, const Block& second, Slot sl
     Function said = nc::programmed_in(second, Group::Distance);
     if (said == Function::None) said = nc::programmed_in(first, Group::Distance);
     return said == Function::None ? modal_.is_incremental : said == Function::Incremental;
-}
-
-/// A line at an angle with one coordinate of its end, or with both, which have to agree. Null: it
-/// was reported.
-const Block* Executor::with_angle(const Block& block, const nc::Invocation& angle) {
-    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
-    const bool is_polar = (block.given & nc::kPolarSlots) != 0;
-    if (!nc::has_fact(motion, nc::Fact::Straight) || is_polar) {
-        reporter_.report(diag::AngleMotion, block, Function::ContourAngle);
-        return nullptr;
-    }
-    if (rules_.angles_in_zx && modal_.plane != path::Plane::Zx) {
-        reporter_.report(diag::AnglePlane, block, Function::ContourAngle);
-        return nullptr;
-    }
-    const path::PlaneAxes plane = path::axes_of(modal_.plane);
-    const SlotMask words =
-        block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));
-    const Target said = motion_words().target_of(block, words);
-    const Vec2 from = position_in_plane();
-    const Vec2 to{said.here[index(plane.first)], said.here[index(plane.second)]};
-    const Vec2 along = direction_of(block.argument(angle, kAngle));
-    const bool has_first = block.has(nc::slot_of(plane.first));
-    const bool has_second = block.has(nc::slot_of(plane.second));
-    if (has_first && has_second) {
-        if (std::abs(cross(along, to - from)) <= rules_.arc_tolerance && along.dot(to - from) >= 0)
-            return &block;
-        reporter_.report(diag::AngleAndEnd, block, Function::ContourAngle);
-        return nullptr;
-    }
-    const Vec2 way = to - from;
-    const double part = has_first ? along.x() : along.y();
-    const double length = std::abs(part) < kParallel ? -1 : (has_first ? way.x() : way.y()) / part;
-    if (!(length >= 0)) {
-        reporter_.report(diag::AngleWithoutCorner, block, Function::ContourAngle);
-        return nullptr;
-    }
-    cartesian_ = block;
-    const Axis open = has_first ? plane.second : plane.first;
-    const Vec2 end = from + length * along;
-    motion_words().set_coordinate(cartesian_, open, has_first ? end.y() : end.x());
-    return &cartesian_;
 }
 
 }  // namespace kadr::interp

@@ -183,35 +183,6 @@ void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Targ
     came_from_ = arc.end - arc.normal.cross(arc.end - arc.center) - arc.normal * climb;
 }
 
-/// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if
-/// it says no radius; words that stand beside no arc have done all that they do.
-const Block& Executor::with_center(const Block& block) {
-    if (!acts(block)) return block;
-    const SlotMask said = block.given & nc::kCenterSlots;
-    for (std::size_t i = 0; i < center_.size(); ++i) {
-        const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
-        if ((said & bit(slot)) == 0) continue;
-        const double from = (block.absolute & bit(slot)) != 0 ? 0 : position_.here[i];
-        center_[i] = from + block.at(slot);
-    }
-    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
-    const bool is_moved = (block.given & nc::kTargetSlots) != 0 || block.motion != Function::None;
-    const bool turns = is_arc(motion) && is_moved;
-    if (turns && block.has(Slot::Radius)) return block;
-    if (!turns && said == 0) return block;
-    centered_ = block;
-    centered_.given &= ~nc::kCenterSlots;
-    if (!turns) return centered_;
-    const path::PlaneAxes plane = path::axes_of(modal_.plane);
-    for (const Axis axis : {plane.first, plane.second}) {
-        const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + index(axis));
-        if (!center_[index(axis)]) continue;
-        centered_.set(slot, *center_[index(axis)]);
-        centered_.absolute |= bit(slot);
-    }
-    return centered_;
-}
-
 void Executor::warn_arc_word(const Block& block, SlotMask words) {
     const Slot slot = first_slot(words);
     reporter_.report(diag::ArcWordUnused, block, slot)

@@ -754,10 +754,9 @@ void Executor::finish_cycle() {
     if (cycle_.times_left > 0) {
         --cycle_.times_left;
         const Actions after = cycle_.after;
-        // Angles and radii that are distances go on from where the last one has come to.
-        const Block* const again =
-            polar_original_ ? with_polar_axes(Block(*polar_original_)) : &cycle_.caller;
-        const Block caller = *again;
+        MotionWords words = motion_words();
+        const Block* const again = position_words_.repeated(words);
+        const Block caller = again != nullptr ? *again : cycle_.caller;
         start_cycle(caller, modal_cycles_.modal);
         cycle_.after = after;
         return;

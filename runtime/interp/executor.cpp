@@ -114,7 +114,9 @@ void Executor::execute_next() {
     }
     if (shape_ && !require_shape_block(*block)) return;
     if (contour_ && !require_contour_block(*block)) return;
-    execute(rules_.center_stays ? with_center(*block) : *block);
+    execute(rules_.center_stays && acts(*block)
+                ? position_words_.with_center(*block, motion_words())
+                : *block);
     // What is no block of the control, or is left out, is none without motion either.
     const bool is_passed = open_line_ || (!has_ended() && !acts(*block));
     if (has_stages() && !is_passed) settle(*block);
@@ -219,12 +221,16 @@ void Executor::run(const Block& block) {
     if (block.has(Slot::Speed)) program_speed(block);
     if (block.has(Slot::Speed) || owes_speed_) update_spindle(block);
     if (wishes_corners()) wish_corner(block, kNone);
-    const bool has_others =
-        polar_.is_on || polar_.is_by_points || (block.given & nc::kPolarSlots) != 0;
+    const bool has_others = !position_words_.is_plain() || (block.given & nc::kPolarSlots) != 0;
     const Block* places = has_others ? with_positions(block) : &block;
     if (places == nullptr) return;
     move(*places, kNone);
     if (modal_cycles_.behind_motions) call_behind_motion(*places);
+}
+
+const Block* Executor::with_positions(const Block& block) {
+    MotionWords words = motion_words();
+    return position_words_.with_positions(block, words);
 }
 
 void Executor::run_functions(const Block& said) {
@@ -246,7 +252,10 @@ void Executor::run_functions(const Block& said) {
     const bool was_in_cycle = cycle_.blocks.has_value();
     if (is_without_frames(actions) && !take_frames_off(block)) return;
     const Block* places = with_positions(block);
-    if (places != nullptr && actions.angle != nullptr) places = with_angle(*places, *actions.angle);
+    if (places != nullptr && actions.angle != nullptr) {
+        MotionWords words = motion_words();
+        places = position_words_.with_angle(*places, *actions.angle, words);
+    }
     if (places == nullptr) return;
     move_with_own_feed(*places, actions);
     if (frames_off_) put_frames_back(block);

@@ -2,7 +2,7 @@
 //
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
 // functions), power_on.cpp (how the control begins), plain_moves.cpp (what nearly every block is),
-// motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and angles.cpp
+// motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp and angles.cpp
 // (what controls work out of other words), orienting.cpp, tool_words.cpp and tool_orientation.cpp
 // (the machine's transformation, and how the tool turns under it), tilted_planes.cpp and
 // swivelling.cpp (tilted planes), carrier_words.cpp (tool carriers that are turned),
@@ -37,6 +37,7 @@
 #include "interp/interpreter.h"
 #include "interp/motion_words.h"
 #include "interp/output.h"
+#include "interp/position_words.h"
 #include "interp/program_clocks.h"
 #include "interp/reported_in_run.h"
 #include "interp/reporter.h"
@@ -495,22 +496,12 @@ class Executor {
     void write_parameter(const nc::Block& block, const nc::Invocation& invocation);
     void tell_life_data(const nc::Block& block);
 
-    // polar.cpp
-    void set_pole(const nc::Block& block, const nc::Invocation& invocation);
-    path::Vec2 position_in_plane() const;
-    void switch_polar(bool is_on);
-    const nc::Block* with_positions(const nc::Block& block);
-    const nc::Block* with_polar_point(const nc::Block& block, const nc::Invocation& point);
-    Done take_pole(const nc::Block& block);
-    const nc::Block* with_polar_slots(const nc::Block& block);
-    const nc::Block* with_polar_axes(const nc::Block& block);
-
     // angles.cpp
     path::Plane plane_in(const nc::Block& block) const;
     bool opens_line(const nc::Block& block);
     void close_line(const nc::Block& block);
     bool is_open_distance(const nc::Block& first, const nc::Block& second, nc::Slot slot) const;
-    const nc::Block* with_angle(const nc::Block& block, const nc::Invocation& angle);
+    const nc::Block* with_positions(const nc::Block& block);
 
     // cornering.cpp
     void choose_corner(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
@@ -636,7 +627,6 @@ class Executor {
     void move_along_curve(const nc::Block& block, const nc::Invocation& call);
 
     // motion.cpp: what is wrong or strange
-    const nc::Block& with_center(const nc::Block& block);
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
     Done require_no_move_before_tap(const nc::Block& block, nc::SlotMask targets);
     Done require_feed(const nc::Block& block, std::string_view what);
@@ -759,7 +749,8 @@ class Executor {
                 axes_,
                 virtual_.axes,
                 rules_,
-                dialect_.tables()};
+                dialect_.tables(),
+                units_};
     }
     MotionWords motion_words() { return {motion_view(), reporter_}; }
     bool has_ended() const { return reporter_.has_ended(); }
@@ -819,7 +810,7 @@ class Executor {
     ToolCarriers carriers_;
     ActiveCarrier carrier_;
     WorkArea area_;
-    Polar polar_;
+    PositionWords position_words_;
     Orienting orienting_;
     Tilting tilted_plane_;
     NextOrientation next_orientation_;
@@ -881,13 +872,9 @@ class Executor {
     std::optional<ContourRun> contour_;  // likewise, for a table of the program
     std::vector<PatternRun> patterns_;   // a program that is called at places may hold another one
     nc::Block place_{};                  // of the pattern, at its caller's place in the text
-    std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
-    nc::Block centered_{};                         // a block with it
     nc::Block called_{};  // a call whose word of Z is a place, in another plane than X-Y
 
-    nc::Block cartesian_{};                    // a block whose other words have become places
-    std::optional<nc::Block> polar_original_;  // … that it was made of
-    std::optional<nc::Block> open_line_;       // waits for the one that tells its end
+    std::optional<nc::Block> open_line_;  // waits for the one that tells its end
 };
 
 }  // namespace kadr::interp

@@ -453,10 +453,10 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
                 block.argument(invocation, parameter_of<Function::ThreadStart>("angle"));
             break;
         case Function::TapRigid: taps_rigidly_ = true; break;
-        case Function::Pole: set_pole(block, invocation); break;
+        case Function::Pole: position_words_.set_pole(block, invocation, motion_words()); break;
         case Function::PolarPoint: break;  // the motion's matter
-        case Function::PolarOn: switch_polar(true); break;
-        case Function::PolarOff: switch_polar(false); break;
+        case Function::PolarOn: position_words_.switch_polar(true, motion_words()); break;
+        case Function::PolarOff: position_words_.switch_polar(false, motion_words()); break;
         case Function::CornerChamfer:
         case Function::CornerRound:
         case Function::CornerRoundModal:
@@ -648,15 +648,13 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
     }
 }
 
-/// A pole belongs to its plane.
 void Executor::change_plane(const Block& block, Function plane) {
     const Plane before = modal_.plane;
     modal_.plane = plane_of(plane);
     // Where a tool's lengths act may depend on the plane.
     tool_.has_changed |= wanted_lengths() != tool_.lengths;
     if (modal_.plane == before) return;
-    polar_.pole = path::Vec2::Zero();
-    polar_.angle_deg = 0;
+    position_words_.leave_plane();
     // Along another tool axis the holes begin where the tool stands.
     if (modal_cycles_.modal.is_active && !block.is_of_cycle() && !is_lathe_)
         modal_cycles_.data.initial = position_.here[index(path::axes_of(modal_.plane).normal)];

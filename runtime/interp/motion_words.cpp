@@ -122,4 +122,9 @@ Vec3 MotionWords::through_point(const Block& block) const {
     return through;
 }
 
+path::Vec2 MotionWords::position_in_plane() const {
+    const path::PlaneAxes plane = path::axes_of(view_.plane);
+    return {view_.position.here[index(plane.first)], view_.position.here[index(plane.second)]};
+}
+
 }  // namespace kadr::interp

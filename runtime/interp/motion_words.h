@@ -33,6 +33,7 @@ struct MotionView {
     const path::VirtualAxes& virtual_axes;
     const nc::Rules& rules;
     const nc::DialectTables& tables;
+    Units units;
 
     /// The block's own motion and dimensions act.
     void take(const nc::Block& block);
@@ -43,11 +44,14 @@ class MotionWords {
     MotionWords(const MotionView& view, Reporter& reporter) : view_(view), reporter_(reporter) {}
 
     const MotionView& view() const { return view_; }
+    Reporter& reporter() const { return reporter_; }
 
     // motion_words.cpp
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
     double x_scale(const nc::Block& block, bool is_distance) const;
     bool is_distance(const nc::Block& block, nc::Slot slot) const;
+    /// Where the tool is, in the working plane of the programmed system.
+    path::Vec2 position_in_plane() const;
     /// The point between, in the programmed system.
     path::Vec3 through_point(const nc::Block& block) const;
     Done require_axes(const nc::Block& block, nc::SlotMask targets);

@@ -101,7 +101,7 @@ std::optional<Vec3> Executor::direction_into(const Block& next) {
     MotionWords words(view, reporter_);
     std::optional<Vec3> way;
     if ((next.given & nc::kPolarSlots) != 0) {
-        Polar polar = polar_;
+        Polar polar = position_words_.polar();
         const std::optional<Block> made = words.with_polar_slots(next, polar);
         if (made) way = direction_into_next(words, *made);
     } else {
