@@ -13,6 +13,7 @@ using nc::Group;
 using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
+using path::cross;
 using path::Vec2;
 
 namespace {
@@ -70,12 +71,12 @@ void Executor::close_line(const Block& block) {
     const Vec2 from{position_.here[index(axes.first)], position_.here[index(axes.second)]};
     const Vec2 to{block.at(slots[0]) * axes_.word_scale[index(axes.first)],
                   block.at(slots[1]) * axes_.word_scale[index(axes.second)]};
-    const Vec2 out = direction_of(first.argument(*first.find(Function::ContourAngle), kAngle));
-    const Vec2 in = direction_of(block.argument(*angle, kAngle));
+    const Vec2 out = direction_at(first.argument(*first.find(Function::ContourAngle), kAngle));
+    const Vec2 in = direction_at(block.argument(*angle, kAngle));
     const double w = cross(out, in);
     // Both ways go forward.
-    const double along = std::abs(w) < kParallel ? -1 : cross(to - from, in) / w;
-    const double beyond = std::abs(w) < kParallel ? -1 : cross(out, to - from) / w;
+    const double along = std::abs(w) < kParallelLines ? -1 : cross(to - from, in) / w;
+    const double beyond = std::abs(w) < kParallelLines ? -1 : cross(out, to - from) / w;
     if (!(along > 0) || !(beyond > 0)) {
         reporter_.report(diag::AngleWithoutCorner, block, Function::ContourAngle);
         return;

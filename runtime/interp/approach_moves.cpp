@@ -22,13 +22,12 @@ using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
 using path::Command;
+using path::cross;
 using path::Element;
 using path::Op;
 using path::Vec2;
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 path::ApproachShape approach_shape_of(double number) {
     return number == 2   ? path::ApproachShape::Quarter

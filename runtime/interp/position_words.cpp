@@ -16,6 +16,7 @@ using nc::Invocation;
 using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
+using path::cross;
 using path::Vec2;
 
 namespace {
@@ -24,9 +25,7 @@ constexpr double kFullTurn = 360;  // deg
 
 }  // namespace
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-Vec2 direction_of(double angle_deg) {
+Vec2 direction_at(double angle_deg) {
     const double angle = rad_from_deg(angle_deg);
     return {std::cos(angle), std::sin(angle)};
 }
@@ -279,7 +278,7 @@ const Block* PositionWords::with_angle(const Block& block, const nc::Invocation&
     const Vec2 from = words.position_in_plane();
     const Vec2 to{said.here[index(plane.first)], said.here[index(plane.second)]};
     const Vec2 along =
-        direction_of(block.argument(angle, parameter_of<Function::ContourAngle>("angle")));
+        direction_at(block.argument(angle, parameter_of<Function::ContourAngle>("angle")));
     const bool has_first = block.has(nc::slot_of(plane.first));
     const bool has_second = block.has(nc::slot_of(plane.second));
     if (has_first && has_second) {
@@ -291,7 +290,8 @@ const Block* PositionWords::with_angle(const Block& block, const nc::Invocation&
     }
     const Vec2 way = to - from;
     const double part = has_first ? along.x() : along.y();
-    const double length = std::abs(part) < kParallel ? -1 : (has_first ? way.x() : way.y()) / part;
+    const double length =
+        std::abs(part) < kParallelLines ? -1 : (has_first ? way.x() : way.y()) / part;
     if (!(length >= 0)) {
         words.reporter().report(diag::AngleWithoutCorner, block, Function::ContourAngle);
         return nullptr;

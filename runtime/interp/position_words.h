@@ -46,10 +46,9 @@ class PositionWords {
     std::optional<nc::Block> original_;  // what `cartesian_` was made of, by words of the axes
 };
 
-/// Of two directions in a plane.
-double cross(const path::Vec2& a, const path::Vec2& b);
-path::Vec2 direction_of(double angle_deg);
+/// The direction in a plane at an angle.
+path::Vec2 direction_at(double angle_deg);
 /// Sine of the angle below which two directions are one.
-inline constexpr double kParallel = 1e-9;
+inline constexpr double kParallelLines = 1e-9;
 
 }  // namespace kadr::interp

@@ -14,7 +14,6 @@ constexpr double kTwoPi = 2 * std::numbers::pi;
 /// ends must be found, whatever the last bits say.
 constexpr double kReach = 1e-7;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 
 Vec2 turned(const Vec2& v, double angle) {

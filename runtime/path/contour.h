@@ -14,6 +14,8 @@ namespace kadr::path {
 
 using Vec2 = Eigen::Vector2d;  // mm, or a unit vector
 
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
 /// Lengths below this are none: a tenth of the finest increment that a control takes.
 inline constexpr double kSamePoint = 1e-5;  // mm
 

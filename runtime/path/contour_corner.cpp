@@ -15,7 +15,6 @@ constexpr double kReach = 1e-7;
 /// Halvings of an interval: below any length that counts.
 constexpr int kHalvings = 60;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 
 /// The share of the length between an end of the element and the point at a distance from that end.

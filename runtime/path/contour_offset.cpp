@@ -32,7 +32,6 @@ constexpr int kAttempts = 6;
 /// elements that are tangent but for the last decimal cross twice.
 constexpr double kCrumb = 1e-3;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 
 /// What keeps the distance to this, mm, keeps it as well as numbers can tell.

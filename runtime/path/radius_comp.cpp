@@ -23,7 +23,6 @@ constexpr double kCut = 5e-4;              // mm: half an increment is not a cut
 constexpr std::size_t kOpenSides = 3;      // that an end is looked for on; S 5.2 does not say
 constexpr int kChords = 64;                // of a conic where it is looked at for collisions
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 
 /// From one direction to the other, −π … π, counter-clockwise positive.
