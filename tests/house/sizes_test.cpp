@@ -1,0 +1,207 @@
+// How large a class, a header and a function may become. What is larger is named here with its
+// size, which may only fall, and with the reason why it may stay, if there is one.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/text.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = KADR_ROOT;
+
+struct Size {
+    std::size_t functions = 0;
+    std::size_t members = 0;  // that change
+};
+
+constexpr std::size_t kMostFunctions = 60;
+constexpr std::size_t kMostMembers = 25;
+constexpr std::size_t kMostHeaderLines = 300;
+constexpr std::size_t kMostDataLines = 500;
+constexpr std::size_t kMostFunctionLines = 120;
+
+/// Classes of behaviour that are still to be cut by owners.
+const std::map<std::string, Size> kLargeClasses = {
+    {"Executor", {536, 79}},       {"Checker", {327, 44}},        {"Expander::State", {213, 38}},
+    {"Preparer::State", {96, 32}}, {"ControlVariables", {85, 0}}, {"LineReader", {80, 27}},
+    {"Compensation", {70, 29}},    {"ModalState", {0, 59}},       {"Planner::State", {0, 37}},
+};
+
+/// Data that is generated, loaded once, or the words of one block: as many members as it has.
+const std::set<std::string> kData = {"DialectTables", "Language", "Form",  "Command",
+                                     "Segment",       "Piece",    "Frame", "Actions"};
+
+const std::map<std::string, std::size_t> kLargeHeaders = {
+    {"runtime/interp/executor.h", 900},      {"compiler/sema/checker.h", 587},
+    {"compiler/expand/state.h", 531},        {"compiler/sema/code.h", 519},
+    {"runtime/motion/prepare_state.h", 340},
+};
+/// Types without behaviour.
+const std::set<std::string> kDataHeaders = {"compiler/syntax/ast.h", "runtime/nc/tables.h",
+                                            "runtime/interp/state.h"};
+
+/// Switches over one enum, and orders that are named; the others are still to be cut.
+const std::map<std::string, std::size_t> kLongFunctions = {
+    {"add_own_effects", 300},                 // a switch over all functions
+    {"Executor::apply_own", 390},             // likewise
+    {"Executor::quantity", 214},              // a switch over all quantities
+    {"Expander::State::contour_value", 152},  // a switch over the questions to a contour
+    {"dialect_rules", 156},                   // a table
+    {"Executor::move", 128},                  // to be a classification and a switch
+    {"Expander::State::fill_block", 137},
+};
+
+std::vector<std::string> lines_of(const fs::path& file) {
+    const std::string text = kadr::read_file(file).value_or("");
+    std::vector<std::string> lines;
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+std::vector<fs::path> sources(const std::string& extension) {
+    std::vector<fs::path> found;
+    for (const char* part : {"runtime", "compiler"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / part))
+            if (entry.path().extension() == extension) found.push_back(entry.path());
+    }
+    return found;
+}
+
+/// The members of the classes of a header, as its layout shows them: a declaration begins where the
+/// class stands, and four columns further.
+std::map<std::string, Size> classes_of(const std::vector<std::string>& lines) {
+    static const std::regex head(R"(^( *)(?:class|struct) ([\w:]+)(?: final)?(?: :[^{]*)? ?\{$)");
+    static const std::regex no_member(
+        R"(^ *(?:using |friend |enum |class |struct |static|const |constexpr |public|private).*)");
+    static const std::regex member(
+        R"(^ *(?:mutable )?[\w:<>, *]+[ >*]\w+(?:\[\w+\])?(?:\{[^}]*\})?(?: = [^;]*)?;.*)");
+    static const std::regex initialised(R"(^ *[\w:<>, *]+ \w+(?:\{| =).*)");
+    struct Open {
+        std::string name;
+        std::size_t column;
+        Size size;
+    };
+    std::vector<Open> open;
+    std::map<std::string, Size> found;
+    for (const std::string& line : lines) {
+        std::smatch match;
+        if (std::regex_match(line, match, head)) {
+            open.push_back({match[2].str(), static_cast<std::size_t>(match[1].length()), {}});
+            continue;
+        }
+        if (open.empty()) continue;
+        const std::size_t column = std::min(line.find_first_not_of(' '), line.size());
+        if (column == open.back().column && line.compare(column, 1, "}") == 0) {
+            found[open.back().name] = open.back().size;
+            open.pop_back();
+            continue;
+        }
+        const bool is_declaration = column == open.back().column + 4 && column < line.size() &&
+                                    line[column] != '/' && line[column] != '}';
+        if (!is_declaration || line[column] == '#') continue;
+        const bool is_static_function =
+            line.compare(column, 7, "static ") == 0 && line.find('(') != line.npos;
+        if (!is_static_function && std::regex_match(line, no_member)) continue;
+        Size& size = open.back().size;
+        if (line.find('(') != line.npos && !std::regex_match(line, initialised)) ++size.functions;
+        else if (std::regex_match(line, member) && line.find('&') == line.npos) ++size.members;
+    }
+    return found;
+}
+
+TEST(House, ClassesHaveOneOwnersSize) {
+    std::set<std::string> seen;
+    for (const fs::path& file : sources(".h")) {
+        for (const auto& [name, size] : classes_of(lines_of(file))) {
+            if (kData.contains(name)) continue;
+            const auto large = kLargeClasses.find(name);
+            const Size most = large == kLargeClasses.end() ? Size{} : large->second;
+            if (large != kLargeClasses.end()) seen.insert(name);
+            EXPECT_LE(size.functions, std::max(kMostFunctions, most.functions)) << file << name;
+            EXPECT_LE(size.members, std::max(kMostMembers, most.members)) << file << name;
+            if (large == kLargeClasses.end()) continue;
+            EXPECT_TRUE(size.functions > kMostFunctions || size.members > kMostMembers)
+                << name << " is no longer too large: take it out of the list";
+        }
+    }
+    EXPECT_EQ(seen.size(), kLargeClasses.size()) << "a class of the list is gone";
+}
+
+TEST(House, HeadersAreShort) {
+    for (const fs::path& file : sources(".h")) {
+        const std::string name = fs::relative(file, kRoot).string();
+        const std::size_t lines = lines_of(file).size();
+        const auto large = kLargeHeaders.find(name);
+        const std::size_t most = large != kLargeHeaders.end()  ? large->second
+                                 : kDataHeaders.contains(name) ? kMostDataLines
+                                                               : kMostHeaderLines;
+        EXPECT_LE(lines, most) << name;
+    }
+}
+
+TEST(House, FunctionsAreShort) {
+    static const std::regex head(R"(^[A-Za-z][^;=]*?((?:\w+::)*~?\w+)\(.*[^;}]$)");
+    static const std::regex no_function(R"(^(?:namespace|class|struct|enum|using|TEST)\b.*)");
+    std::size_t functions = 0;
+    for (const fs::path& file : sources(".cpp")) {
+        std::string name;
+        std::size_t begin = 0;
+        const std::vector<std::string> lines = lines_of(file);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            std::smatch match;
+            if (name.empty() && !std::regex_match(lines[i], no_function) &&
+                std::regex_match(lines[i], match, head)) {
+                name = match[1].str();
+                begin = i;
+            }
+            if (name.empty() || lines[i].empty() || lines[i][0] != '}') continue;
+            const auto large = kLongFunctions.find(name);
+            const std::size_t most =
+                large == kLongFunctions.end() ? kMostFunctionLines : large->second;
+            EXPECT_LE(i - begin + 1, most) << file << ": " << name;
+            ++functions;
+            name.clear();
+        }
+    }
+    EXPECT_GT(functions, 3000u);
+}
+
+/// That the look above counts what is there.
+TEST(House, ACountOfMembersSeesThem) {
+    const auto found = classes_of({
+        "class A {",
+        "  public:",
+        "    void f(int n);",
+        "    int g() const { return n_; }",
+        "",
+        "  private:",
+        "    struct B {",
+        "        int x = 0;",
+        "        std::vector<int> y;",
+        "    };",
+        "    const int& c_;",
+        "    int n_ = 0;  // of them",
+        "    std::optional<B> b_;",
+        "    static int h(int n);",
+        "};",
+    });
+    EXPECT_EQ(found.at("A").functions, 3u);
+    EXPECT_EQ(found.at("A").members, 2u);
+    EXPECT_EQ(found.at("B").members, 2u);
+}
+
+}  // namespace
