@@ -303,17 +303,17 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
-            return probed_ ? probed_->head[index(*axis)] : 0.0;
+            return probe_.found() ? probe_.found()->head[index(*axis)] : 0.0;
         }
         case Quantity::ProbePlace:
         case Quantity::ProbeMachine: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
-            if (!probed_) return 0;
-            return (quantity == Quantity::ProbePlace ? probed_->tip
-                                                     : probed_->machine)[index(*axis)];
+            if (!probe_.found()) return 0;
+            return (quantity == Quantity::ProbePlace ? probe_.found()->tip
+                                                     : probe_.found()->machine)[index(*axis)];
         }
-        case Quantity::ProbeFound: return probed_ && probed_->is_found ? 1 : 0;
+        case Quantity::ProbeFound: return probe_.found() && probe_.found()->is_found ? 1 : 0;
         case Quantity::MirroredAxes: return mirrored_axes();
         case Quantity::FirstPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).first);
         case Quantity::SecondPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).second);

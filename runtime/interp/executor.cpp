@@ -43,6 +43,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       rules_(dialect.rules()),
       program_(blocks, options.in_step ? 1 : kProgramBatch),
       clocks_(machine),
+      probe_(options_.probe, options_.touches),
       carriers_(machine) {
     axes_.lower.fill(-std::numeric_limits<double>::infinity());
     axes_.upper.fill(std::numeric_limits<double>::infinity());

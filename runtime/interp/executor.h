@@ -38,6 +38,7 @@
 #include "interp/motion_words.h"
 #include "interp/output.h"
 #include "interp/position_words.h"
+#include "interp/probe.h"
 #include "interp/program_clocks.h"
 #include "interp/reported_in_run.h"
 #include "interp/reporter.h"
@@ -73,7 +74,7 @@ class Executor {
              const InterpreterOptions& options, DiagnosticSink& sink);
 
     std::size_t pull(std::span<path::Command> out);
-    std::vector<ProbeTouch> touches_ahead() const;
+    std::vector<ProbeTouch> touches_ahead() const { return probe_.touches_ahead(); }
     bool alarmed() const { return reporter_.has_alarm(); }
     std::uint64_t blocks() const { return block_count_; }
     /// Whether a motion that is out may have a course of its feed to be worked out.
@@ -257,11 +258,8 @@ class Executor {
     void check_place(const nc::Block& block, nc::SlotMask targets);
     void arrive(const Target& target);
     // probing.cpp
-    bool knows_touches() const;
     Target part_of_move(const Target& target, double part) const;
     Probing probe_along(const nc::Block& block, const Target& target, const ProgrammedMove& way);
-    std::optional<double> touch_of_event(const nc::Block& block, const ProgrammedMove& way,
-                                         bool& is_said);
     std::optional<double> touch_of_scene(const Target& target, bool springs_back);
     void note_probed(const Probing& probing);
     void use_probed(const nc::Block& block, const nc::Invocation& invocation);
@@ -775,10 +773,7 @@ class Executor {
     BlockQueue program_;
     Output output_;
     ProgramClocks clocks_;
-    std::optional<Probed> probed_;
-    std::vector<bool> touches_done_;                    // of options_.touches: the block has probed
-    std::optional<control::ControlFrame> probe_frame_;  // of the surfaces that the probe meets
-    double probe_kept_ = 0;                             // a coordinate that was measured
+    Probe probe_;
     std::uint64_t block_count_ = 0;
 
     Modal modal_;
