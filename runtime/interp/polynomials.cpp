@@ -31,7 +31,6 @@ using path::Vec3;
 
 namespace {
 
-constexpr AxisMask kLinearXYZ = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
 /// The weights of control points are cut until they are above this; a denominator that comes closer
 /// to zero makes ways that no machine has.
 constexpr double kLeastWeight = 1e-6;
