@@ -10,7 +10,10 @@ namespace {
 /// What a line has: words by address, groups of which it has a function.
 struct LineRoom {
     std::array<std::uint8_t, 256> words{};
+    std::array<bool, 256> is_closed{};  // a code that stands alone among its address is there
     std::uint64_t groups = 0;
+
+    std::size_t place_of(const FormWord& word) const { return word.address % words.size(); }
 };
 
 /// Whether a line takes an item beside those that it has.
@@ -39,11 +42,13 @@ Fit fit_of(const DialectTables& tables, const Item& item, const LineRoom& room) 
     const std::uint64_t groups = item.form != kNoForm ? tables.forms[item.form].excludes : 0;
     bool is_taken = (room.groups & groups) != 0;
     bool may_wait = !is_taken;
+    const bool is_alone = item.form != kNoForm && tables.forms[item.form].owns_address;
     for (const FormWord& word : *words) {
         if (!is_written(item, word)) continue;
         const Address& address = tables.addresses[word.address];
-        if (room.words[word.address % room.words.size()] < std::max<int>(address.write_max, 1))
-            continue;
+        const std::size_t place = room.place_of(word);
+        const int most = is_alone ? 1 : std::max<int>(address.write_max, 1);
+        if (room.words[place] < most && !room.is_closed[place]) continue;
         is_taken = true;
         may_wait &= address.kind == Address::Kind::Code;
     }
@@ -55,8 +60,11 @@ void count_words(const DialectTables& tables, const Item& item, LineRoom& room) 
     const std::vector<FormWord>* const words = counted_words(tables, item);
     if (words == nullptr) return;
     if (item.form != kNoForm) room.groups |= tables.forms[item.form].excludes;
+    const bool is_alone = item.form != kNoForm && tables.forms[item.form].owns_address;
     for (const FormWord& word : *words) {
-        if (is_written(item, word)) ++room.words[word.address % room.words.size()];
+        if (!is_written(item, word)) continue;
+        ++room.words[room.place_of(word)];
+        room.is_closed[room.place_of(word)] |= is_alone;
     }
 }
 
