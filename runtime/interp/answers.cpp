@@ -318,7 +318,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::FirstPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).first);
         case Quantity::SecondPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).second);
         case Quantity::NormalAxis: return name_of_axis(path::axes_of(modal_.plane).normal);
-        case Quantity::SuppressedPanel: return suppressed_panel();
+        case Quantity::SuppressedPanel: return dynamics_.suppressed_panel();
         case Quantity::Milliseconds:
         case Quantity::Hours:
         case Quantity::Date:

@@ -44,7 +44,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       program_(blocks, options.in_step ? 1 : kProgramBatch),
       clocks_(machine),
       probe_(options_.probe, options_.touches),
-      carriers_(machine) {
+      carriers_(machine),
+      dynamics_(machine, axes_, reporter_) {
     axes_.lower.fill(-std::numeric_limits<double>::infinity());
     axes_.upper.fill(std::numeric_limits<double>::infinity());
     axes_.word_scale.fill(1);
@@ -320,7 +321,8 @@ void Executor::fill_in(Command& command, const Block& block) {
     command.compress = block.is_of_cycle() ? 0 : compressing(op);
     command.machine_coordinates = false;
     command.is_unshifted = frames_off_.has_value();
-    put_panel(command, block);
+    dynamics_.put_panel(command, block,
+                        {modal_.taps, modal_.feed_mode, static_cast<std::uint32_t>(block_count_)});
     command.is_swivelled = false;
     command.moved = 0;
     command.source = block.source;

@@ -9,7 +9,7 @@
 // virtual_axes.cpp (faces and cylinders), cornering.cpp and compensating.cpp (what the commands
 // pass through), approach_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded corners,
 // compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle is
-// called), panel.cpp and feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a shape
+// called), feed_words.cpp (feeds), shapes.cpp (cycles along a shape
 // that stands in the program), contours.cpp (contours that become tables), splines.cpp,
 // through_splines.cpp, spline_neighbours.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other
 // curves), arc_threads.cpp (threads along arcs), numbered_spindles.cpp (several spindles),
@@ -40,6 +40,7 @@
 #include "interp/position_words.h"
 #include "interp/probe.h"
 #include "interp/program_clocks.h"
+#include "interp/programmed_dynamics.h"
 #include "interp/reported_in_run.h"
 #include "interp/reporter.h"
 #include "interp/shape_run.h"
@@ -78,7 +79,7 @@ class Executor {
     bool alarmed() const { return reporter_.has_alarm(); }
     std::uint64_t blocks() const { return block_count_; }
     /// Whether a motion that is out may have a course of its feed to be worked out.
-    bool has_feed_characteristic() const { return panel_.has_feed_characteristic; }
+    bool has_feed_characteristic() const { return dynamics_.has_feed_characteristic(); }
     void report_varying_feed(const path::Command& command, double feed);  // feed_words.cpp
     std::vector<StateItem> state() const;                                 // describe.cpp
     const AxisValues& position() const { return position_.here; }
@@ -711,26 +712,11 @@ class Executor {
     path::Command& put(path::Op op, const nc::Block& block);
     void fill_in(path::Command& command, const nc::Block& block);
     path::Blending blending(path::Op op) const;  // smoothing.cpp
-    // panel.cpp
-    void set_dynamics(const nc::Block& block, const nc::Invocation& invocation);
-    void set_override(const nc::Block& block, const nc::Invocation& invocation);
     // feed_words.cpp
-    path::Dynamics& programmed_dynamics();
-    void set_feed_words(const nc::Block& block, const nc::Invocation& invocation);
-    std::optional<Axis> known_axis(const nc::Block& block, const nc::Invocation& invocation,
-                                   std::size_t parameter);
-    void choose_feed_axes(const nc::Block& block, const nc::Invocation& invocation);
-    void set_feed_radius(const nc::Block& block, const nc::Invocation& invocation);
-    void set_axis_speed(const nc::Block& block, const nc::Invocation& invocation);
     void take_polynomial(const nc::Block& block, const nc::Invocation& invocation);
-    void put_positioning(path::Command& command) const;
     bool may_count_degrees(const nc::Block& block) const;
     void count_degrees(const nc::Block& block, path::Command& command) const;
-    void put_feed_law(path::Command& command) const;
-    ControlAccess::Write suppress_panel(double value);
-    double suppressed_panel() const;
     bool stops_exactly(bool once = false) const;
-    void put_panel(path::Command& command, const nc::Block& block) const;
     double compressing(path::Op op) const;
     void choose_high_speed(const nc::Block& block, const nc::Invocation& invocation);
     void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
@@ -850,7 +836,7 @@ class Executor {
     nc::Block spline_end_{};  // place of its latest block
     int spline_degree_ = 3;
     bool taps_rigidly_ = false;  // of the tapping cycles that follow
-    PanelState panel_;
+    ProgrammedDynamics dynamics_;
     AxisMask unplaced_ = 0;  // axes that want a place behind the end of a rotation
 
     ReportedInRun told_;

@@ -436,14 +436,14 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::RapidOverride:
         case Function::AxisVelocity:
         case Function::AxisAcceleration:
-        case Function::AxisJerk: set_dynamics(block, invocation); break;
+        case Function::AxisJerk: dynamics_.set_dynamics(block, invocation); break;
         case Function::FeedAxes:
         case Function::FeedRadius:
         case Function::AxisSpeed:
         case Function::AxisFeed:
         case Function::AxisOverride:
-        case Function::FeedCourse:
-        case Function::FeedPolynomial: set_feed_words(block, invocation); break;
+        case Function::FeedCourse: dynamics_.set_feed_words(block, invocation); break;
+        case Function::FeedPolynomial: take_polynomial(block, invocation); break;
         case Function::Probe: actions.probes = true; break;
         case Function::ProbeCheck:
         case Function::ProbeClear:

@@ -231,8 +231,8 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
         const bool by_minute = modal_.feed_mode == path::FeedMode::PerMinute && spindle_.speed > 0;
         if (by_minute && !block.is_of_cycle()) watch_tap(block, Function::TapFloating);
     }
-    if (panel_.positioning.is_said && block.find(Function::RapidOnce) != nullptr)
-        put_positioning(command);
+    if (dynamics_.has_positioning() && block.find(Function::RapidOnce) != nullptr)
+        dynamics_.put_positioning(command);
     if (op != Op::Rapid && may_count_degrees(block)) count_degrees(block, command);
     arrive(target);
     if (probing) note_probed(*probing);

@@ -91,7 +91,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::EdgeSpeed: return set_edge_speed(value);
         case Quantity::ChannelBaseMask:
         case Quantity::GlobalBaseMask: return set_base_mask(quantity, value);
-        case Quantity::SuppressedPanel: return suppress_panel(value);
+        case Quantity::SuppressedPanel: return dynamics_.suppress_panel(value);
         case Quantity::Milliseconds:
             clocks_.milliseconds_from = value - run_time() * 1000;
             return Write::Done;

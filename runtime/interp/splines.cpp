@@ -198,7 +198,7 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
 /// A block with a point, as its span is executed.
 ControlPointBlock Executor::control_point_block(const Block& block, const AxisValues& to) {
     // A course of the feed counts blocks.
-    if (block.function_count != 0 || panel_.has_feed_characteristic)
+    if (block.function_count != 0 || dynamics_.has_feed_characteristic())
         spline_commands_.change(span_as_programmed(block));
     return {block.line,
             block.source,
