@@ -31,7 +31,7 @@ constexpr std::size_t kMostFunctionLines = 120;
 
 /// Classes of behaviour that are still to be cut by owners.
 const std::map<std::string, Size> kLargeClasses = {
-    {"Executor", {536, 79}},       {"Checker", {327, 44}},        {"Expander::State", {213, 38}},
+    {"Executor", {521, 76}},       {"Checker", {327, 44}},        {"Expander::State", {213, 38}},
     {"Preparer::State", {96, 32}}, {"ControlVariables", {85, 0}}, {"LineReader", {80, 27}},
     {"Compensation", {70, 29}},    {"ModalState", {0, 59}},       {"Planner::State", {0, 37}},
 };
@@ -41,7 +41,7 @@ const std::set<std::string> kData = {"DialectTables", "Language", "Form",  "Comm
                                      "Segment",       "Piece",    "Frame", "Actions"};
 
 const std::map<std::string, std::size_t> kLargeHeaders = {
-    {"runtime/interp/executor.h", 900},      {"compiler/sema/checker.h", 587},
+    {"runtime/interp/executor.h", 861},      {"compiler/sema/checker.h", 587},
     {"compiler/expand/state.h", 531},        {"compiler/sema/code.h", 519},
     {"runtime/motion/prepare_state.h", 340},
 };
