@@ -217,21 +217,6 @@ double TextState::go(std::size_t axis, double value, bool is_distance) {
     return before;
 }
 
-void TextState::arrive(const Block& block, Function motion, std::span<const Arrival> arrivals) {
-    modal_.meant[index_of(Group::Motion)] = motion;
-    WrittenPosition& position = modal_.position;
-    for (const Arrival& arrival : arrivals) {
-        const auto slot = static_cast<Slot>(arrival.axis);
-        position.meant[arrival.axis] = block.at(slot);
-        position.text[arrival.axis] = arrival.text;
-        position.known |= bit(slot);
-        position.name(bit(slot));
-    }
-    if (!block.has(Slot::Feed)) return;
-    modal_.meant_feed = block.at(Slot::Feed);
-    modal_.has_meant_feed = true;
-}
-
 void TextState::lose(std::size_t axis) {
     modal_.position.known &= static_cast<SlotMask>(~(SlotMask{1} << axis));
 }

@@ -124,4 +124,22 @@ class TextState {
     const TextView view_{tables_, modal_, feed_word_};
 };
 
+inline void TextState::arrive(const Block& block, Function motion,
+                              std::span<const Arrival> arrivals) {
+    modal_.meant[index_of(Group::Motion)] = motion;
+    WrittenPosition& position = modal_.position;
+    SlotMask named = 0;
+    for (const Arrival& arrival : arrivals) {
+        const auto slot = static_cast<Slot>(arrival.axis);
+        position.meant[arrival.axis] = block.at(slot);
+        position.text[arrival.axis] = arrival.text;
+        named |= bit(slot);
+    }
+    position.known |= named;
+    position.name(named);
+    if (!block.has(Slot::Feed)) return;
+    modal_.meant_feed = block.at(Slot::Feed);
+    modal_.has_meant_feed = true;
+}
+
 }  // namespace kadr::write
