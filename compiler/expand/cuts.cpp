@@ -71,18 +71,19 @@ Done Expander::State::check_lead(const Block& block, std::uint32_t at) {
     return kFailed;
 }
 
-/// A further mirror of an axis, where the control has one state of each.
+/// A further mirror of an axis, where source and target do not take it alike: it goes on mirroring,
+/// or undoes the one that acts.
 Done Expander::State::check_mirror(const Block& block, const sema::Plan& plan, std::uint32_t at) {
     const nc::Invocation* mirror = block.find(Function::Mirror);
-    const bool replaces = (plan.customs & sema::custom::kFrameOrder) != 0;  // in the source, too
-    if (mirror == nullptr || replaces || !target.rules().mirror_replaces) return kDone;
+    const bool replaces = (plan.customs & sema::custom::kMirrorReplaces) != 0;
+    if (mirror == nullptr || replaces == target.rules().mirror_replaces) return kDone;
     constexpr std::size_t kX = nc::parameter_of<Function::Mirror>("x");
     for (std::size_t i = 0; i < 3; ++i) {
         if (!mirror->has(kX + i) || !modal.frame.is_mirrored[i]) continue;
         fault(diag::MirrorAgain, at)
-            .arg(target.name())
+            .arg(replaces ? "the control of this source" : target.name())
             .arg(kAxisNames[i])
-            .fix("use `with mirror(…) { … }`");
+            .fix(replaces ? "leave it out" : "use `with mirror(…) { … }`");
         return kFailed;
     }
     return kDone;

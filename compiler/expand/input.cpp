@@ -266,7 +266,6 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
     if ((customs & custom::kEdges) != 0) {
         for (std::size_t i = 0; i < block.function_count; ++i) {
             const Invocation& invocation = block.functions[i];
-            if (invocation.function == Function::ToolChange) modal.is_edge_off = false;
             if (invocation.function == Function::ToolEdge)
                 modal.is_edge_off = block.argument(invocation, kEdge) == 0;
         }
@@ -706,8 +705,7 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
         if (!is_radius) {  // what a `with` around it sets back
             modal.active[static_cast<std::size_t>(Group::LengthComp)] =
                 number == 0 ? Function::LengthCompOff : Function::LengthCompOn;
-            modal.has_length_offset = number != 0;
-            modal.length_offset = number;
+            modal.length_offset = number != 0 ? std::optional(number) : std::nullopt;
         }
         become(block, invocation, Function::ToolEdge, kEdge, number == 0 ? 0 : 1);
         ++i;

@@ -224,7 +224,7 @@ nc::Changer ModalState::changer() const {
 
 /// The changer stands somewhere else and takes the spindle over.
 void ModalState::change_tool(const nc::Block& block, const nc::Rules& target) {
-    lacks_tool = false;
+    lacks_tool = is_edge_off = false;
     has_tool_in = has_tool;
     tool_in = tool;
     known = 0;
@@ -254,7 +254,9 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::Rotate: rotate(change(), source, target); break;
         case Kind::Scale: scale(change(), source); break;
         case Kind::Mirror:
-            change_steps(source, [said = change()](auto& all) { all.mirror(said.given); });
+            change_steps(source, [said = change(), &target](auto& all) {
+                all.mirror(said.given, target.mirror_replaces);
+            });
             break;
         case Kind::RotateOff: change_steps(source, [](auto& all) { all.rotate_off(); }); break;
         case Kind::ScaleOff: change_steps(source, [](auto& all) { all.scale_off(); }); break;
@@ -272,6 +274,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
             lose_corrected(number(
                 parameter_of_all<"axis", Function::OffsetToEdge, Function::OffsetToMiddle>()));
             break;
+        case Kind::TurnsSpindle: turn_spindle(block, effect); break;
         case Kind::Tilts:
         case Kind::EndsTiltedPlane:
             lose_system();
@@ -290,9 +293,9 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::ChangesTool: change_tool(block, target); break;
         case Kind::ChangesLength:
             if (effect.function != Function::LengthCompOn) break;
-            has_length_offset =
-                effect.invocation_in(block).has(parameter_of<Function::LengthCompOn>("offset"));
-            length_offset = number(parameter_of<Function::LengthCompOn>("offset"));
+            length_offset.reset();
+            if (effect.invocation_in(block).has(parameter_of<Function::LengthCompOn>("offset")))
+                length_offset = number(parameter_of<Function::LengthCompOn>("offset"));
             break;
         case Kind::LeavesWords: lose_words(block, effect); break;
         case Kind::GoesToPoint: go_to_point(block, effect); break;
@@ -301,8 +304,10 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
             ended_by = source;
             told.renew(Once::AfterEnd);
             break;
-        case Kind::SelectsEdge:
         case Kind::SelectsLength:
+            length_offset = number(parameter_of<Function::LengthOffset>("offset"));
+            break;
+        case Kind::SelectsEdge:
         case Kind::WritesLength:
         case Kind::SelectsRadius:  // what lengths and radii are, the control knows
         case Kind::RunsCycle:      // native_cycles.cpp
@@ -387,6 +392,28 @@ void ModalState::set_spindle(double code, SourceId source) {
                             : code == 4 ? Function::SpindleCcw
                                         : Function::SpindleStop;
     if (member != (*this)[Group::Spindle]) switch_spindle(member, source);
+}
+
+/// By their numbers; how a new master turns, its control knows.
+void ModalState::turn_spindle(const nc::Block& block, const nc::Effect& effect) {
+    const nc::Invocation& invocation = effect.invocation_in(block);
+    if (effect.function == Function::SpindleTurn) {
+        constexpr std::size_t kSpindle = parameter_of<Function::SpindleTurn>("spindle");
+        constexpr std::size_t kSense = parameter_of<Function::SpindleTurn>("sense");
+        if (block.argument(invocation, kSpindle) != master_spindle) return;
+        set_spindle(block.argument(invocation, kSense), block.source);
+        lost &= ~sema::group_bit(Group::Spindle);
+        spindle_in_doubt = false;
+        return;
+    }
+    const double before = master_spindle;
+    master_spindle =
+        block.argument(invocation, parameter_of<Function::MasterSpindle>("spindle"), 1);
+    if (master_spindle == before) return;
+    active[static_cast<std::size_t>(Group::Spindle)] = Function::None;
+    lost |= sema::group_bit(Group::Spindle);
+    lost_by = block.source;
+    lost_in = Loss::Control;
 }
 
 void ModalState::note_lost_positions(AxisMask before, SourceId by, Loss how) {
@@ -500,8 +527,7 @@ sema::ModalMask difference(const ModalState& a, const ModalState& b, sema::Modal
         if (a.active[i] == Function::WorkOffset)
             differs = differs || a.work_offset != b.work_offset;
         if (a.active[i] == Function::LengthCompOn) {
-            differs = differs || a.has_length_offset != b.has_length_offset ||
-                      a.length_offset != b.length_offset;
+            differs = differs || a.length_offset != b.length_offset;
         }
         if (differs) result |= bit;
     }

@@ -29,8 +29,8 @@ struct ModalState {
     std::array<nc::Function, nc::kGroups> active{};  // None: not known
     std::array<SourceId, nc::kGroups> changed_by{};  // statement behind the present member
     double work_offset = 0;                          // parameter of WorkOffset
-    double length_offset = 0;                        // of LengthCompOn
-    bool has_length_offset = false;
+    std::optional<double> length_offset;             // of LengthCompOn, where it has one
+    double master_spindle = 1;                       // whose sense M3, M4 and M5 are
     bool has_feed = false;
     bool has_speed = false;
     bool had_cutting_speed = false;  // S has been said under constant cutting speed
@@ -148,6 +148,7 @@ struct ModalState {
     /// Coordinates of these axes were named: increments count from there.
     void forget_drift(AxisMask axes);
     /// 3, 4, 5 as in M3, M4, M5.
+    void turn_spindle(const nc::Block& block, const nc::Effect& effect);
     void set_spindle(double code, SourceId source);
 
   private:

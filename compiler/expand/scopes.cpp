@@ -88,9 +88,9 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
             block.set_argument(*invocation, nc::parameter_of<Function::WorkOffset>("number"),
                                before.work_offset);
         }
-        if (member == Function::LengthCompOn && before.has_length_offset) {
+        if (member == Function::LengthCompOn && before.length_offset) {
             block.set_argument(*invocation, nc::parameter_of<Function::LengthCompOn>("offset"),
-                               before.length_offset);
+                               *before.length_offset);
         }
     }
     if (feed) block.set(nc::Slot::Feed, before.feed);

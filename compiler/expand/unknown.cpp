@@ -90,7 +90,8 @@ void ModalState::forget(SourceId source) {
     // What X of the program is does not change by that: the text says it again.
     const Function diameter = (*this)[Group::Diameter];
     active.fill(Function::None);
-    has_feed = has_speed = has_tool = has_tool_in = has_length_offset = false;
+    has_feed = has_speed = has_tool = has_tool_in = false;
+    length_offset.reset();
     lacks_tool = lacks_speed = false;
     lost_drift |= has_drift;
     restate_motion = false;

@@ -263,7 +263,6 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
         const nc::Group group = nc::info(invocation.function).group;
         changes_tool |= invocation.function == nc::Function::ToolChange;
         add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
-        add(invocation.function == nc::Function::MirrorOff, custom::kMirrorAxes);
         add(invocation.function == nc::Function::TapRigid, custom::kCycleWords);
         add(invocation.function == nc::Function::ToolVector, custom::kDirection);
         const bool is_offset = nc::has_fact(invocation.function, nc::Fact::CallsEdge);
@@ -295,6 +294,9 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
             case Function::Rotate:
                 add(differs(&Rules::rotate_replaces), custom::kRotateReplaces);
                 add(differs(&Rules::frame_center_at_tool), custom::kCenterAtTool);
+                break;
+            case Function::Mirror:
+                add(differs(&Rules::mirror_replaces), custom::kMirrorReplaces);
                 break;
             case Function::Scale:
                 add(differs(&Rules::frame_center_at_tool), custom::kCenterAtTool);

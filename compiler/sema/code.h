@@ -238,7 +238,6 @@ inline constexpr std::uint32_t kFeedDeleted = 2048;   // another kind of feed de
 // An increment counts from the coordinate that was programmed last, and so travels a change of the
 // frame as well.
 inline constexpr std::uint32_t kIncrementTravels = 4096;
-inline constexpr std::uint32_t kMirrorAxes = 8192;  // the mirrors of some axes end
 inline constexpr std::uint32_t kCyclePosition =
     16384;                                            // the cycle of the block begins at its place
 inline constexpr std::uint32_t kPlaces = 32768;       // while a cycle is modal, a place of it
@@ -250,7 +249,8 @@ inline constexpr std::uint32_t kFeedOfArc = 524288;    // F of a helix is meant 
 inline constexpr std::uint32_t kStation = 1048576;     // `T0102` says an offset as well
 inline constexpr std::uint32_t kDirection = 2097152;   // the direction of the tool is said
 inline constexpr std::uint32_t kFeedOfAxes = 4194304;  // F is meant over rotary axes, too
-inline constexpr std::uint32_t kFrameOfSource = 8388608;  // a frame in the words of its control
+inline constexpr std::uint32_t kMirrorReplaces = 16777216;  // a further mirror goes on mirroring
+inline constexpr std::uint32_t kFrameOfSource = 8388608;    // a frame in the words of its control
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.

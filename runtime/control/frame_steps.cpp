@@ -71,7 +71,10 @@ void FrameSteps::scale(const std::array<double, 3>& by, const std::array<double,
     last(Step::Kind::Scale).add_scale(by, about);
 }
 
-void FrameSteps::mirror(const std::array<bool, 3>& axes) {
+void FrameSteps::mirror(const std::array<bool, 3>& axes, bool replaces) {
+    for (std::size_t i = 0; replaces && i < axes.size(); ++i) {
+        if (axes[i]) mirror_off(1u << i);
+    }
     last(Step::Kind::Mirror).add_mirror(axes);
 }
 

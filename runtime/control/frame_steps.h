@@ -30,7 +30,8 @@ class FrameSteps {
     void rotate_scaled(double angle_deg, nc::Function plane, const std::array<double, 3>& about);
     /// by  factors > 0
     void scale(const std::array<double, 3>& by, const std::array<double, 3>& about);
-    void mirror(const std::array<bool, 3>& axes);
+    /// replaces  a further mirror of an axis goes on mirroring, in the place of undoing it
+    void mirror(const std::array<bool, 3>& axes, bool replaces = false);
 
     void rotate_off() { erase(Step::Kind::Rotation); }
     void scale_off() { erase(Step::Kind::Scale); }

@@ -122,6 +122,7 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
             break;
         case Kind::EndsProgram: actions.ends = true; break;
         case Kind::Own: apply_own(block, invocation, actions); break;
+        case Kind::TurnsSpindle:
         case Kind::Tilts:
         case Kind::TurnsAxes:
         case Kind::TurnsSystem:

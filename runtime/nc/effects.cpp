@@ -184,6 +184,8 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::PolarInterpolationOn:
         case Function::CylindricalInterpolationOn:
         case Function::InclinedAxisOn: does.at_once(Kind::SwitchesTcp); break;
+        case Function::MasterSpindle:
+        case Function::SpindleTurn: does.before_motion(Kind::TurnsSpindle).own(); break;
         case Function::OrientReset: does.before_motion(Kind::TurnsAxes).own(); break;
         case Function::Tilt: does.at_once(Kind::Tilts).before_motion(Kind::TurnsAxes).own(); break;
         case Function::TiltedPlaneEuler:
@@ -255,9 +257,7 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::ToolPoint:
         case Function::ToolSpin:
         case Function::SpindleOrient:
-        case Function::MasterSpindle:
         case Function::SpindleSpeed:
-        case Function::SpindleTurn:
         case Function::SpindleStand:
         case Function::SpindleLimit:
         case Function::SpindleBound:

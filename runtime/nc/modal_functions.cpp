@@ -35,6 +35,7 @@ void follow_effect(const Block& block, const Effect& effect, ModalFunctions& mod
         case EffectKind::WritesWorkOffset:
         case EffectKind::CorrectsWorkOffset:
         case EffectKind::WritesLength:
+        case EffectKind::TurnsSpindle:
         case EffectKind::Tilts:
         case EffectKind::EndsTiltedPlane:
         case EffectKind::SwitchesTcp:

@@ -69,6 +69,9 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
             modal_.position.known &= ~modal_.frame.turned;
             break;
         case EffectKind::SetPosition: name_position(frame_change(block, effect)); break;
+        case EffectKind::TurnsSpindle:
+            modal_.text[index_of(Group::Spindle)] = Function::None;
+            break;
         case EffectKind::Tilts: modal_.frame.tilted = Activity::Yes; [[fallthrough]];
         case EffectKind::TurnsSystem:
         case EffectKind::WorkOffset: forget_unsaid(block); break;
