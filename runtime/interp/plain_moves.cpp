@@ -20,9 +20,9 @@ bool Executor::is_plain_state() const {
     const bool waits =
         shape_ || contour_ || open_line_ || is_in_spline() || modal_cycles_.behind_motions;
     const bool has_mode = is_transformed() || modal_cycles_.modal.is_active || taps_rigidly_ ||
-                          !position_words_.is_plain() || modal_.is_incremental ||
-                          unplaced_ != 0 || owes_speed_ || tilted_plane_.carries ||
-                          tilted_plane_.on_tables || tilted_plane_.open.has_value();
+                          !position_words_.is_plain() || modal_.is_incremental || unplaced_ != 0 ||
+                          owes_speed_ || tilted_plane_.carries || tilted_plane_.on_tables ||
+                          tilted_plane_.open.has_value();
     return !has_stages() && !area_.acts() && !wishes_corners() && !waits && !has_mode &&
            !tool_.has_changed && frames_.is_shift();
 }

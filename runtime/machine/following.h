@@ -1,8 +1,8 @@
 // following.h — where the rotary axes go while the tool turns in a given way.
 //
 // A course is a direction of the tool at every place of a way; the axes follow it without a jump
-// from where they stand. What a course is (a cone, a surface) is path/orient_law.h's matter, which of
-// several ends a block takes where only its end is said path_choice.h's.
+// from where they stand. What a course is (a cone, a surface) is path/orient_law.h's matter, which
+// of several ends a block takes where only its end is said path_choice.h's.
 #pragma once
 
 #include <functional>

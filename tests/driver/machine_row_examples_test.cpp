@@ -248,7 +248,8 @@ TEST_F(MachineRowExamples, WrongOnesCauseTheirMessageAndRightOnesNone) {
         if (!row->code.starts_with("K6")) continue;
         // Of Kadr itself: no input causes it (path_check_test.cpp does, with a planner that errs).
         if (row->code == "K6320") continue;
-        // Of AxiOMA's path choice 3 and a limit on the way (orient_interpolation_test.cpp has both).
+        // Of AxiOMA's path choice 3 and a limit on the way (orient_interpolation_test.cpp has
+        // both).
         if (row->code == "K6331") continue;
         ++count;
         SCOPED_TRACE(row->code);

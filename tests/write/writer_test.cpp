@@ -442,10 +442,9 @@ TEST(Writer, OneMCodeABlock) {
 }
 
 TEST(Writer, ACodeThatStandsAloneAmongItsAddress) {
-    expect_text(KADR_ROOT "/examples/dialects/haas.xml",
-                {{"S100 M3 M8", "S100 M03 M08\n"},
-                 {"M5 M9 M0", "M05 M09\nM00\n"},
-                 {"M8 M1", "M08\nM01\n"}});
+    expect_text(KADR_ROOT "/examples/dialects/haas.xml", {{"S100 M3 M8", "S100 M03 M08\n"},
+                                                          {"M5 M9 M0", "M05 M09\nM00\n"},
+                                                          {"M8 M1", "M08\nM01\n"}});
 }
 
 TEST(Writer, Frames) {
