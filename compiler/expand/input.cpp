@@ -304,7 +304,7 @@ Done Expander::State::require_plane_of_source(const sema::Plan& plan, std::uint3
     fault(diag::SourceOtherPlane, at)
         .arg(other)
         .arg(word_of_plane(nc::bit_of_plane(active)))
-        .fix("say `" + other + "` before it, or turn in the plane that is active");
+        .fix("say `" + other + "` before it, or write words for the plane that is active");
     return kFailed;
 }
 

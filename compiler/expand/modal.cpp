@@ -291,12 +291,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
             tool = number(parameter_of_all<"tool", Function::ToolSelect, Function::Tool>());
             break;
         case Kind::ChangesTool: change_tool(block, target); break;
-        case Kind::ChangesLength:
-            if (effect.function != Function::LengthCompOn) break;
-            length_offset.reset();
-            if (effect.invocation_in(block).has(parameter_of<Function::LengthCompOn>("offset")))
-                length_offset = number(parameter_of<Function::LengthCompOn>("offset"));
-            break;
+        case Kind::ChangesLength: take_length_offset(block, effect); break;
         case Kind::LeavesWords: lose_words(block, effect); break;
         case Kind::GoesToPoint: go_to_point(block, effect); break;
         case Kind::EndsProgram:
@@ -400,6 +395,7 @@ void ModalState::turn_spindle(const nc::Block& block, const nc::Effect& effect) 
     if (effect.function == Function::SpindleTurn) {
         constexpr std::size_t kSpindle = parameter_of<Function::SpindleTurn>("spindle");
         constexpr std::size_t kSense = parameter_of<Function::SpindleTurn>("sense");
+        if (master_spindle == 0) return lose_spindle(block.source);
         if (block.argument(invocation, kSpindle) != master_spindle) return;
         set_spindle(block.argument(invocation, kSense), block.source);
         lost &= ~sema::group_bit(Group::Spindle);
@@ -409,11 +405,23 @@ void ModalState::turn_spindle(const nc::Block& block, const nc::Effect& effect) 
     const double before = master_spindle;
     master_spindle =
         block.argument(invocation, parameter_of<Function::MasterSpindle>("spindle"), 1);
-    if (master_spindle == before) return;
+    if (master_spindle != before) lose_spindle(block.source);
+}
+
+void ModalState::lose_spindle(SourceId source) {
     active[static_cast<std::size_t>(Group::Spindle)] = Function::None;
     lost |= sema::group_bit(Group::Spindle);
-    lost_by = block.source;
+    lost_by = source;
     lost_in = Loss::Control;
+}
+
+/// A number that was said stays, whichever way the length counts.
+void ModalState::take_length_offset(const nc::Block& block, const nc::Effect& effect) {
+    if (effect.function == Function::LengthCompOff) return;
+    constexpr std::size_t kOffset =
+        parameter_of_all<"offset", Function::LengthCompOn, Function::LengthCompMinus>();
+    const nc::Invocation& invocation = effect.invocation_in(block);
+    if (invocation.has(kOffset)) length_offset = block.argument(invocation, kOffset);
 }
 
 void ModalState::note_lost_positions(AxisMask before, SourceId by, Loss how) {

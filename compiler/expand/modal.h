@@ -30,7 +30,7 @@ struct ModalState {
     std::array<SourceId, nc::kGroups> changed_by{};  // statement behind the present member
     double work_offset = 0;                          // parameter of WorkOffset
     std::optional<double> length_offset;             // of LengthCompOn, where it has one
-    double master_spindle = 1;                       // whose sense M3, M4 and M5 are
+    double master_spindle = 1;  // whose sense M3, M4 and M5 are; 0: nobody knows
     bool has_feed = false;
     bool has_speed = false;
     bool had_cutting_speed = false;  // S has been said under constant cutting speed
@@ -149,6 +149,8 @@ struct ModalState {
     void forget_drift(AxisMask axes);
     /// 3, 4, 5 as in M3, M4, M5.
     void turn_spindle(const nc::Block& block, const nc::Effect& effect);
+    void lose_spindle(SourceId source);
+    void take_length_offset(const nc::Block& block, const nc::Effect& effect);
     void set_spindle(double code, SourceId source);
 
   private:

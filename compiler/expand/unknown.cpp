@@ -92,6 +92,7 @@ void ModalState::forget(SourceId source) {
     active.fill(Function::None);
     has_feed = has_speed = has_tool = has_tool_in = false;
     length_offset.reset();
+    master_spindle = 0;
     lacks_tool = lacks_speed = false;
     lost_drift |= has_drift;
     restate_motion = false;
@@ -126,6 +127,8 @@ void ModalState::join(const ModalState& without, SourceId block) {
     is_inclined |= without.is_inclined;
     has_tool &= without.has_tool && tool == without.tool;
     has_tool_in &= without.has_tool_in && tool_in == without.tool_in;
+    if (master_spindle != without.master_spindle) master_spindle = 0;
+    if (length_offset != without.length_offset) length_offset.reset();
     if (has_feed != without.has_feed || feed != without.feed) restate |= sema::kFeedBit;
     if (has_speed != without.has_speed || speed != without.speed) restate |= sema::kSpeedBit;
     for (std::size_t i = 0; i < nc::kGroups; ++i)

@@ -1,7 +1,6 @@
 // circles.cpp — arcs by an opening angle, over a point, along the direction of the motion before.
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -14,13 +13,11 @@
 namespace kadr::interp {
 
 using nc::Block;
-using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
 using path::linear;
 using path::Op;
 using path::Vec3;
-using std::numbers::pi;
 
 /// A circle over a point between, in whatever plane the three points lie.
 void Executor::arc_over_point(const Block& block, const Target& target, bool exact_stop) {

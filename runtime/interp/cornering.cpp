@@ -227,12 +227,12 @@ void Executor::pass_corners() {
         const bool is_change = item.kind == Corners::Item::Kind::Comp;
         if (is_command) {
             has_put = true;
-            move_to(at, item.command.source, item.command.line);
+            locate(at, item.command.source, item.command.line);
             behind_corners() = std::move(item.command);
             continue;
         }
         if (!is_change) {
-            move_to(at, item.place.source, item.place.line);
+            locate(at, item.place.source, item.place.line);
         }
         // A change acts on what comes behind it.
         if (!is_change || has_put)

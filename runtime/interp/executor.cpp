@@ -341,11 +341,11 @@ void Executor::fill_in(Command& command, const Block& block) {
 
 Block Executor::block_at(SourceId source, std::uint32_t line) const {
     Block at{};
-    move_to(at, source, line);
+    locate(at, source, line);
     return at;
 }
 
-void Executor::move_to(Block& at, SourceId source, std::uint32_t line) const {
+void Executor::locate(Block& at, SourceId source, std::uint32_t line) const {
     at.source = source;
     at.line = line;
     const bool is_call = cycle_.blocks && cycle_.caller.line == line;

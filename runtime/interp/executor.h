@@ -741,7 +741,7 @@ class Executor {
     /// A block for messages, at the place of a command. Where that is the call of the cycle that
     /// runs, it is one of the cycle's.
     nc::Block block_at(SourceId source, std::uint32_t line) const;
-    void move_to(nc::Block& at, SourceId source, std::uint32_t line) const;
+    void locate(nc::Block& at, SourceId source, std::uint32_t line) const;
 
     const nc::Dialect& dialect_;
     const machine::Machine& machine_;

@@ -17,8 +17,6 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using nc::parameter_of;
-using nc::parameter_of_all;
-using path::Op;
 
 /// Whether a motion ends at rest: by what is modal, or by a word of its block alone.
 bool Executor::stops_exactly(bool once) const {

@@ -13,10 +13,7 @@
 namespace kadr::interp {
 
 using nc::Block;
-using nc::Function;
 using nc::Slot;
-using nc::SlotMask;
-using path::InvoluteFault;
 using path::linear;
 using path::Vec3;
 

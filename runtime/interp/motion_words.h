@@ -47,14 +47,21 @@ class MotionWords {
     Reporter& reporter() const { return reporter_; }
 
     // motion_words.cpp
+    /// Where the words of the axes lead, in the programmed and in the base system; mm, deg.
+    ///
+    /// targets  the slots that count; they have to be given
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
+    /// What the number of a word for X is multiplied with: 0.5 where it is a diameter.
     double x_scale(const nc::Block& block, bool is_distance) const;
+    /// Whether a word is a distance: by itself, or as the dimensions say.
     bool is_distance(const nc::Block& block, nc::Slot slot) const;
     /// Where the tool is, in the working plane of the programmed system.
     path::Vec2 position_in_plane() const;
     /// The point between, in the programmed system.
     path::Vec3 through_point(const nc::Block& block) const;
+    /// Reports an axis that the machine has not.
     Done require_axes(const nc::Block& block, nc::SlotMask targets);
+    /// Reports a position of a rotary axis, with its direction, that is not within one turn.
     Done require_rotary_approaches(const nc::Block& block);
 
     // arc_words.cpp: nothing if it was reported

@@ -18,7 +18,6 @@ using nc::Slot;
 using nc::SlotMask;
 using path::linear;
 using path::Pole;
-using path::Vec3;
 
 namespace {
 

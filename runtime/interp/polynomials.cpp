@@ -20,11 +20,6 @@
 namespace kadr::interp {
 
 using nc::Block;
-using nc::Function;
-using nc::Invocation;
-using nc::parameter_of;
-using nc::Slot;
-using nc::SlotMask;
 using path::linear;
 using path::Pole;
 using path::Vec3;

@@ -45,7 +45,9 @@ class ProgrammedDynamics {
         path::FeedMode feed_mode;
         std::uint32_t block;  // of the run, by its count
     };
+    /// Fills in what of the panel and of the programmed limits acts on the command.
     void put_panel(path::Command& command, const nc::Block& block, const Acting& acting) const;
+    /// … and the speeds of axes that position by themselves.
     void put_positioning(path::Command& command) const;
 
   private:

@@ -14,6 +14,7 @@ namespace kadr::path {
 
 using Vec2 = Eigen::Vector2d;  // mm, or a unit vector
 
+/// Of two vectors, mm²: above zero if the second one lies to the left of the first.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Lengths below this are none: a tenth of the finest increment that a control takes.
