@@ -217,7 +217,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         if (modal[Group::Diameter] == Function::None && options.warns_of_cuts)
             warn_of_radius(block, at);
         if (says_rapid && motion != Function::Rapid) {
-            modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
+            modal.assume(Group::Motion, motion);
             modal.restate_motion = true;
         }
     }
@@ -454,13 +454,8 @@ double Expander::State::state_value(sema::StateValue which) const {
 }
 
 std::int64_t Expander::State::spindle_code() const {
-    switch (modal[Group::Spindle]) {
-        case Function::SpindleCw: return 3;
-        case Function::SpindleCcw: return 4;
-        case Function::SpindleStop:
-        case Function::SpindleOrient: return 5;
-        default: return sema::kNotGivenInteger;
-    }
+    const Function spindle = modal[Group::Spindle];
+    return spindle == Function::None ? sema::kNotGivenInteger : nc::code_of_spindle(spindle);
 }
 
 Done Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,

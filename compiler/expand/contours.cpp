@@ -363,8 +363,8 @@ void Expander::State::begin_contour() {
     // A contour says the same wherever it is made: in coordinates, cut, from a point of its own.
     modal.known = 0;
     modal.restate_motion = false;
-    modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Line;
-    modal.active[static_cast<std::size_t>(Group::Distance)] = Function::Absolute;
+    modal.assume(Group::Motion, Function::Line);
+    modal.assume(Group::Distance, Function::Absolute);
     modal.lost &= ~(sema::group_bit(Group::Motion) | sema::group_bit(Group::Distance));
 }
 
@@ -457,8 +457,7 @@ Done Expander::State::keep(const Block& block, std::uint32_t where) {
         recording.has_start = true;
         recording.start = recording.at = to;
         // `G0 X… Y…` may say where it begins; from here on it is cut.
-        if (motion == Function::Rapid)
-            modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Line;
+        if (motion == Function::Rapid) modal.assume(Group::Motion, Function::Line);
         return kDone;
     }
     if (motion == Function::Rapid) return refuse_in_contour("a rapid motion", where);

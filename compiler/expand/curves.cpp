@@ -246,7 +246,7 @@ Expander::State::Progress Expander::State::follow_curve(const Instruction& instr
     if (has_failed) return Progress::Failed;
     if (following->fit == nullptr) {
         // A position by itself behind the spline is no further pole of it.
-        modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Line;
+        modal.assume(Group::Motion, Function::Line);
         modal.restate_motion = true;
     } else if (following->fit->fault() == path::FitFault::Jump) {
         jump_fault(instruction, where, following->fit->parameter());

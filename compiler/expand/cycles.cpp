@@ -100,7 +100,7 @@ Done Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint
     }
     if ((block.given & nc::kTargetSlots) == 0) return kDone;
     block.motion = Function::Rapid;
-    modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
+    modal.assume(Group::Motion, Function::Rapid);
     return kDone;
 }
 
@@ -382,7 +382,7 @@ void Expander::State::say_distance(Function function, SourceId source, std::uint
 void Expander::State::leave_cycle(const Instruction& instruction, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     active_cycle.is_running = false;
-    modal.active[static_cast<std::size_t>(Group::Motion)] = active_cycle.motion;
+    modal.assume(Group::Motion, active_cycle.motion);
     modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
     modal.restate_motion = true;
     if (active_cycle.was_incremental)

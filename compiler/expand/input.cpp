@@ -308,24 +308,15 @@ Done Expander::State::require_plane_of_source(const sema::Plan& plan, std::uint3
     return kFailed;
 }
 
-/// The function may change while the present frame acts: the control takes mirror, scale
+/// The function may stand where the present frame acts: the control takes mirror, scale
 /// and rotation in this order, and inside them nothing before them.
 Done Expander::State::require_free_frame(Function function, std::uint32_t at) {
-    bool of_mirror = false;  // it cannot change inside this
-    bool of_scale = false;
-    bool of_rotation = true;
-    switch (function) {
-        case Function::Shift: of_mirror = of_scale = true; break;
-        case Function::Scale:
-        case Function::Mirror: of_scale = true; break;
-        case Function::WorkOffset:
-        case Function::MirrorOff:
-        case Function::SetPosition: break;
-        case Function::PlaneXy:
-        case Function::PlaneZx:
-        case Function::PlaneYz: of_rotation = function != modal[Group::Plane]; break;
-        default: return kDone;
-    }
+    const bool is_other_plane =
+        nc::info(function).group == Group::Plane && function != modal[Group::Plane];
+    const bool of_rotation = nc::has_fact(function, nc::Fact::BeforeRotation) || is_other_plane;
+    const bool of_scale = of_rotation && nc::has_fact(function, nc::Fact::ChangesFrame);
+    // It replaces the frame of the language, and on the control acts outside of the mirror.
+    const bool of_mirror = function == Function::Shift;
     const control::ProgramFrame& frame = modal.frame;
     const char* inside = of_rotation && frame.angle_deg != 0 ? "rotation"
                          : of_scale && frame.has_scale()     ? "scale"
@@ -671,19 +662,24 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
     bool is_said = false;
     for (std::size_t i = 0; i < block.function_count;) {
         Invocation& invocation = block.functions[i];
-        const bool is_length = invocation.function == Function::LengthCompOn;
+        // `H2` alone is another offset of a length that acts already.
+        const bool is_other_length = invocation.function == Function::LengthOffset;
+        const bool is_length = invocation.function == Function::LengthCompOn || is_other_length;
         const bool is_off = invocation.function == Function::LengthCompOff;
         const bool is_radius = invocation.function == Function::RadiusOffset;
         if (!is_length && !is_off && !is_radius) {
             ++i;
             continue;
         }
+        const bool acts = !is_other_length || (modal[Group::LengthComp] == Function::LengthCompOn &&
+                                               block.find(nc::Fact::CallsEdge) == nullptr);
         // An edge that is switched off takes its radius along.
         const bool is_plain = modal[Group::RadiusComp] == Function::RadiusCompOff ||
                               block.find(Function::RadiusCompOff) != nullptr;
         static_assert(kLengthOffset == parameter_of<Function::RadiusOffset>("offset"));
         const double number = is_off ? 0 : block.argument(invocation, kLengthOffset, -1);
-        const bool fits = number == 0 ? is_plain : has_tool && number == tool;
+        static_assert(kLengthOffset == parameter_of<Function::LengthOffset>("offset"));
+        const bool fits = acts && (number == 0 ? is_plain : has_tool && number == tool);
         if (!fits) {
             std::string shown = number < 0 ? "without H" : std::to_string(std::llround(number));
             if (is_off) shown.clear();
@@ -703,8 +699,8 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
         }
         is_said = true;
         if (!is_radius) {  // what a `with` around it sets back
-            modal.active[static_cast<std::size_t>(Group::LengthComp)] =
-                number == 0 ? Function::LengthCompOff : Function::LengthCompOn;
+            modal.assume(Group::LengthComp,
+                         number == 0 ? Function::LengthCompOff : Function::LengthCompOn);
             modal.length_offset = number != 0 ? std::optional(number) : std::nullopt;
         }
         become(block, invocation, Function::ToolEdge, kEdge, number == 0 ? 0 : 1);

@@ -277,10 +277,18 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::TurnsSpindle: turn_spindle(block, effect); break;
         case Kind::Tilts:
         case Kind::EndsTiltedPlane:
+            tilt = effect.kind == Kind::EndsTiltedPlane ? Tilt::None
+                   : effect.function == Function::Tilt  ? Tilt::Own
+                                                        : Tilt::Closed;
             lose_system();
             is_turned = true;  // as the plane before had left the axes
             break;
-        case Kind::SwitchesTcp: lose_axes(kLinearXYZ); break;
+        case Kind::SwitchesTcp:
+            // As a kind of tool length, orienting.cpp says it.
+            if (effect.function == Function::TcpOn) tcp = Tcp::Own;
+            if (effect.function == Function::TcpOff) tcp = Tcp::Off;
+            lose_axes(kLinearXYZ);
+            break;
         case Kind::TurnsAxes:
             known &= kLinearXYZ;
             is_turned = true;
@@ -383,9 +391,7 @@ void ModalState::switch_spindle(Function member, SourceId source) {
 }
 
 void ModalState::set_spindle(double code, SourceId source) {
-    const Function member = code == 3   ? Function::SpindleCw
-                            : code == 4 ? Function::SpindleCcw
-                                        : Function::SpindleStop;
+    const Function member = nc::spindle_of_code(code);
     if (member != (*this)[Group::Spindle]) switch_spindle(member, source);
 }
 

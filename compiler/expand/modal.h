@@ -102,6 +102,16 @@ struct ModalState {
         return active[static_cast<std::size_t>(group)];
     }
 
+    /// A member that acts without a block of its own that says so.
+    void assume(nc::Group group, nc::Function member) {
+        active[static_cast<std::size_t>(group)] = member;
+    }
+    /// … because of a statement, which `by` is: whatever was unknown before it.
+    void assume(nc::Group group, nc::Function member, SourceId by) {
+        assume(group, member);
+        changed_by[static_cast<std::size_t>(group)] = by;
+        lost &= ~sema::group_bit(group);
+    }
     /// The state in which every Kadr program begins.
     static ModalState at_start(const sema::FunctionCode& entry);
     /// What the functions of a block do before it moves.

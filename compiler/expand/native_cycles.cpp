@@ -169,7 +169,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         if ((given >> i & 1u) != 0) block.set_argument(*invocation, i, values[i]);
     }
     // The contract of a cycle: it ends where it began, after a move at rapid.
-    modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
+    modal.assume(Group::Motion, Function::Rapid);
     modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
     modal.restate_motion = true;
     if (const Function left = standing_behind(code, *frame.function); left != Function::None)

@@ -184,16 +184,13 @@ Done Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
             if (invocation.function != Function::TcpOn && target.can_write(invocation.function))
                 put_function(invocation.function, {}, source, at, depth);
         }
-        modal.tcp = Tcp::Own;
         return Done(!has_failed);
     }
     modal.before_tcp = modal[Group::LengthComp];
     modal.tcp_offset = *length_number();
     modal.tcp = Tcp::Length;
     modal.is_inclined = false;
-    modal.active[static_cast<std::size_t>(Group::Transformation)] = Function::TcpOn;
-    modal.changed_by[static_cast<std::size_t>(Group::Transformation)] = source;
-    modal.lost &= ~sema::group_bit(Group::Transformation);
+    modal.assume(Group::Transformation, Function::TcpOn, source);
     return choose_turning(turning, source, at, depth);
 }
 
@@ -212,7 +209,7 @@ void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsign
 /// Great circles or the rotary axes in proportion, on a control that says so with the length.
 Done Expander::State::choose_turning(Function turning, SourceId source, std::uint32_t at,
                                      unsigned depth) {
-    modal.active[static_cast<std::size_t>(Group::Turning)] = turning;
+    modal.assume(Group::Turning, turning);
     if (modal.tcp != Tcp::Length) return kDone;
     const double plane = turning == Function::OrientAxes ? 0 : 1;
     constexpr std::size_t kOffset = nc::parameter_of<Function::TcpVector>("offset");
@@ -240,19 +237,17 @@ Done Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth)
     constexpr std::size_t kOffset = nc::parameter_of<Function::LengthCompOn>("offset");
     put_function(Function::LengthCompOn, {{kOffset, modal.tcp_offset}}, source, at, depth);
     modal.tcp = Tcp::Off;
-    modal.active[static_cast<std::size_t>(Group::LengthComp)] = modal.before_tcp;
-    modal.active[static_cast<std::size_t>(Group::Transformation)] = Function::TcpOff;
-    modal.changed_by[static_cast<std::size_t>(Group::Transformation)] = source;
+    modal.assume(Group::LengthComp, modal.before_tcp);
+    modal.assume(Group::Transformation, Function::TcpOff, source);
     return Done(!has_failed);
 }
 
 /// What a `with` found: on or off.
 Done Expander::State::set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at,
                                    unsigned depth) {
-    constexpr auto kGroup = static_cast<std::size_t>(Group::Transformation);
-    const bool is_same = before.active[kGroup] == modal.active[kGroup] && before.tcp == modal.tcp;
-    if (is_same) return kDone;
-    if (before.active[kGroup] == Function::None) {
+    const Function was = before[Group::Transformation];
+    if (was == modal[Group::Transformation] && before.tcp == modal.tcp) return kDone;
+    if (was == Function::None) {
         fault(diag::StateUnknown, at).arg(nc::group_name(Group::Transformation));
         return kFailed;
     }

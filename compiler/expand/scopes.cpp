@@ -23,12 +23,11 @@ Done Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned dep
 
 /// Where the program has said no work offset, that of the text's head acts.
 void Expander::State::take_offset_of_head(ModalState& state) const {
-    Function& active = state.active[static_cast<std::size_t>(Group::WorkOffsets)];
     const bool is_lost = (state.lost & sema::group_bit(Group::WorkOffsets)) != 0;
-    if (is_lost || active != Function::None || state.due_offset != 0) return;
+    if (is_lost || state[Group::WorkOffsets] != Function::None || state.due_offset != 0) return;
     const std::optional<int> offset = nc::offset_of_head(target);
     if (!offset) return;
-    active = Function::WorkOffset;
+    state.assume(Group::WorkOffsets, Function::WorkOffset);
     state.work_offset = *offset;
 }
 
@@ -53,7 +52,7 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     const sema::ModalMask changed = difference(before, modal, mask) & ~sema::kFrameBit;
     if (changed == 0) return kDone;
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
-        if ((changed >> i & 1u) == 0 || before.active[i] != Function::None) continue;
+        if ((changed >> i & 1u) == 0 || before[static_cast<Group>(i)] != Function::None) continue;
         fault(diag::StateUnknown, at).arg(nc::group_name(static_cast<Group>(i)));
         return kFailed;
     }
@@ -77,7 +76,7 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     Block& block = next_block(source);
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((changed >> i & 1u) == 0) continue;
-        const Function member = before.active[i];
+        const Function member = before[static_cast<Group>(i)];
         if (static_cast<Group>(i) == Group::Motion) {
             block.motion = member;
             continue;

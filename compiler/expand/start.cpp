@@ -297,7 +297,7 @@ Done Expander::State::start_cycle(std::string_view name, std::span<const double>
     // where it has said radii begins with that.
     const bool turns = modal.diameter_due != nc::Function::None;
     const bool needs_diameter = turns && !at.x_is_diameter;
-    modal.active[static_cast<std::size_t>(nc::Group::Diameter)] = nc::Function::None;
+    modal.assume(nc::Group::Diameter, nc::Function::None);
     modal.is_diameter = false;
     modal.diameter_due = needs_diameter ? nc::Function::DiameterOn : nc::Function::None;
     modal.position = at.position;
@@ -314,10 +314,9 @@ Done Expander::State::start_cycle(std::string_view name, std::span<const double>
     });
     // A cycle along a shape works in the plane of that, one that turns in the plane that acts.
     if (at.shape != nullptr && (takes_shape || turns)) {
-        modal.active[static_cast<std::size_t>(nc::Group::Plane)] =
-            at.plane == path::Plane::Xy   ? nc::Function::PlaneXy
-            : at.plane == path::Plane::Zx ? nc::Function::PlaneZx
-                                          : nc::Function::PlaneYz;
+        modal.assume(nc::Group::Plane, at.plane == path::Plane::Xy   ? nc::Function::PlaneXy
+                                       : at.plane == path::Plane::Zx ? nc::Function::PlaneZx
+                                                                     : nc::Function::PlaneYz);
     }
     std::uint32_t set = 0;
     std::size_t next = 0;  // of the arguments

@@ -78,19 +78,13 @@ Done Expander::State::emit_tilted_plane(const sema::Plan& plan, const Instructio
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     if (function == Function::TiltedPlaneOff) {
         if (modal.tilt == ModalState::Tilt::None) return kDone;
-        if (modal.tilt == ModalState::Tilt::Resolved) {
-            write_frame({}, source, at, instruction.c);
-        } else if (!emit_block(plan, instruction, registers, at)) {
-            return kFailed;
-        }
+        if (modal.tilt != ModalState::Tilt::Resolved)
+            return emit_block(plan, instruction, registers, at);
+        write_frame({}, source, at, instruction.c);
         modal.tilt = ModalState::Tilt::None;
         return Done(!has_failed);
     }
-    if (target.can_write(Function::Tilt)) {
-        if (!emit_block(plan, instruction, registers, at)) return kFailed;
-        modal.tilt = ModalState::Tilt::Own;
-        return kDone;
-    }
+    if (target.can_write(Function::Tilt)) return emit_block(plan, instruction, registers, at);
     std::array<double, 6> values{};
     if (!read_plane(plan, instruction, registers, at, values)) return kFailed;
     if (target.can_write(Function::TiltedPlaneEuler) && target.can_write(Function::AlignTool))
@@ -147,7 +141,6 @@ Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     if (modal.tilt != ModalState::Tilt::None) add(Function::TiltedPlaneOff, {});
     add(Function::TiltedPlaneEuler, said);
     add(Function::AlignTool, std::array{Argument{nc::parameter_of<Function::AlignTool>("way"), 0}});
-    modal.tilt = ModalState::Tilt::Closed;
     return Done(!has_failed);
 }
 
@@ -231,7 +224,7 @@ Done Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints
     const Function motion = modal[Group::Motion];
     modal.take_block(block, target.rules());
     if (motion != Function::Rapid) {
-        modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
+        modal.assume(Group::Motion, motion);
         modal.restate_motion = true;
     }
     if (options.trace) keep_trace(at, depth, source);

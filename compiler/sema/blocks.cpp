@@ -286,7 +286,13 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
         add(nc::has_fact(invocation.function, nc::Fact::AddsToFrame), custom::kFrameOfSource);
         add(differs(&Rules::shift_in_diameter) && nc::frame_x(invocation.function).has_value(),
             custom::kFrameDiameter);
-        const bool by_tool = dialect.counts_offsets_by_tool();
+        add(nc::info(invocation.function).group == nc::Group::FeedMode &&
+                differs(&Rules::feed_deleted_on_mode_change),
+            custom::kFeedDeleted);
+        const bool is_of_tool = invocation.function == Function::ToolChange ||
+                                nc::has_fact(invocation.function, nc::Fact::CallsOffset) ||
+                                nc::has_fact(invocation.function, nc::Fact::CallsEdge);
+        add(is_of_tool, dialect.counts_offsets_by_tool() ? custom::kOffsetsByTool : custom::kEdges);
         switch (invocation.function) {
             case Function::Shift:
                 add(differs(&Rules::shift_keeps_unnamed), custom::kShiftKeeps);
@@ -301,21 +307,9 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
             case Function::Scale:
                 add(differs(&Rules::frame_center_at_tool), custom::kCenterAtTool);
                 break;
-            case Function::FeedPerMinute:
-            case Function::FeedPerRevolution:
-            case Function::FeedInverseTime:
-                add(differs(&Rules::feed_deleted_on_mode_change), custom::kFeedDeleted);
-                break;
             case Function::MachineCoordinates:
                 add(differs(&Rules::machine_coordinates_rapid), custom::kMachineRapid);
                 add(differs(&Rules::machine_coordinates_keep_length), custom::kMachineLength);
-                break;
-            case Function::LengthCompOn:
-            case Function::LengthCompOff:
-            case Function::RadiusOffset:
-            case Function::ToolEdge:
-            case Function::ToolChange:
-                add(true, by_tool ? custom::kOffsetsByTool : custom::kEdges);
                 break;
             case Function::ReferenceReturn: add(true, custom::kReference); break;
             case Function::ToolSelect:

@@ -37,10 +37,9 @@ inline std::string_view slot_word(nc::Slot slot) {
 
 /// The sense of a spindle by the number of its M function: 3, 4; else it stands.
 inline path::SpindleMode sense_by_code(std::int64_t code) {
-    constexpr std::int64_t kCw = 3;
-    constexpr std::int64_t kCcw = 4;
-    if (code == kCw) return path::SpindleMode::Cw;
-    return code == kCcw ? path::SpindleMode::Ccw : path::SpindleMode::Stop;
+    const nc::Function spindle = nc::spindle_of_code(static_cast<double>(code));
+    if (spindle == nc::Function::SpindleCw) return path::SpindleMode::Cw;
+    return spindle == nc::Function::SpindleCcw ? path::SpindleMode::Ccw : path::SpindleMode::Stop;
 }
 
 inline bool is_running(path::SpindleMode mode) {

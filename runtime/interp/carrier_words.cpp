@@ -58,7 +58,8 @@ void Executor::choose_carrier(const Block& block, const Invocation& invocation, 
                 block.argument(invocation, parameter_of<Function::CarrierByFrame>("axis")), 0.0,
                 3.0));
             break;
-        default: carrier_.frame_axis = 0;
+        case Function::CarrierByData: carrier_.frame_axis = 0; break;
+        default: break;  // no other is sent here
     }
     actions.programs_carrier = true;
 }

@@ -52,7 +52,8 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
                 feed;
             break;
         }
-        default: {
+        case Function::CornerChamfer:
+        case Function::CornerRound: {
             take_corner_feed(block, invocation, actions);
             const bool is_round = invocation.function == Function::CornerRound;
             const bool was_round =
@@ -65,7 +66,9 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
                 return;
             }
             if (!was_round) actions.corner = &invocation;
+            break;
         }
+        default: break;  // no other is sent here
     }
 }
 

@@ -168,7 +168,8 @@ class Executor {
     void apply(const nc::Block& block, const nc::Effect& effect, Actions& actions);
     void apply_own(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void set_member(const nc::Block& block, const nc::Effect& effect, Actions& actions);
-    bool takes_comp_choice(Actions& actions) const;
+    template <typename Choose>
+    void choose_of_comp(Actions& actions, Choose choose);
     void set_diameter(const nc::Block& block, nc::Function member);
     void switch_tcp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void select_tool(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);

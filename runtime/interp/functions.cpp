@@ -81,6 +81,15 @@ Done Executor::require_allowed(const Block& block, Function function) {
     return require_allowed_under_tcp(block, function);
 }
 
+/// The block chooses something of the compensation, which counts before its motion. Roughing works
+/// along the programmed shape and takes no choice; where the shape is followed, it is compensated.
+template <typename Choose>
+void Executor::choose_of_comp(Actions& actions, Choose choose) {
+    if (keeps_shape()) return;
+    actions.comp_changed = true;
+    choose();
+}
+
 /// What an effect does, or that the block asks for it later.
 void Executor::apply(const Block& block, const nc::Effect& effect, Actions& actions) {
     using Kind = nc::EffectKind;
@@ -116,9 +125,10 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
                 set_length_source(Tool::Source::Offset, actions);
             break;
         case Kind::SelectsRadius:
-            if (takes_comp_choice(actions))
+            choose_of_comp(actions, [&] {
                 tool_.radius_offset =
                     count_of(block, invocation, parameter_of<Function::RadiusOffset>("offset"));
+            });
             break;
         case Kind::EndsProgram: actions.ends = true; break;
         case Kind::Own: apply_own(block, invocation, actions); break;
@@ -131,14 +141,6 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
         case Kind::GoesToPoint:
         case Kind::RunsCycle: break;  // how, its own part says: the place of the tool stays known
     }
-}
-
-/// The block chooses something of the compensation, which counts before its motion. Roughing works
-/// along the programmed shape and takes no choice; where the shape is followed, it is compensated.
-bool Executor::takes_comp_choice(Actions& actions) const {
-    if (keeps_shape()) return false;
-    actions.comp_changed = true;
-    return true;
 }
 
 /// Another member of a modal group acts.
@@ -156,26 +158,27 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
             else leave_cutting_speed();
             break;
         case Group::RadiusComp:
-            if (takes_comp_choice(actions)) choose_comp_side(block, member, actions);
+            choose_of_comp(actions, [&] { choose_comp_side(block, member, actions); });
             break;
         case Group::CompStart:
-            if (takes_comp_choice(actions)) comp_.start = comp_start_of(member);
+            choose_of_comp(actions, [&] { comp_.start = comp_start_of(member); });
             break;
         case Group::CompCorner:
-            if (takes_comp_choice(actions)) comp_.corner = comp_corner_of(member);
+            choose_of_comp(actions, [&] { comp_.corner = comp_corner_of(member); });
             break;
         case Group::CompCheck:
-            if (takes_comp_choice(actions)) comp_.has_check = member == Function::CompCheckOn;
+            choose_of_comp(actions, [&] { comp_.has_check = member == Function::CompCheckOn; });
             break;
         case Group::CompKind:
-            if (!takes_comp_choice(actions)) break;
-            comp_.system = comp_system_of(member);
-            if (comp_.system == CompKind::InPlane)
-                comp_.is_in_frame = member == Function::CompInFrame;
+            choose_of_comp(actions, [&] {
+                comp_.system = comp_system_of(member);
+                if (comp_.system == CompKind::InPlane)
+                    comp_.is_in_frame = member == Function::CompInFrame;
+            });
             break;
         case Group::CompOrientation:
-            if (takes_comp_choice(actions))
-                comp_.orients_on_arc = member == Function::CompOrientOnArc;
+            choose_of_comp(actions,
+                           [&] { comp_.orients_on_arc = member == Function::CompOrientOnArc; });
             break;
         case Group::Spindle:
             if (member == Function::SpindleOrient) break;
@@ -263,23 +266,26 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
     switch (invocation.function) {
         case Function::SpeedLimit: actions.limit = &invocation; break;
         case Function::CompCornerPointed:
-            if (takes_comp_choice(actions)) choose_pointed_corners(block, invocation);
+            choose_of_comp(actions, [&] { choose_pointed_corners(block, invocation); });
             break;
         case Function::CompOpenEnd:
-            if (takes_comp_choice(actions))
+            choose_of_comp(actions, [&] {
                 comp_.open_end = static_cast<path::OpenEnd>(std::clamp<std::int64_t>(
                     count_of(block, invocation, parameter_of<Function::CompOpenEnd>("kind")), 0,
                     2));
+            });
             break;
         case Function::CompAllowance:
-            if (takes_comp_choice(actions))
+            choose_of_comp(actions, [&] {
                 comp_.allowance =
                     block.argument(invocation, parameter_of<Function::CompAllowance>("allowance"));
+            });
             break;
         case Function::CompDepth:
-            if (takes_comp_choice(actions))
+            choose_of_comp(actions, [&] {
                 comp_.depth =
                     block.argument(invocation, parameter_of<Function::CompDepth>("depth"));
+            });
             break;
         case Function::CompKeepVector:
         case Function::CompCornerHere:
@@ -434,16 +440,16 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
             break;
         case Function::TapFloating: actions.taps = true; break;
         case Function::FeedOverride:
-        case Function::RapidOverride:
+        case Function::RapidOverride: dynamics_.set_override(block, invocation); break;
         case Function::AxisVelocity:
         case Function::AxisAcceleration:
-        case Function::AxisJerk: dynamics_.set_dynamics(block, invocation); break;
-        case Function::FeedAxes:
-        case Function::FeedRadius:
+        case Function::AxisJerk: dynamics_.set_axis_limit(block, invocation); break;
+        case Function::FeedAxes: dynamics_.choose_feed_axes(block, invocation); break;
+        case Function::FeedRadius: dynamics_.set_feed_radius(block, invocation); break;
+        case Function::FeedCourse: dynamics_.choose_feed_course(block, invocation); break;
         case Function::AxisSpeed:
         case Function::AxisFeed:
-        case Function::AxisOverride:
-        case Function::FeedCourse: dynamics_.set_feed_words(block, invocation); break;
+        case Function::AxisOverride: dynamics_.set_axis_speed(block, invocation); break;
         case Function::FeedPolynomial: take_polynomial(block, invocation); break;
         case Function::Probe: actions.probes = true; break;
         case Function::ProbeCheck:

@@ -48,10 +48,10 @@ Done Executor::require_no_cycle(const Block& block, const Actions& actions) {
 }
 
 void Executor::move(const Block& block, const Actions& actions) {
-    if (block.motion != Function::None) {
-        modal_.motion = block.motion;
+    if (block.motion != Function::None) modal_.motion = block.motion;
+    if (nc::ends_modal_cycle(block)) {
         taps_rigidly_ &= !modal_cycles_.modal.is_active;
-        modal_cycles_.modal.is_active = false;  // a motion code ends a modal cycle
+        modal_cycles_.modal.is_active = false;
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     SlotMask arc_words = block.given & kArcSlots;

@@ -189,7 +189,8 @@ void Executor::write_data(const Block& block, const Invocation& invocation) {
     switch (invocation.function) {
         case Function::WorkOffsetData: write_work_offset(block, invocation); break;
         case Function::LatheOffsetData: write_lathe_offset(block, invocation); break;
-        default: write_tool_offset(block, invocation);
+        case Function::ToolOffsetData: write_tool_offset(block, invocation); break;
+        default: break;  // no other is sent here
     }
 }
 

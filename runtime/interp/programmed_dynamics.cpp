@@ -43,10 +43,8 @@ AxisValues& parts_of_axes(path::Dynamics& dynamics, Function function) {
 
 }  // namespace
 
-void ProgrammedDynamics::set_dynamics(const Block& block, const Invocation& invocation) {
+void ProgrammedDynamics::set_axis_limit(const Block& block, const Invocation& invocation) {
     const Function function = invocation.function;
-    if (function == Function::FeedOverride || function == Function::RapidOverride)
-        return set_override(block, invocation);
     constexpr double kLeast = 1;
     const double most = function == Function::AxisVelocity ? 100 : 200;
     constexpr std::size_t kAxis =
@@ -89,13 +87,7 @@ void ProgrammedDynamics::set_override(const Block& block, const Invocation& invo
     (is_feed ? dynamics.feed : dynamics.rapid) = percent * kPercent;
 }
 
-void ProgrammedDynamics::set_feed_words(const Block& block, const Invocation& invocation) {
-    switch (invocation.function) {
-        case Function::FeedAxes: return choose_feed_axes(block, invocation);
-        case Function::FeedRadius: return set_feed_radius(block, invocation);
-        case Function::FeedCourse: break;
-        default: return set_axis_speed(block, invocation);
-    }
+void ProgrammedDynamics::choose_feed_course(const Block& block, const Invocation& invocation) {
     state_.course = static_cast<path::FeedCharacteristic>(std::clamp<std::int64_t>(
         count_of(block, invocation, parameter_of<Function::FeedCourse>("kind")), 0, 2));
     state_.has_feed_characteristic |= state_.course != path::FeedCharacteristic::Constant;

@@ -21,10 +21,15 @@ class ProgrammedDynamics {
     ProgrammedDynamics(const machine::Machine& machine, const AxisData& axes, Reporter& reporter)
         : machine_(machine), axes_(axes), reporter_(reporter) {}
 
-    /// FeedOverride, RapidOverride, AxisVelocity, AxisAcceleration, AxisJerk.
-    void set_dynamics(const nc::Block& block, const nc::Invocation& invocation);
-    /// FeedAxes, FeedRadius, FeedCourse, AxisSpeed, AxisFeed, AxisOverride.
-    void set_feed_words(const nc::Block& block, const nc::Invocation& invocation);
+    /// FeedOverride, RapidOverride.
+    void set_override(const nc::Block& block, const nc::Invocation& invocation);
+    /// AxisVelocity, AxisAcceleration, AxisJerk.
+    void set_axis_limit(const nc::Block& block, const nc::Invocation& invocation);
+    void choose_feed_axes(const nc::Block& block, const nc::Invocation& invocation);
+    void set_feed_radius(const nc::Block& block, const nc::Invocation& invocation);
+    void choose_feed_course(const nc::Block& block, const nc::Invocation& invocation);
+    /// AxisSpeed, AxisFeed, AxisOverride.
+    void set_axis_speed(const nc::Block& block, const nc::Invocation& invocation);
     /// The feed of one block, which the law names, as a polynomial.
     void set_polynomial(const path::FeedLaw& law) {
         state_.has_feed_characteristic = true;
@@ -51,13 +56,9 @@ class ProgrammedDynamics {
     void put_positioning(path::Command& command) const;
 
   private:
-    void set_override(const nc::Block& block, const nc::Invocation& invocation);
     path::Dynamics& programmed_dynamics();
     std::optional<Axis> known_axis(const nc::Block& block, const nc::Invocation& invocation,
                                    std::size_t parameter);
-    void choose_feed_axes(const nc::Block& block, const nc::Invocation& invocation);
-    void set_feed_radius(const nc::Block& block, const nc::Invocation& invocation);
-    void set_axis_speed(const nc::Block& block, const nc::Invocation& invocation);
     void put_feed_law(path::Command& command, const Acting& acting) const;
 
     const machine::Machine& machine_;

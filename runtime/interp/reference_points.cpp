@@ -169,7 +169,9 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
     switch (invocation.function) {
         case Function::ReferenceCheck: return check_reference(block);
         case Function::ReferenceLeave: return leave_reference(block);
-        default: return return_to_reference(block, invocation);
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn: return return_to_reference(block, invocation);
+        default: break;  // no other is sent here
     }
 }
 

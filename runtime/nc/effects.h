@@ -87,6 +87,9 @@ enum class Changer : std::uint8_t { Magazine, Turret };
 /// What the functions of a block and its motion do under the rules of a control.
 Effects effects_of(const Rules& rules, const Block& block, Changer changer);
 
+/// A motion code ends the modal cycle: from here on the blocks move instead.
+inline bool ends_modal_cycle(const Block& block) { return block.motion != Function::None; }
+
 /// Whether a tool that is selected is in the spindle at once.
 bool selects_at_once(const Rules& rules, Changer changer);
 /// When a stop of the spindle or of the coolant comes true in a block that moves as well.

@@ -12,12 +12,7 @@ Function& member_of(ModalFunctions& modal, Group group) {
 
 void follow_effect(const Block& block, const Effect& effect, ModalFunctions& modal) {
     switch (effect.kind) {
-        case EffectKind::Sets:
-            member_of(modal, effect.group()) = effect.function;
-            // A motion code ends the cycle that stands for it.
-            if (effect.invocation == Effect::kMotionCode)
-                member_of(modal, Group::CycleMode) = Function::CycleOff;
-            break;
+        case EffectKind::Sets: member_of(modal, effect.group()) = effect.function; break;
         case EffectKind::RunsCycle:
             member_of(modal, Group::CycleMode) = Function::Cycle;
             modal.cycle = block.cycle;
@@ -57,6 +52,7 @@ void follow_effect(const Block& block, const Effect& effect, ModalFunctions& mod
 }  // namespace
 
 void follow_modal(const Rules& rules, const Block& block, ModalFunctions& modal) {
+    if (ends_modal_cycle(block)) member_of(modal, Group::CycleMode) = Function::CycleOff;
     if (block.function_count == 0) {  // nearly all blocks
         if (block.motion != Function::None)
             follow_effect(block, Effect::of_motion(block.motion), modal);

@@ -105,6 +105,19 @@ inline constexpr std::array<Group, kFunctions> kGroupOf = {{
 
 constexpr Group group_of(Function function) { return kGroupOf[static_cast<std::size_t>(function)]; }
 
+/// The spindle's function by the number of its M word: 3, 4; else it stands.
+constexpr Function spindle_of_code(double code) {
+    constexpr double kCw = 3;
+    constexpr double kCcw = 4;
+    if (code == kCw) return Function::SpindleCw;
+    return code == kCcw ? Function::SpindleCcw : Function::SpindleStop;
+}
+/// … and its number: 5 where it stands.
+constexpr int code_of_spindle(Function spindle) {
+    if (spindle == Function::SpindleCw) return 3;
+    return spindle == Function::SpindleCcw ? 4 : 5;
+}
+
 /// What the table says of the parameters of each function: `offset?:count to:length`.
 inline constexpr std::array<std::string_view, kFunctions> kParameterTexts = {{
 #define KADR_FUNCTION(id, name, group, facts, parameters, meaning) parameters,

@@ -32,10 +32,7 @@ Function BlockWriter::spindle_behind(const Form& form, const Block& block,
     if (form.spindle_parameter < 0) return Function::None;
     const auto parameter = static_cast<std::size_t>(form.spindle_parameter);
     if ((invocation.given >> parameter & 1u) == 0) return Function::None;
-    const auto code = static_cast<int>(block.argument(invocation, parameter));
-    const Function wanted = code == 3   ? Function::SpindleCw
-                            : code == 4 ? Function::SpindleCcw
-                                        : Function::SpindleStop;
+    const Function wanted = nc::spindle_of_code(std::trunc(block.argument(invocation, parameter)));
     return wanted == form.leaves ? Function::None : wanted;
 }
 
