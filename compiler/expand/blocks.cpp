@@ -189,9 +189,15 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     const sema::Slot* values = registers + instruction.a;
     if (modal.has_ended && recordings.empty()) [[unlikely]]
         warn_after_end(at);
-    const bool has_functions = block.function_count > 0 || block.motion != Function::None;
     bool owes_behind = false;
-    if (has_functions) {
+    if (block.function_count == 0 && block.motion != Function::None) {  // nearly all of them
+        if (plan.customs != 0 && !adapt(block, plan, at)) [[unlikely]]
+            return kFailed;
+        owes_behind = modal.take_functions(block, target.rules());
+        const bool is_thread = block.motion == Function::Thread;
+        if (is_thread && modal[Group::Diameter] == Function::None && options.warns_of_cuts)
+            warn_of_radius(block, at);
+    } else if (block.function_count != 0) {
         for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
             if (plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
                 return kFailed;
@@ -269,7 +275,8 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         if (owes_incremental && block.find(Function::Absolute) == nullptr) [[unlikely]]
             return_to_increments(block);
     }
-    if (has_functions && !(check_cutting_speed(block, at) && check_tool_change(block, at)))
+    if (block.function_count != 0 &&
+        !(check_cutting_speed(block, at) && check_tool_change(block, at)))
         return kFailed;
     if (modal.comp_choice != ModalState::kNoChoice && recordings.empty() &&
         !require_sure_compensation(block, at)) [[unlikely]]

@@ -1,4 +1,6 @@
 // The spindle and the feed around a cycle, and what is known behind it.
+#include <cmath>
+
 #include "write/block_writer.h"
 
 namespace kadr::write {

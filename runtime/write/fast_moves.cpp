@@ -82,10 +82,11 @@ bool FastMoves::write(const Block& block, std::string& out) {
     std::size_t count = 0;
     SlotMask changed = 0;
     const std::size_t system = modal_.units.inch ? 1 : 0;
+    const double of_lengths = text_scale(Dimension::Length, modal_.units, true);
     for (const FastAxis& axis : plan_.axes) {
         if (!block.has(axis.slot)) continue;
         const int decimals = axis.decimals[system];
-        const double scale = axis.is_length ? text_scale(Dimension::Length, modal_.units, true) : 1;
+        const double scale = axis.is_length ? of_lengths : 1;
         const double number = block.at(axis.slot) * scale;
         std::uint64_t scaled = 0;
         if (!scaled_magnitude(number, decimals, scaled) || scaled > axis.most) return false;

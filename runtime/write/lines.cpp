@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/numbers.h"
 #include "nc/comment_text.h"
 
 namespace kadr::write {
@@ -39,9 +40,7 @@ void Lines::open(int skip, bool has_number, std::string& out) {
     if (n < 0) return;
     std::array<char, 24> digits;
     char* end = digits.data() + digits.size();
-    char* begin = end;
-    do *--begin = static_cast<char>('0' + n % 10);
-    while ((n /= 10) != 0);
+    char* const begin = write_digits_backwards(end, static_cast<std::uint64_t>(n));
     out += 'N';
     out.append(begin, end);
 }
