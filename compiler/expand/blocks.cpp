@@ -163,20 +163,15 @@ static bool is_frame_of_language(const sema::Plan& plan) {
            });
 }
 
-Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& instruction,
-                                 const sema::Slot* registers, std::uint32_t at) {
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    Block& block = next_block(source);
-    if ((plan.customs & kOfCycles) != 0) [[unlikely]]
-        active_cycle.motion = modal[Group::Motion];
+/// What does not depend on values that are calculated.
+static inline void copy_constants(const sema::Plan& plan, int default_skip, Block& block) {
     block.motion = plan.motion;
     block.given = plan.given;
     block.incremental = plan.incremental;
     block.absolute = plan.absolute;
     block.argument_count = plan.argument_count;
-    block.skip = plan.skip == syntax::kDefaultSkipLevel
-                     ? static_cast<std::int8_t>(target.tables().notation.default_skip)
-                     : plan.skip;
+    block.skip =
+        plan.skip == syntax::kDefaultSkipLevel ? static_cast<std::int8_t>(default_skip) : plan.skip;
     block.cycle = plan.cycle;
     block.number = plan.number;
     block.feed_along_arc = (plan.customs & sema::custom::kFeedOfArc) != 0;
@@ -185,6 +180,15 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     for (std::size_t i = 0; i < plan.functions.size(); ++i) block.functions[i] = plan.functions[i];
     for (const auto& [place, value] : plan.arguments) block.arguments[place] = value;
     for (const auto& [place, value] : plan.values) block.values[place] = value;
+}
+
+Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& instruction,
+                                 const sema::Slot* registers, std::uint32_t at) {
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    Block& block = next_block(source);
+    if ((plan.customs & kOfCycles) != 0) [[unlikely]]
+        active_cycle.motion = modal[Group::Motion];
+    copy_constants(plan, target.tables().notation.default_skip, block);
     // Values of functions before those of F and S: the feed mode decides what F means.
     const sema::Slot* values = registers + instruction.a;
     if (modal.has_ended && recordings.empty()) [[unlikely]]

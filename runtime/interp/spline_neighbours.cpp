@@ -76,18 +76,14 @@ std::optional<Vec3> direction_into_next(MotionWords& words, const Block& block) 
                               0)
             .tangent;
     }
-    switch (motion) {
-        case Function::ArcThrough: {
-            const auto arc =
-                path::arc_through({start, linear(target.here)}, words.through_point(block));
-            return arc ? std::optional(start_of(*arc)) : std::nullopt;
-        }
-        case Function::Line:
-        case Function::Rapid:
-        // Its first control point is where the tool is, and the curve leaves it for the next one.
-        case Function::Spline: return way;
-        default: return std::nullopt;
+    if (motion == Function::ArcThrough) {
+        const auto arc =
+            path::arc_through({start, linear(target.here)}, words.through_point(block));
+        return arc ? std::optional(start_of(*arc)) : std::nullopt;
     }
+    // The first control point of a spline is where the tool is: the curve leaves it for the next.
+    const bool is_straight = nc::has_fact(motion, nc::Fact::Straight) || motion == Function::Spline;
+    return is_straight ? std::optional(way) : std::nullopt;
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ const std::set<std::string> kData = {"DialectTables", "Language", "Form",  "Comm
                                      "Segment",       "Piece",    "Frame", "Actions"};
 
 const std::map<std::string, std::size_t> kLargeHeaders = {
-    {"runtime/interp/executor.h", 861},      {"compiler/sema/checker.h", 587},
+    {"runtime/interp/executor.h", 862},      {"compiler/sema/checker.h", 587},
     {"compiler/expand/state.h", 531},        {"compiler/sema/code.h", 519},
     {"runtime/motion/prepare_state.h", 340},
 };
@@ -52,12 +52,12 @@ const std::set<std::string> kDataHeaders = {"compiler/syntax/ast.h", "runtime/nc
 /// Switches over one enum, and orders that are named; the others are still to be cut.
 const std::map<std::string, std::size_t> kLongFunctions = {
     {"add_own_effects", 300},                 // a switch over all functions
-    {"Executor::apply_own", 390},             // likewise
+    {"Executor::apply_own", 392},             // likewise
     {"Executor::quantity", 214},              // a switch over all quantities
     {"Expander::State::contour_value", 152},  // a switch over the questions to a contour
     {"dialect_rules", 156},                   // a table
     {"Executor::move", 128},                  // to be a classification and a switch
-    {"Expander::State::fill_block", 137},
+    {"Expander::State::fill_block", 129},
 };
 
 std::vector<std::string> lines_of(const fs::path& file) {
