@@ -3,7 +3,10 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
+#include "interp/channel.h"
 #include "interp/executor.h"
+#include "interp/motions.h"
+#include "interp/stages.h"
 
 namespace kadr::interp {
 
@@ -82,11 +85,11 @@ void Executor::close_line(const Block& block) {
         return;
     }
     const Vec2 corner = from + along * out;
-    motion_words().set_coordinate(first, axes.first, corner.x());
-    motion_words().set_coordinate(first, axes.second, corner.y());
+    channel_.motions.motion_words().set_coordinate(first, axes.first, corner.x());
+    channel_.motions.motion_words().set_coordinate(first, axes.second, corner.y());
     run(first);
-    settle(first);
-    if (!has_ended()) run(block);
+    channel_.stages.settle(first);
+    if (!reporter_.has_ended()) run(block);
 }
 
 /// Whether a word of the second line is a distance, with what both lines say of dimensions.

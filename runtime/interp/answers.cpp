@@ -1,15 +1,57 @@
 // What a program asks while it runs: positions, offsets, the programmed feed.
+#include "interp/answers.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "interp/executor.h"
+#include "interp/carriers.h"
+#include "interp/channel.h"
+#include "interp/radius_compensation.h"
+#include "interp/spindles.h"
+#include "interp/splines.h"
+#include "interp/tool_in_use.h"
+#include "interp/transformation.h"
 
 namespace kadr::interp {
 
 using nc::Quantity;
 
+Answers::Answers(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      machine_(channel.state.machine),
+      work_offsets_(channel.state.frame.work_offsets),
+      work_offset_(channel.state.frame.work_offset),
+      tool_offsets_(channel.state.tool.tool_offsets),
+      tool_names_(channel.state.tool.tool_names),
+      options_(channel.state.options),
+      rules_(channel.state.rules),
+      output_(channel.state.stage.output),
+      clocks_(channel.state.clocks),
+      probe_(channel.state.motion.probe),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      spindle_(channel.state.spindle.spindle),
+      other_spindles_(channel.state.spindle.other_spindles),
+      tool_(channel.state.tool.tool),
+      extra_(channel.state.tool.extra),
+      corners_(channel.state.stage.corners),
+      comp_(channel.state.stage.comp),
+      smooth_approach_(channel.state.stage.smooth_approach),
+      approached_(channel.state.stage.approached),
+      compensation_(channel.state.stage.compensation),
+      comp_3d_(channel.state.stage.comp_3d),
+      coolant_(channel.state.spindle.coolant),
+      owes_speed_(channel.state.spindle.owes_speed),
+      dynamics_(channel.state.motion.dynamics),
+      axes_(channel.state.axes),
+      length_shift_(channel.state.motion.length_shift),
+      preset_(channel.state.motion.preset),
+      modal_cycles_(channel.state.cycle.modal_cycles) {}
+
 /// A count of the machine's axes from 1, or a name: −1 X, −2 Y …
-std::optional<Axis> Executor::axis_of(std::int64_t index) const {
+std::optional<Axis> Answers::axis_of(std::int64_t index) const {
     if (index < 0) {
         const auto axis = static_cast<std::size_t>(-index - 1);
         if (axis >= kAxes || (axes_.present >> axis & 1u) == 0) return std::nullopt;
@@ -32,19 +74,19 @@ bool is_of_carrier(Quantity quantity) {
 
 }  // namespace
 
-bool Executor::is_length(std::int64_t index) const {
+bool Answers::is_length(std::int64_t index) const {
     const auto axis = axis_of(index);
     return axis && !is_rotary(*axis);
 }
 
-double Executor::word_factor(std::int64_t index) const {
+double Answers::word_factor(std::int64_t index) const {
     const auto axis = axis_of(index);
     return axis ? 1 / axes_.word_scale[kadr::index(*axis)] : 1;
 }
 
-std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
+std::optional<double> Answers::place_of(Quantity quantity, Axis axis) const {
     const std::size_t i = index(axis);
-    const AxisValues head = machine_axes();
+    const AxisValues head = channel_.transformation.machine_axes();
     switch (quantity) {
         case Quantity::EndPosition:
         case Quantity::WorkPosition: return position_.here[i];
@@ -60,7 +102,7 @@ std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
 }
 
 /// Where the tip is, seen from a frame.
-double Executor::place_within(const control::ControlFrame& frame, Axis axis) const {
+double Answers::place_within(const control::ControlFrame& frame, Axis axis) const {
     const std::size_t i = index(axis);
     if (i > 2) return position_.base[i] - frame.shift[i] - frame.fine[i];
     const path::Vec3 at{position_.base[0], position_.base[1], position_.base[2]};
@@ -68,7 +110,7 @@ double Executor::place_within(const control::ControlFrame& frame, Axis axis) con
 }
 
 /// A bit for each axis, in the order in which the machine has them.
-double Executor::mirrored_axes() const {
+double Answers::mirrored_axes() const {
     const AxisMask mirrored = frames_.mirrored();
     double bits = 0;
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
@@ -78,14 +120,14 @@ double Executor::mirrored_axes() const {
 }
 
 /// The clock takes notice of the commands that came out since it was last asked.
-void Executor::count_time() {
+void Answers::count_time() {
     for (; clocks_.timed < output_.written(); ++clocks_.timed)
         clocks_.run.add(output_.at(clocks_.timed));
 }
 
 /// How long the program has run, s: what waits for its corner has been executed by then. A corner
 /// may make it a little shorter than it was taken for; time never goes back for that.
-double Executor::run_time() {
+double Answers::run_time() {
     count_time();
     RunClock clock = clocks_.run;
     const auto add = [&](const path::Command& command) { clock.add(command); };
@@ -99,7 +141,7 @@ double Executor::run_time() {
     return clocks_.latest;
 }
 
-std::optional<double> Executor::clock(Quantity quantity) {
+std::optional<double> Answers::clock(Quantity quantity) {
     constexpr double kDay = 86400;
     constexpr double kHour = 3600;
     constexpr double kMilliseconds = 2147483648;  // then the counter begins again; F 6.5
@@ -120,7 +162,7 @@ std::optional<double> Executor::clock(Quantity quantity) {
 }
 
 /// The day of the run, and the time of the day, running time included.
-std::optional<double> Executor::calendar(Quantity quantity) {
+std::optional<double> Answers::calendar(Quantity quantity) {
     constexpr double kDay = 86400;
     const double of_day = std::fmod(std::floor(options_.time_of_day + run_time()), kDay);
     const auto date = static_cast<double>(options_.date);  // YYYYMMDD
@@ -138,20 +180,20 @@ std::optional<double> Executor::calendar(Quantity quantity) {
 }
 
 /// As SINUMERIK counts the data of a tool; S 5.1.
-std::optional<double> Executor::tool_datum(std::int64_t number) const {
+std::optional<double> Answers::tool_datum(std::int64_t number) const {
     if (const auto column = ToolOffsets::column_of_datum(number))
         return tool_offsets_.value(*column, tool_.edge_number());
     if (number < 1 || number > ToolOffsets::kMostNumberedDatum) return std::nullopt;
     return tool_offsets_.datum(tool_.edge_number(), number);
 }
 
-double Executor::timer(std::int64_t number) {
+double Answers::timer(std::int64_t number) {
     const auto found = clocks_.timers.find(number);
     if (found == clocks_.timers.end()) return 0;
     return found->second.runs ? run_time() + found->second.value : found->second.value;
 }
 
-void Executor::set_timer(std::int64_t number, double value) {
+void Answers::set_timer(std::int64_t number, double value) {
     if (value < 0) {
         clocks_.timers[number] = {timer(number), false};
     } else {
@@ -159,9 +201,9 @@ void Executor::set_timer(std::int64_t number, double value) {
     }
 }
 
-std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
-                                         std::int64_t second) {
-    finish_open_spline();  // where the tool is cannot be said inside of one
+std::optional<double> Answers::quantity(Quantity quantity, std::int64_t first,
+                                        std::int64_t second) {
+    channel_.splines.finish_open_spline();  // where the tool is cannot be said inside of one
     const auto number = [](std::int64_t value) { return static_cast<double>(value); };
     switch (quantity) {
         case Quantity::EndPosition:
@@ -187,7 +229,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             const auto i = static_cast<std::size_t>(first);
             return i < work_offsets_.size() ? work_offsets_[i].shift[index(*axis)] : 0.0;
         }
-        case Quantity::Transformation: return is_transformed() ? 1 : 0;
+        case Quantity::Transformation: return channel_.transformation.is_transformed() ? 1 : 0;
         case Quantity::ActiveWorkOffset: return number(work_offset_);
         case Quantity::ActiveAdditionalOffset:
             return number(std::max<std::int64_t>(0, work_offset_ - 6));
@@ -196,12 +238,12 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::SpindleCount:
             return number(static_cast<std::int64_t>(other_spindles_.size()) + 1);
         case Quantity::Speed: {
-            const Spindle* const spindle = spindle_at(first);
+            const Spindle* const spindle = channel_.spindles.spindle_at(first);
             if (spindle == nullptr) return std::nullopt;
             return spindle->has_cutting_speed ? spindle->cutting_speed : spindle->speed;
         }
         case Quantity::SpindleDirection: {
-            const Spindle* const spindle = spindle_at(first);
+            const Spindle* const spindle = channel_.spindles.spindle_at(first);
             if (spindle == nullptr) return std::nullopt;
             switch (spindle->mode) {
                 case path::SpindleMode::Cw: return 3;
@@ -223,15 +265,16 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                        : tool_offsets_.length(static_cast<std::size_t>(first),
                                               tool_.length_number()) +
                              extra_.lengths[static_cast<Eigen::Index>(first) - 1] +
-                             sum_offset(static_cast<std::size_t>(first));
+                             channel_.tool.sum_offset(static_cast<std::size_t>(first));
         case Quantity::Timer: return timer(first);
         case Quantity::CuttingTime: run_time(); return clocks_.cutting;
         case Quantity::ToolRadius:
             if (tool_.source == Tool::Source::None) return 0;
-            return tool_offsets_.radius(tool_.edge_number()) + extra_.radius + sum_offset(4);
+            return tool_offsets_.radius(tool_.edge_number()) + extra_.radius +
+                   channel_.tool.sum_offset(4);
         case Quantity::ActiveToolDatum: return tool_datum(first);
         case Quantity::ToolDatum:
-            if (!has_edge(first, second % nc::kDatum)) return std::nullopt;
+            if (!channel_.tool.has_edge(first, second % nc::kDatum)) return std::nullopt;
             return tool_offsets_.datum(ToolOffsets::of_edge(first, second % nc::kDatum),
                                        second / nc::kDatum);
         case Quantity::CarrierDatum:
@@ -239,7 +282,8 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ActiveCarrier:
         case Quantity::CarrierAngle:
         case Quantity::CarrierLeftOver:
-        case Quantity::CarrierSolutions: return carrier_quantity(quantity, first, second);
+        case Quantity::CarrierSolutions:
+            return channel_.carriers.carrier_quantity(quantity, first, second);
         case Quantity::FirstExtraLength: return extra_.lengths[0];
         case Quantity::ExtraLength:
             if (first < 1 || first > 3) return std::nullopt;
@@ -251,12 +295,13 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         }
         case Quantity::ExtraRadius: return extra_.radius;
         case Quantity::ActualSpeed: {
-            const Spindle* const spindle = spindle_at(first);
+            const Spindle* const spindle = channel_.spindles.spindle_at(first);
             if (spindle == nullptr) return std::nullopt;
             const bool is_ccw = spindle->mode == path::SpindleMode::Ccw;
             if (!is_ccw && spindle->mode != path::SpindleMode::Cw) return 0;
             // Only the master has a constant cutting speed.
-            const double speed = spindle->has_cutting_speed ? turning_speed() : spindle->told.speed;
+            const double speed = spindle->has_cutting_speed ? channel_.spindles.turning_speed()
+                                                            : spindle->told.speed;
             return is_ccw ? -speed : speed;
         }
         case Quantity::LengthGeometry:
@@ -276,7 +321,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ThirdBase:
         case Quantity::ToolTip:
         case Quantity::ToolType: {
-            if (!has_edge(first, second)) return std::nullopt;
+            if (!channel_.tool.has_edge(first, second)) return std::nullopt;
             const bool is_cross =
                 quantity == Quantity::CrossGeometry || quantity == Quantity::CrossWear;
             const std::int64_t at = ToolOffsets::of_edge(first, second);
@@ -287,7 +332,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::EdgeNumberOf: return number(tool_offsets_.number_of(first, second));
         case Quantity::ToolWithEdge: return number(tool_offsets_.tool_with(first, second));
         case Quantity::CuttingEdge:
-            if (!has_edge(first, second)) return std::nullopt;
+            if (!channel_.tool.has_edge(first, second)) return std::nullopt;
             return number(tool_offsets_.cutting_edge(first, second));
         case Quantity::ApproachStart:
         case Quantity::ApproachEnd: {
@@ -373,8 +418,8 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
     return std::nullopt;
 }
 
-std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index) {
-    if (is_of_carrier(quantity)) return carrier_text(quantity, index);
+std::optional<std::string> Answers::text(Quantity quantity, std::int64_t index) {
+    if (is_of_carrier(quantity)) return channel_.carriers.carrier_text(quantity, index);
     const bool is_active = quantity == Quantity::ToolName;
     if (!is_active && quantity != Quantity::ToolNameOf) return std::nullopt;
     const std::int64_t number = is_active ? tool_.current : index;
@@ -382,19 +427,23 @@ std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index)
     return tool_names_.of(number);
 }
 
-ControlAccess::Write Executor::set_text(Quantity quantity, std::int64_t index,
-                                        std::string_view text) {
-    if (is_of_carrier(quantity)) return set_carrier_text(quantity, index, text);
+ControlAccess::Write Answers::set_text(Quantity quantity, std::int64_t index,
+                                       std::string_view text) {
+    if (is_of_carrier(quantity)) return channel_.carriers.set_carrier_text(quantity, index, text);
     if (quantity != Quantity::ToolNameOf) return ControlAccess::Write::Refused;
     if (index < 1 || index > rules_.tool_offsets) return ControlAccess::Write::NoSuchEntry;
     tool_names_.set(index, text);
     return ControlAccess::Write::Done;
 }
 
-std::optional<std::int64_t> Executor::axis_number(Axis axis) const {
+std::optional<std::int64_t> Answers::axis_number(Axis axis) const {
     const auto found = std::ranges::find(machine_.axes, axis, &machine::MachineAxis::axis);
     if (found == machine_.axes.end()) return std::nullopt;
     return found - machine_.axes.begin() + 1;
+}
+
+bool Answers::is_compensated() const {
+    return channel_.compensation.is_any_comp_on() || smooth_approach_.is_active();
 }
 
 }  // namespace kadr::interp

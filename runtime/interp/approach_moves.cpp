@@ -10,7 +10,14 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/radius_compensation.h"
+#include "interp/smooth_approaches.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
 #include "path/approach_path.h"
 
 namespace kadr::interp {
@@ -37,9 +44,27 @@ path::ApproachShape approach_shape_of(double number) {
 
 }  // namespace
 
+SmoothApproaches::SmoothApproaches(Channel& channel)
+    : channel_(channel),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      output_(channel.state.stage.output),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      tool_(channel.state.tool.tool),
+      came_from_(channel.state.motion.came_from),
+      comp_(channel.state.stage.comp),
+      approach_choice_(channel.state.stage.approach_choice),
+      smooth_approach_(channel.state.stage.smooth_approach),
+      approached_(channel.state.stage.approached),
+      compensation_(channel.state.stage.compensation),
+      has_moved_(channel.state.motion.has_moved) {}
+
 /// The words of the block, and how the tool moves before and behind the slow infeed. Nothing: it
 /// was reported.
-std::optional<ApproachMove> Executor::approach_move_of(const Block& block, const Actions& actions) {
+std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& block,
+                                                               const Actions& actions) {
     if (frames_.is_plane_tilted(modal_.plane)) {
         reporter_.report(diag::IsoNotSupported, block)
             .arg("a soft approach or retract in a tilted plane");
@@ -63,7 +88,7 @@ std::optional<ApproachMove> Executor::approach_move_of(const Block& block, const
     }
     if (const Invocation* said = block.find(Function::ApproachFeed))
         move.slow_feed = block.argument(*said, parameter_of<Function::ApproachFeed>("feed"));
-    if (!require_feed(block, "soft approach or retract")) return std::nullopt;
+    if (!channel_.checks.require_feed(block, "soft approach or retract")) return std::nullopt;
     const auto motion = [&](bool is_rapid, double feed) {
         Command command;
         command.op = is_rapid ? Op::Rapid : Op::Line;
@@ -85,7 +110,7 @@ std::optional<ApproachMove> Executor::approach_move_of(const Block& block, const
 }
 
 /// A coordinate along the tool axis, in the base system.
-double Executor::base_level(double programmed) const {
+double SmoothApproaches::base_level(double programmed) const {
     AxisValues here = position_.here;
     const std::size_t normal = index(path::axes_of(modal_.plane).normal);
     here[normal] = programmed;
@@ -94,8 +119,9 @@ double Executor::base_level(double programmed) const {
 
 /// The way as an element of the contour, seen from the place P4 on it; `tool` is where the tool
 /// comes from or goes to. Nothing: it was reported.
-std::optional<path::ApproachPath> Executor::soft_way(const Block& block, const ApproachMove& move,
-                                                     const ApproachPoint& at) {
+std::optional<path::ApproachPath> SmoothApproaches::soft_way(const Block& block,
+                                                             const ApproachMove& move,
+                                                             const ApproachPoint& at) {
     // A line is as long as it takes to keep the cutter DISR away from the contour's end.
     const double offset = compensation_.is_on() ? compensation_.distance() : 0;
     path::ApproachPath way{move.shape, move.radius + std::abs(offset), offset > 0};
@@ -132,8 +158,8 @@ std::optional<path::ApproachPath> Executor::soft_way(const Block& block, const A
 }
 
 /// Where fast and slow infeed meet, in the base system. Nothing: it was reported.
-std::optional<double> Executor::approach_level(const Block& block, const ApproachMove& move,
-                                               double contour, double tool) {
+std::optional<double> SmoothApproaches::approach_level(const Block& block, const ApproachMove& move,
+                                                       double contour, double tool) {
     const double sign = tool < contour ? -1 : 1;
     const double level = move.level.value_or(contour + sign * move.clearance);
     const double above = (level - contour) * sign;
@@ -144,55 +170,58 @@ std::optional<double> Executor::approach_level(const Block& block, const Approac
     return std::nullopt;
 }
 
-void Executor::approach_smoothly(const Block& block, const Actions& actions) {
+void SmoothApproaches::approach_smoothly(const Block& block, const Actions& actions) {
     const std::optional<ApproachMove> move = approach_move_of(block, actions);
     if (!move) return;
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (!motion_words().require_axes(block, targets)) return;
+    if (!channel_.motions.motion_words().require_axes(block, targets)) return;
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const SlotMask plane = bit(nc::slot_of(axes.first)) | bit(nc::slot_of(axes.second));
-    const Target target = motion_words().target_of(block, targets);
-    if (tool_.has_changed) activate_length(block, target.moved);
-    if (!require_within_limits(block, target.base, target.moved)) return;
-    leave_corners(diag::CornerWithoutMotion);
-    if (has_ended()) return;
+    const Target target = channel_.motions.motion_words().target_of(block, targets);
+    if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
+    if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
+    channel_.cornering.leave_corners(diag::CornerWithoutMotion);
+    if (reporter_.has_ended()) return;
     // A contour that was followed so far ends on its normal, and the compensation begins anew.
     const bool is_new = actions.radius_comp.has_value();
     if (compensation_.is_on() && !comp_.is_on()) {
-        stop_comp();
+        channel_.compensation.stop_comp();
     } else if (compensation_.is_on() && !is_new) {
-        send_comp(comp_change(block, CompChange::Kind::Begin));
+        channel_.compensation.send_comp(
+            channel_.compensation.comp_change(block, CompChange::Kind::Begin));
     }
-    if (has_ended()) return;
+    if (reporter_.has_ended()) return;
     has_moved_ = true;
     smooth_approach_.begin(*move, modal_.plane, position_.base, target.base, (targets & plane) != 0,
                            (targets & bit(nc::slot_of(axes.normal))) != 0);
-    arrive(target);
+    channel_.motions.arrive(target);
 }
 
 /// What a block has put while an approach waits; when its contour has begun, all goes on.
-void Executor::settle_approach(const Block& block) {
+void SmoothApproaches::settle_approach(const Block& block) {
     if (reporter_.has_alarm()) return;
     if (const DiagnosticRow* fault = smooth_approach_.end_block(rules_.comp_empty_blocks)) {
         reporter_.report(*fault, block);
         return;
     }
     if (smooth_approach_.is_active()) {
-        if (has_ended()) reporter_.report(diag::SoftNoDirection, block);
+        if (reporter_.has_ended()) reporter_.report(diag::SoftNoDirection, block);
         return;
     }
     put_smooth_approach();
     if (reporter_.has_alarm()) return;
-    for (Command& command : smooth_approach_.waiting()) behind_corners() = std::move(command);
+    for (Command& command : smooth_approach_.waiting())
+        channel_.stages.behind_corners() = std::move(command);
     smooth_approach_.waiting().clear();
 }
 
-void Executor::put_smooth_approach() {
+void SmoothApproaches::put_smooth_approach() {
     const ApproachMove& move = smooth_approach_.move();
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const std::size_t normal = index(axes.normal);
     const AxisValues& contour = smooth_approach_.place();
-    const Block at = block_at(move.slow.source, move.slow.line);  // messages are about the approach
+    const Block at = channel_.stages.block_at(move.slow.source,
+                                              move.slow.line);  // messages are about the approach
     const ApproachPoint place{in_plane(contour), smooth_approach_.direction(),
                               in_plane(smooth_approach_.from())};
     const std::optional<path::ApproachPath> way = soft_way(at, move, place);
@@ -229,17 +258,17 @@ void Executor::put_smooth_approach() {
 }
 
 /// A move of the tool axis alone, from `here`, which follows it; none if it stands there.
-void Executor::put_infeed(Command command, AxisValues& here, double level) {
+void SmoothApproaches::put_infeed(Command command, AxisValues& here, double level) {
     const Axis normal = path::axes_of(modal_.plane).normal;
     if (std::abs(here[index(normal)] - level) < path::kSamePoint) return;
     here[index(normal)] = level;
     command.to = here;
     command.moved = bit(normal);
-    behind_corners() = std::move(command);
+    channel_.stages.behind_corners() = std::move(command);
 }
 
 /// The way in the plane, with the level of `command.to`.
-void Executor::put_approach_path(Command command, const Element& element) {
+void SmoothApproaches::put_approach_path(Command command, const Element& element) {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     command.moved = kLinearXYZ;
     set_in_plane(command.to, element.to);
@@ -252,32 +281,32 @@ void Executor::put_approach_path(Command command, const Element& element) {
         command.sweep = std::abs(element.sweep);
         command.is_clockwise = element.sweep < 0;
     }
-    behind_corners() = std::move(command);
+    channel_.stages.behind_corners() = std::move(command);
 }
 
-Vec2 Executor::in_plane(const AxisValues& values) const {
+Vec2 SmoothApproaches::in_plane(const AxisValues& values) const {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     return {values[index(axes.first)], values[index(axes.second)]};
 }
 
-void Executor::set_in_plane(AxisValues& values, const Vec2& place) const {
+void SmoothApproaches::set_in_plane(AxisValues& values, const Vec2& place) const {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     values[index(axes.first)] = place.x();
     values[index(axes.second)] = place.y();
 }
 
-void Executor::retract_smoothly(const Block& block, const Actions& actions) {
+void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actions) {
     const std::optional<ApproachMove> move = approach_move_of(block, actions);
     if (!move) return;
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (!motion_words().require_axes(block, targets)) return;
-    leave_corners(diag::CornerWithoutMotion);
-    if (has_ended()) return;
+    if (!channel_.motions.motion_words().require_axes(block, targets)) return;
+    channel_.cornering.leave_corners(diag::CornerWithoutMotion);
+    if (reporter_.has_ended()) return;
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const std::size_t normal = index(axes.normal);
     const SlotMask plane = bit(nc::slot_of(axes.first)) | bit(nc::slot_of(axes.second));
     const bool has_place = (targets & plane) != 0;
-    const Target target = motion_words().target_of(block, targets);
+    const Target target = channel_.motions.motion_words().target_of(block, targets);
     AxisValues before = position_.base;
     for (std::size_t i = 0; i < 3; ++i) before[i] = came_from_[static_cast<Eigen::Index>(i)];
     const Vec2 came = in_plane(position_.base) - in_plane(before);
@@ -297,7 +326,7 @@ void Executor::retract_smoothly(const Block& block, const Actions& actions) {
     const double tool =
         has_level ? target.base[normal] : move->level.value_or(contour + move->clearance);
     const std::optional<double> level = approach_level(block, *move, contour, tool);
-    if (!level || !require_within_limits(block, target.base, target.moved)) return;
+    if (!level || !channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
 
     const Element element = path::way_from(place.place, place.direction, *way);
@@ -313,9 +342,9 @@ void Executor::retract_smoothly(const Block& block, const Actions& actions) {
     put_infeed(move->fast, here, tool);  // P1
     const bool was_on = compensation_.is_on();
     if (was_on) {
-        settle_comp(block, here);
-        if (!has_ended()) stop_comp();
-        if (has_ended()) return;
+        channel_.compensation.settle_comp(block, here);
+        if (!reporter_.has_ended()) channel_.compensation.stop_comp();
+        if (reporter_.has_ended()) return;
         here = compensation_.place();
     }
     if (has_place) {  // P0
@@ -326,9 +355,12 @@ void Executor::retract_smoothly(const Block& block, const Actions& actions) {
         here = away.to;
         output_.next() = std::move(away);
     }
-    arrive({frames_.from_base(here), here,
-            static_cast<AxisMask>(target.moved | bit(axes.first) | bit(axes.second))});
-    if (comp_.is_on() && was_on) send_comp(comp_change(block, CompChange::Kind::Begin));
+    channel_.motions.arrive(
+        {frames_.from_base(here), here,
+         static_cast<AxisMask>(target.moved | bit(axes.first) | bit(axes.second))});
+    if (comp_.is_on() && was_on)
+        channel_.compensation.send_comp(
+            channel_.compensation.comp_change(block, CompChange::Kind::Begin));
 }
 
 }  // namespace kadr::interp

@@ -7,7 +7,13 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
 #include "path/linear.h"
 
 namespace kadr::interp {
@@ -42,16 +48,16 @@ Vec3 place_at(const path::Arc& arc, double part) {
 
 }  // namespace
 
-void Executor::thread_along_arc(const Block& block, const Target& target, const Actions& actions) {
+void Motions::thread_along_arc(const Block& block, const Target& target, const Actions& actions) {
     const std::optional<path::Arc> arc = arc_of_thread(block, target);
     if (!arc) return;
     const std::optional<Lead> lead = pitch_of_arc(block, arc->end - arc->start);
     if (!lead) return;
     if (!require_thread_spindle(block)) return;
-    leave_corners(diag::CornerNotContour);
-    if (has_ended()) return;
-    check_tool(block);
-    if (tool_.has_changed) activate_length(block, target.moved);
+    channel_.cornering.leave_corners(diag::CornerNotContour);
+    if (reporter_.has_ended()) return;
+    channel_.checks.check_tool(block);
+    if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     const int lines = lines_of(*arc);
     const double whole = arc->end[lead->axis] - arc->start[lead->axis];
     // The whole arc is looked at before the first of its lines is put out.
@@ -65,7 +71,7 @@ void Executor::thread_along_arc(const Block& block, const Target& target, const 
         return;
     }
     const Target begin{position_.here, position_.base, target.moved};
-    for (int i = 1; i <= lines && !has_ended(); ++i) {
+    for (int i = 1; i <= lines && !reporter_.has_ended(); ++i) {
         const double part = static_cast<double>(i) / lines;
         Target at = target;
         if (i < lines) {
@@ -76,14 +82,14 @@ void Executor::thread_along_arc(const Block& block, const Target& target, const 
             }
             at.base = frames_.to_base(at.here);
         }
-        if (!require_within_limits(block, at.base, at.moved)) return;
+        if (!channel_.checks.require_within_limits(block, at.base, at.moved)) return;
         has_moved_ = true;
         const Vec3 way = linear(at.here) - linear(position_.here);
         const double length = (linear(at.base) - linear(position_.base)).norm();
-        Command& command = put(Op::Thread, block);
+        Command& command = channel_.stages.put(Op::Thread, block);
         command.to = at.base;
         command.moved = at.moved;
-        command.exact_stop = i == lines && stops_exactly(actions.exact_stop);
+        command.exact_stop = i == lines && channel_.smoothing.stops_exactly(actions.exact_stop);
         command.feed_mode = path::FeedMode::PerRevolution;
         command.feed = lead->pitch * length / std::abs(way[lead->axis]);
         command.lead_change = 0;
@@ -94,7 +100,7 @@ void Executor::thread_along_arc(const Block& block, const Target& target, const 
 
 /// The arc of the block in the programmed system; nothing if it was reported. Where the words of
 /// the centre are the pitch, the radius or the opening says which arc it is.
-std::optional<path::Arc> Executor::arc_of_thread(const Block& block, const Target& target) {
+std::optional<path::Arc> Motions::arc_of_thread(const Block& block, const Target& target) {
     Block words = block;
     if (!rules_.thread_pitch_is_feed) words.given &= ~SlotMask{nc::kCenterSlots};
     const bool has_form =
@@ -114,7 +120,7 @@ std::optional<path::Arc> Executor::arc_of_thread(const Block& block, const Targe
 }
 
 /// Along which axis the pitch is, and how large; nothing if it was reported.
-std::optional<Lead> Executor::pitch_of_arc(const Block& block, const Vec3& way) {
+std::optional<Lead> Motions::pitch_of_arc(const Block& block, const Vec3& way) {
     Eigen::Index longest = 0;
     way.cwiseAbs().maxCoeff(&longest);
     const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];

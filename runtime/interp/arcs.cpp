@@ -10,7 +10,13 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/danger_watch.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
 #include "path/helix.h"
 #include "path/linear.h"
 
@@ -46,8 +52,8 @@ std::optional<Axis> missing_axis(AxisMask present, path::Plane plane) {
 
 }  // namespace
 
-void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
-    if (!require_feed(block, "arc")) return;
+void Motions::arc(const Block& block, const Target& target, bool exact_stop) {
+    if (!channel_.checks.require_feed(block, "arc")) return;
     const auto missing = missing_axis(axes_.present, modal_.plane);
     if (missing && !virtual_.axes.is_on()) {
         DiagnosticBuilder message = reporter_.report(diag::AxisMissing, block, modal_.motion);
@@ -77,8 +83,8 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
 
 /// An arc of the programmed system becomes one of the base system, and a command. A frame that
 /// mirrors turns the arc round, which the product of two directions across its axis shows.
-void Executor::put_arc(const Block& block, const path::Arc& programmed, const Target& target,
-                       bool exact_stop) {
+void Motions::put_arc(const Block& block, const path::Arc& programmed, const Target& target,
+                      bool exact_stop) {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const Vec3 third = path::unit(plane.normal);
     const path::Frame& frame = frames_.total();
@@ -96,7 +102,7 @@ void Executor::put_arc(const Block& block, const path::Arc& programmed, const Ta
 
 /// Under unequal factors: an arc by its radius between the scaled ends, where the control makes
 /// one.
-void Executor::stretched_arc(const Block& block, const Target& target, bool exact_stop) {
+void Motions::stretched_arc(const Block& block, const Target& target, bool exact_stop) {
     const SlotMask thirds = bit(nc::slot_of(path::axes_of(modal_.plane).normal));
     const bool is_helix = !block.has(Slot::Radius) && (block.given & thirds) != 0;
     if (!rules_.arc_radius_scaled_by_larger || frames_.is_plane_tilted(modal_.plane) || is_helix) {
@@ -117,8 +123,8 @@ void Executor::stretched_arc(const Block& block, const Target& target, bool exac
 
 /// Centre and end are scaled each by its axis; the arc goes about the centre to the direction of
 /// the end, and a line to the end itself.
-void Executor::stretched_arc_about_center(const Block& block, const Target& target,
-                                          bool exact_stop) {
+void Motions::stretched_arc_about_center(const Block& block, const Target& target,
+                                         bool exact_stop) {
     const std::optional<Vec3> programmed =
         motion_words().center_of_arc(block, linear(position_.here));
     if (!programmed) return;
@@ -143,25 +149,26 @@ void Executor::stretched_arc_about_center(const Block& block, const Target& targ
     turned.here = frames_.from_base(turned.base);
     const bool is_on_arc = (arc.end - linear(target.base)).norm() < path::kSamePoint;
     put_base_arc(block, arc, turned, exact_stop && is_on_arc);
-    if (!is_on_arc && !has_ended()) line(block, target, Op::Line, exact_stop);
+    if (!is_on_arc && !reporter_.has_ended()) line(block, target, Op::Line, exact_stop);
 }
 
 /// An arc of the base system as a command.
-void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Target& programmed,
-                            bool exact_stop) {
+void Motions::put_base_arc(const Block& block, const path::Arc& arc, const Target& programmed,
+                           bool exact_stop) {
     const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
     Target target = programmed;
-    if (tool_.has_changed && !activate_length_on_arc(block, arc.normal, target.moved)) return;
+    if (tool_.has_changed && !channel_.tool.activate_length_on_arc(block, arc.normal, target.moved))
+        return;
     if (course_) {
         const path::Curve way =
             path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep);
-        if (!lay_directions(block, way, target)) return;
+        if (!channel_.tool_motion.lay_directions(block, way, target)) return;
     }
-    if (!require_arc_within_limits(block, arc, target)) return;
+    if (!channel_.checks.require_arc_within_limits(block, arc, target)) return;
     if (spindle_.has_cutting_speed) [[unlikely]]
-        watch_cutting_speed(block, position_.here[0], target.here[0]);
+        channel_.dangers.watch_cutting_speed(block, position_.here[0], target.here[0]);
 
-    Command& command = put(Op::Arc, block);
+    Command& command = channel_.stages.put(Op::Arc, block);
     command.to = target.base;
     command.moved = target.moved;
     command.exact_stop = exact_stop;
@@ -183,7 +190,7 @@ void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Targ
     came_from_ = arc.end - arc.normal.cross(arc.end - arc.center) - arc.normal * climb;
 }
 
-void Executor::warn_arc_word(const Block& block, SlotMask words) {
+void Motions::warn_arc_word(const Block& block, SlotMask words) {
     const Slot slot = first_slot(words);
     reporter_.report(diag::ArcWordUnused, block, slot)
         .arg(slot_word(slot))

@@ -12,7 +12,12 @@
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/carriers.h"
+#include "interp/channel.h"
+#include "interp/programmed_frames.h"
+#include "interp/tilted_planes.h"
+#include "interp/tool_in_use.h"
+#include "interp/transformation.h"
 #include "machine/tilted_plane.h"
 
 namespace kadr::interp {
@@ -47,7 +52,23 @@ std::size_t name_place(Quantity quantity) {
 
 }  // namespace
 
-void Executor::choose_carrier(const Block& block, const Invocation& invocation, Actions& actions) {
+Carriers::Carriers(Channel& channel)
+    : channel_(channel),
+      machine_(channel.state.machine),
+      reporter_(channel.state.reporter),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      tool_(channel.state.tool.tool),
+      carriers_(channel.state.tool.carriers),
+      carrier_(channel.state.tool.carrier),
+      orienting_(channel.state.tool.orienting),
+      tilted_plane_(channel.state.tool.tilted_plane),
+      virtual_(channel.state.tool.virtual_axes),
+      comp_(channel.state.stage.comp),
+      axes_(channel.state.axes) {}
+
+void Carriers::choose_carrier(const Block& block, const Invocation& invocation, Actions& actions) {
     switch (invocation.function) {
         case Function::ToolCarrier:
             carrier_.number = std::llround(
@@ -65,18 +86,18 @@ void Executor::choose_carrier(const Block& block, const Invocation& invocation, 
 }
 
 /// Whether the carrier has to be worked out anew: it, its angles, or a tool on it is said.
-bool Executor::takes_carrier(const Block& block, const Actions& actions) const {
+bool Carriers::takes_carrier(const Block& block, const Actions& actions) const {
     if (actions.programs_carrier)
         return carrier_.number != 0 || carrier_.stand || block.find(Function::ToolCarrier);
     return carrier_.stand && (actions.tool_change || block.find(Function::ToolEdge) != nullptr);
 }
 
-void Executor::take_carrier(const Block& block) {
+void Carriers::take_carrier(const Block& block) {
     const Function word =
         block.find(Function::ToolCarrier) != nullptr ? Function::ToolCarrier : Function::None;
     if (carrier_.number == 0) {
         if (carrier_.stand) end_carrier();
-        drop_carry(block);
+        channel_.tilted_planes.drop_carry(block);
         return;
     }
     if (orienting_.is_on || virtual_.axes.is_on()) {
@@ -96,14 +117,14 @@ void Executor::take_carrier(const Block& block) {
     }
     const std::optional<Carrier> stand = standing_carrier(block, *data);
     if (!stand) return;
-    drop_carry(block);
+    channel_.tilted_planes.drop_carry(block);
     carrier_.stand = stand;
     lay_on_carrier();
     tool_.has_changed = true;
 }
 
 /// The carrier with the angles that its data, the axes or the frame say; nothing: it was reported.
-std::optional<Carrier> Executor::standing_carrier(const Block& block, const CarrierData& data) {
+std::optional<Carrier> Carriers::standing_carrier(const Block& block, const CarrierData& data) {
     std::optional<Carrier> carrier = carrier_of(data);
     if (!carrier) {
         reporter_.report(diag::CarrierKindUnknown, block).arg(data.kind);
@@ -132,36 +153,36 @@ std::optional<Carrier> Executor::standing_carrier(const Block& block, const Carr
 }
 
 /// Frames lie on the carrier's table; no axis moves.
-void Executor::lay_on_carrier() {
+void Carriers::lay_on_carrier() {
     path::Frame tables = path::translation(carrier_.stand->table_shift());
     if (tilted_plane_.on_tables) tables.linear = carrier_.stand->table();
     frames_.set_tables(tables);
-    frame_changed();
+    channel_.frames.frame_changed();
 }
 
-void Executor::end_carrier() {
+void Carriers::end_carrier() {
     carrier_.number = 0;
     carrier_.stand.reset();
-    frames_.set_tables(
-        tilted_plane_.on_tables && machine_.kinematics
-            ? machine::table_frame(machine_.kinematics->chain, joints_of(position_.base))
-            : path::Frame{});
-    frame_changed();
+    frames_.set_tables(tilted_plane_.on_tables && machine_.kinematics
+                           ? machine::table_frame(machine_.kinematics->chain,
+                                                  channel_.transformation.joints_of(position_.base))
+                           : path::Frame{});
+    channel_.frames.frame_changed();
     tool_.has_changed = true;
 }
 
 /// The plane that is being swivelled to has its own: the lengths are those of the tool again.
 /// False: no carrier acted.
-bool Executor::leave_carrier() {
+bool Carriers::leave_carrier() {
     if (!carrier_.stand) return false;
     carrier_.number = 0;
     carrier_.stand.reset();
-    tool_.lengths = wanted_lengths();
+    tool_.lengths = channel_.tool.wanted_lengths();
     return true;
 }
 
 /// No transformation is switched on beside a carrier.
-Done Executor::require_no_carrier(const Block& block, Function function) {
+Done Carriers::require_no_carrier(const Block& block, Function function) {
     if (!carrier_.stand || function == Function::TcpOff) return kDone;
     reporter_.report(diag::IsoNotSupported, block, function)
         .arg("a transformation beside a tool carrier");
@@ -169,12 +190,12 @@ Done Executor::require_no_carrier(const Block& block, Function function) {
 }
 
 /// Whether a carrier has turned the tool.
-bool Executor::is_turned_by_carrier() const {
+bool Carriers::is_turned_by_carrier() const {
     return carrier_.stand && !carrier_.stand->head().isApprox(path::Mat3::Identity(), 1e-12);
 }
 
 /// … and the working plane of the program is square to it.
-bool Executor::is_plane_on_carrier() const {
+bool Carriers::is_plane_on_carrier() const {
     const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
     const Vec3 tool = carrier_.stand->head() * normal;
     constexpr double kSame = 1e-6;  // rad: angles are written with some four decimals of a degree
@@ -183,7 +204,7 @@ bool Executor::is_plane_on_carrier() const {
 
 // ------------------------------------------------------------------------------ data
 
-std::optional<double> Executor::carrier_quantity(Quantity quantity, std::int64_t first,
+std::optional<double> Carriers::carrier_quantity(Quantity quantity, std::int64_t first,
                                                  std::int64_t second) const {
     const auto& stand = carrier_.stand;
     switch (quantity) {
@@ -209,7 +230,7 @@ std::optional<double> Executor::carrier_quantity(Quantity quantity, std::int64_t
 
 /// What of a carrier that acts is written counts from its next call on. `$TC_CARR1[0]=0` forgets
 /// all carriers.
-Write Executor::set_carrier(Quantity quantity, std::int64_t first, std::int64_t second,
+Write Carriers::set_carrier(Quantity quantity, std::int64_t first, std::int64_t second,
                             double value) {
     const auto datum = static_cast<std::size_t>(second / nc::kDatum);
     const bool forgets = quantity == Quantity::CarrierDatum && datum == 1 && value == 0;
@@ -229,13 +250,13 @@ Write Executor::set_carrier(Quantity quantity, std::int64_t first, std::int64_t 
     return Write::Done;
 }
 
-std::optional<std::string> Executor::carrier_text(Quantity quantity, std::int64_t number) const {
+std::optional<std::string> Carriers::carrier_text(Quantity quantity, std::int64_t number) const {
     if (!is_carrier_number(number)) return std::nullopt;
     const CarrierData& data = data_or_none(carriers_, number);
     return quantity == Quantity::CarrierKind ? data.kind : data.names[name_place(quantity)];
 }
 
-Write Executor::set_carrier_text(Quantity quantity, std::int64_t number, std::string_view text) {
+Write Carriers::set_carrier_text(Quantity quantity, std::int64_t number, std::string_view text) {
     if (!is_carrier_number(number)) return Write::NoSuchEntry;
     CarrierData& data = carriers_.at(number);
     (quantity == Quantity::CarrierKind ? data.kind : data.names[name_place(quantity)]) = text;

@@ -8,7 +8,10 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/danger_watch.h"
+#include "interp/motion_checks.h"
+#include "interp/transformation.h"
 #include "interp/word_hints.h"
 #include "path/helix.h"
 
@@ -16,6 +19,8 @@ namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
+using nc::Invocation;
+using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
 using path::FeedMode;
@@ -29,15 +34,39 @@ constexpr double kLimitSlack = 1e-6;  // mm, deg
 
 }  // namespace
 
+MotionChecks::MotionChecks(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      machine_(channel.state.machine),
+      options_(channel.state.options),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      spindle_(channel.state.spindle.spindle),
+      tool_(channel.state.tool.tool),
+      area_(channel.state.stage.area),
+      comp_(channel.state.stage.comp),
+      is_scanning_(channel.state.motion.is_scanning),
+      has_moved_(channel.state.motion.has_moved),
+      units_(channel.state.motion.units),
+      taps_rigidly_(channel.state.cycle.taps_rigidly),
+      told_(channel.state.told),
+      dangers_(channel.state.stage.dangers),
+      axes_(channel.state.axes),
+      length_shift_(channel.state.motion.length_shift),
+      contour_(channel.state.cycle.contour) {}
+
 /// Between the code that gears the spindle and the tapping cycle no axis moves.
-Done Executor::require_no_move_before_tap(const Block& block, SlotMask targets) {
+Done MotionChecks::require_no_move_before_tap(const Block& block, SlotMask targets) {
     if (!taps_rigidly_ || targets == 0 || block.is_of_cycle()) return kDone;
     if (block.find(Function::TapRigid) != nullptr) return kDone;
     reporter_.report(diag::TapMoveBefore, block, first_slot(targets));
     return kFailed;
 }
 
-Done Executor::require_feed(const Block& block, std::string_view what) {
+Done MotionChecks::require_feed(const Block& block, std::string_view what) {
     if (contour_) return kDone;  // no axis moves
     if (!modal_.has_feed) {
         DiagnosticBuilder message = reporter_.report(diag::FeedMissing, block);
@@ -62,9 +91,9 @@ Done Executor::require_feed(const Block& block, std::string_view what) {
     }
     if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) {
         check_tool(block);
-        if (tool_.current != dangers_.cut_tool) watch_missing_length(block);
-        if (is_new_feed()) [[unlikely]]
-            watch_feed(block);
+        if (tool_.current != dangers_.cut_tool) channel_.dangers.watch_missing_length(block);
+        if (channel_.dangers.is_new_feed()) [[unlikely]]
+            channel_.dangers.watch_feed(block);
         return kDone;
     }
     if (modal_.feed_mode == FeedMode::PerRevolution) {
@@ -79,7 +108,7 @@ Done Executor::require_feed(const Block& block, std::string_view what) {
 
 /// Nothing is cut: the spindle may stand, and what is in it need not be a tool. A feed per
 /// revolution would wait for ever where it stands.
-Done Executor::require_probe_feed(const Block& block) {
+Done MotionChecks::require_probe_feed(const Block& block) {
     const bool has_feed = modal_.has_feed && modal_.feed > 0;
     if (has_feed && modal_.feed_mode == FeedMode::PerMinute) return kDone;
     return require_feed(block, "probing move");
@@ -87,7 +116,7 @@ Done Executor::require_probe_feed(const Block& block) {
 
 /// A rapid that dives below the workpiece zero of a mill while the spindle stands. On a lathe, and
 /// in another plane, Z is not the way into the workpiece.
-void Executor::check_rapid(const Block& block, const Target& target) {
+void MotionChecks::check_rapid(const Block& block, const Target& target) {
     constexpr auto kZ = static_cast<std::size_t>(Axis::Z);
     const bool stands = spindle_.mode == SpindleMode::Stop;
     const bool dives = (target.moved >> kZ & 1u) != 0 && target.here[kZ] < 0 &&
@@ -99,7 +128,7 @@ void Executor::check_rapid(const Block& block, const Target& target) {
 }
 
 /// A cut on a machine that changes tools, with whatever turns in the spindle.
-void Executor::check_tool(const Block& block) {
+void MotionChecks::check_tool(const Block& block) {
     const bool asks = options_.asks_for_tool && machine_.tool_change_time != 0;
     if (!asks || tool_.current != 0 || !told_.first_time(Once::NoTool)) return;
     DiagnosticBuilder message = reporter_.report(diag::ToolNeverCalled, block);
@@ -115,7 +144,7 @@ void Executor::check_tool(const Block& block) {
     }
 }
 
-void Executor::check_units(const Block& block, nc::Function function) {
+void MotionChecks::check_units(const Block& block, nc::Function function) {
     const Units units = units_of(function);
     const bool changes = units_ != Units::Unsaid && units_ != units;
     const std::string_view acts = comp_.is_on()          ? "cutter radius compensation"
@@ -137,19 +166,21 @@ void Executor::check_units(const Block& block, nc::Function function) {
     units_ = units;
 }
 
-Done Executor::require_within_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+Done MotionChecks::require_within_limits(const Block& block, const AxisValues& base,
+                                         AxisMask moved) {
     // No axis goes along a contour that is only read; but it does not leave every machine.
     constexpr double kAnyMachine = 1e7;  // mm, deg
     const auto is_near = [](double place) { return std::abs(place) < kAnyMachine; };
     if (contour_ && std::ranges::all_of(base, is_near)) return kDone;
     // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
-    if (is_transformed()) return area_.acts() ? require_within_area(block, base, moved) : kDone;
+    if (channel_.transformation.is_transformed())
+        return area_.acts() ? require_within_area(block, base, moved) : kDone;
     if (!require_within_machine(block, base, moved)) return kFailed;
     return area_.acts() ? require_within_area(block, base, moved) : kDone;
 }
 
 /// The tip stays inside of the working area that the program has set.
-Done Executor::require_within_area(const Block& block, const AxisValues& base, AxisMask moved) {
+Done MotionChecks::require_within_area(const Block& block, const AxisValues& base, AxisMask moved) {
     const AxisMask axes =
         frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_.present & kLinearXYZ));
     const std::optional<WorkArea::Excess> excess = area_.excess(base, axes);
@@ -163,7 +194,8 @@ Done Executor::require_within_area(const Block& block, const AxisValues& base, A
     return kFailed;
 }
 
-Done Executor::require_within_machine(const Block& block, const AxisValues& base, AxisMask moved) {
+Done MotionChecks::require_within_machine(const Block& block, const AxisValues& base,
+                                          AxisMask moved) {
     const AxisMask axes =
         frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_.present & kLinearXYZ));
     for (AxisMask rest = axes; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
@@ -177,13 +209,13 @@ Done Executor::require_within_machine(const Block& block, const AxisValues& base
     return kDone;
 }
 
-Done Executor::require_arc_within_limits(const Block& block, const path::Arc& arc,
-                                         const Target& target) {
+Done MotionChecks::require_arc_within_limits(const Block& block, const path::Arc& arc,
+                                             const Target& target) {
     if (!require_within_limits(block, target.base, target.moved)) return kFailed;
     if (contour_) return kDone;
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
     const path::ArcShape shape = path::shape_of(arc);
-    if (is_transformed()) return kDone;
+    if (channel_.transformation.is_transformed()) return kDone;
     const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
     bool is_far = !area_.acts();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -196,7 +228,7 @@ Done Executor::require_arc_within_limits(const Block& block, const path::Arc& ar
         path::bounds(path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep)));
 }
 
-Done Executor::require_box_within_limits(const Block& block, const path::Box& box) {
+Done MotionChecks::require_box_within_limits(const Block& block, const path::Box& box) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto k = static_cast<Eigen::Index>(i);
         for (const double edge : {box.lower[k], box.upper[k]}) {
@@ -216,13 +248,24 @@ Done Executor::require_box_within_limits(const Block& block, const path::Box& bo
     return require_within_area(block, corner(box.upper), kLinearXYZ);
 }
 
-void Executor::report_limit(const Block& block, Axis axis, double at) {
+void MotionChecks::report_limit(const Block& block, Axis axis, double at) {
     const std::size_t i = index(axis);
     const double limit = at < axes_.lower[i] ? axes_.lower[i] : axes_.upper[i];
     DiagnosticBuilder builder = block.has(nc::slot_of(axis))
                                     ? reporter_.report(diag::AxisLimit, block, nc::slot_of(axis))
                                     : reporter_.report(diag::AxisLimit, block);
     builder.arg(kAxisNames[i]).arg(round_to(at, 6)).arg(round_to(limit, 6));
+}
+
+void MotionChecks::set_area_limit(const Block& block, const Invocation& invocation) {
+    const bool is_upper =
+        count_of(block, invocation, parameter_of<Function::AreaLimit>("upper")) != 0;
+    const control::FrameWords words =
+        frame_words(block, invocation, parameter_of<Function::AreaLimit>("x"),
+                    axes_.word_scale[index(Axis::X)]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (words.has(i)) area_.set(static_cast<Axis>(i), is_upper, words.values[i]);
+    }
 }
 
 }  // namespace kadr::interp

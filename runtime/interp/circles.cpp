@@ -7,7 +7,9 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
 #include "path/linear.h"
 
 namespace kadr::interp {
@@ -20,8 +22,8 @@ using path::Op;
 using path::Vec3;
 
 /// A circle over a point between, in whatever plane the three points lie.
-void Executor::arc_over_point(const Block& block, const Target& target, bool exact_stop) {
-    if (!require_feed(block, "arc")) return;
+void Motions::arc_over_point(const Block& block, const Target& target, bool exact_stop) {
+    if (!channel_.checks.require_feed(block, "arc")) return;
     if (const SlotMask others = block.given & (nc::kArcSlots | bit(Slot::Opening)); others != 0) {
         motion_words().report_arc_words(block, others);
         return;
@@ -43,8 +45,8 @@ void Executor::arc_over_point(const Block& block, const Target& target, bool exa
 
 /// An arc in the plane that begins in the direction in which the tool has come; along the third
 /// axis it is a helix. Straight on, it is a line.
-void Executor::arc_along(const Block& block, const Target& target, bool exact_stop) {
-    if (!require_feed(block, "arc")) return;
+void Motions::arc_along(const Block& block, const Target& target, bool exact_stop) {
+    if (!channel_.checks.require_feed(block, "arc")) return;
     const SlotMask words = nc::kArcSlots | nc::kThroughSlots | bit(Slot::Opening);
     if (const SlotMask others = block.given & words; others != 0) {
         motion_words().report_arc_words(block, others);

@@ -9,7 +9,17 @@
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/block_words.h"
+#include "interp/carriers.h"
+#include "interp/channel.h"
+#include "interp/cycle_shapes.h"
+#include "interp/danger_watch.h"
+#include "interp/motion_checks.h"
+#include "interp/radius_compensation.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "machine/kinematics.h"
 #include "nc/tables.h"
 
@@ -34,7 +44,73 @@ path::Vec2 tip_direction(int tip) {
 
 }  // namespace
 
-void Executor::choose_pointed_corners(const Block& block, const Invocation& invocation) {
+RadiusCompensation::RadiusCompensation(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      machine_(channel.state.machine),
+      is_lathe_(channel.state.is_lathe),
+      tool_offsets_(channel.state.tool.tool_offsets),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      output_(channel.state.stage.output),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      tool_(channel.state.tool.tool),
+      extra_(channel.state.tool.extra),
+      orienting_(channel.state.tool.orienting),
+      tilted_plane_(channel.state.tool.tilted_plane),
+      face_(channel.state.stage.face),
+      corners_(channel.state.stage.corners),
+      comp_(channel.state.stage.comp),
+      compensation_(channel.state.stage.compensation),
+      comp_3d_(channel.state.stage.comp_3d),
+      told_(channel.state.told) {}
+
+void RadiusCompensation::choose(const Block& block, Function member, Actions& actions) {
+    if (channel_.shapes.keeps_shape()) return;
+    actions.comp_changed = true;
+    switch (nc::group_of(member)) {
+        case nc::Group::RadiusComp: choose_comp_side(block, member, actions); break;
+        case nc::Group::CompStart: comp_.start = comp_start_of(member); break;
+        case nc::Group::CompCorner: comp_.corner = comp_corner_of(member); break;
+        case nc::Group::CompCheck: comp_.has_check = member == Function::CompCheckOn; break;
+        case nc::Group::CompOrientation:
+            comp_.orients_on_arc = member == Function::CompOrientOnArc;
+            break;
+        case nc::Group::CompKind:
+            comp_.system = comp_system_of(member);
+            if (comp_.system == CompKind::InPlane)
+                comp_.is_in_frame = member == Function::CompInFrame;
+            break;
+        default: break;  // no other is sent here
+    }
+}
+
+void RadiusCompensation::choose_by_words(const Block& block, const Invocation& invocation,
+                                         Actions& actions) {
+    if (channel_.shapes.keeps_shape()) return;
+    actions.comp_changed = true;
+    switch (invocation.function) {
+        case Function::CompCornerPointed: choose_pointed_corners(block, invocation); break;
+        case Function::CompOpenEnd:
+            comp_.open_end = static_cast<path::OpenEnd>(std::clamp<std::int64_t>(
+                count_of(block, invocation, nc::parameter_of<Function::CompOpenEnd>("kind")), 0,
+                2));
+            break;
+        case Function::CompAllowance:
+            comp_.allowance =
+                block.argument(invocation, nc::parameter_of<Function::CompAllowance>("allowance"));
+            break;
+        case Function::CompDepth:
+            comp_.depth =
+                block.argument(invocation, nc::parameter_of<Function::CompDepth>("depth"));
+            break;
+        default: break;  // no other is sent here
+    }
+}
+
+void RadiusCompensation::choose_pointed_corners(const Block& block, const Invocation& invocation) {
     comp_.pointed =
         block.argument(invocation, parameter_of<Function::CompCornerPointed>("percent"));
     if (comp_.pointed < 0 || comp_.pointed > 100)
@@ -42,7 +118,7 @@ void Executor::choose_pointed_corners(const Block& block, const Invocation& invo
 }
 
 /// function  of the group RadiusComp
-void Executor::choose_comp_side(const Block& block, Function function, Actions& actions) {
+void RadiusCompensation::choose_comp_side(const Block& block, Function function, Actions& actions) {
     const CompSide side = comp_side_of(function);
     if (side != CompSide::Off) {
         const bool is_peripheral_code = !nc::has_fact(function, nc::Fact::CompSide);
@@ -53,7 +129,7 @@ void Executor::choose_comp_side(const Block& block, Function function, Actions& 
 }
 
 /// The choices of a block count together, whatever their order in it.
-void Executor::act_on_comp(const Block& block, const Actions& actions) {
+void RadiusCompensation::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == CompSide::Off) {
         comp_.side = CompSide::Off;
         if (actions.soft != nullptr) return;  // its way still belongs to the contour
@@ -76,15 +152,17 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
     const bool is_again = actions.radius_comp && rules_.comp_again_on_normal;
     if (is_again && comp_.acting == CompKind::InPlane)
         send_comp({CompChange::Kind::Again, {}, modal_.plane, 0, position_.base, {}, {}});
-    if (has_ended()) return;
+    if (reporter_.has_ended()) return;
     const CompChange change = comp_change(block, CompChange::Kind::Set);
-    if (!has_ended()) send_comp(change);
+    if (!reporter_.has_ended()) send_comp(change);
 }
 
 /// A direction of the programmed system as one in the plane of the base system; none: it has no
 /// length there.
-std::optional<path::Vec2> Executor::direction_in_base(const path::Vec3& programmed) const {
-    const path::Vec3 base = comp_lie().transpose() * frames_.total().direction(programmed);
+std::optional<path::Vec2> RadiusCompensation::direction_in_base(
+    const path::Vec3& programmed) const {
+    const path::Vec3 base =
+        channel_.compensation.comp_lie().transpose() * frames_.total().direction(programmed);
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const path::Vec2 direction{base[static_cast<Eigen::Index>(index(axes.first))],
                                base[static_cast<Eigen::Index>(index(axes.second))]};
@@ -93,7 +171,7 @@ std::optional<path::Vec2> Executor::direction_in_base(const path::Vec3& programm
 }
 
 /// The direction that the centre's words say beside the code that ends the compensation.
-std::optional<path::Vec2> Executor::leave_direction(const Block& block) const {
+std::optional<path::Vec2> RadiusCompensation::leave_direction(const Block& block) const {
     if (!rules_.comp_end_by_center || block.find(Function::RadiusCompOff) == nullptr)
         return std::nullopt;
     path::Vec3 direction = path::Vec3::Zero();
@@ -105,12 +183,12 @@ std::optional<path::Vec2> Executor::leave_direction(const Block& block) const {
 }
 
 /// An arc about the corner at which the cutter is, in a block of its own.
-void Executor::round_comp_corner(const Block& block, const Invocation& invocation) {
+void RadiusCompensation::round_comp_corner(const Block& block, const Invocation& invocation) {
     if ((block.given & nc::kTargetSlots) != 0) {
         reporter_.report(diag::CompCornerMoves, block, invocation.function);
         return;
     }
-    if (!require_feed(block, "arc")) return;
+    if (!channel_.checks.require_feed(block, "arc")) return;
     path::Vec3 direction = path::Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
         direction[static_cast<Eigen::Index>(i)] =
@@ -128,12 +206,12 @@ void Executor::round_comp_corner(const Block& block, const Invocation& invocatio
 }
 
 /// At its place among the commands: behind a corner that is not known yet.
-void Executor::send_comp(const CompChange& change) {
+void RadiusCompensation::send_comp(const CompChange& change) {
     if (corners_.is_active()) return corners_.change(change);
     change_comp(change);
 }
 
-void Executor::change_comp(const CompChange& change) {
+void RadiusCompensation::change_comp(const CompChange& change) {
     if (comp_3d_.is_on() || change.space) return change_comp_3d(change);
     switch (change.kind) {
         case CompChange::Kind::Leave:
@@ -155,14 +233,14 @@ void Executor::change_comp(const CompChange& change) {
         case CompChange::Kind::Begin:
             // From one side to the other: the contour so far ends on its normal.
             if (compensation_.is_on()) flush_comp();
-            if (has_ended()) return;
+            if (reporter_.has_ended()) return;
             compensation_.begin(change.settings, change.plane, change.distance, change.here);
             compensation_.set_aside(change.aside);
             break;
     }
 }
 
-Done Executor::require_comp_in_plane(const Block& block, Function function) {
+Done RadiusCompensation::require_comp_in_plane(const Block& block, Function function) {
     if (!comp_3d_.is_on()) return kDone;
     reporter_.report(diag::IsoNotSupported, block, function)
         .arg(reporter_.word_of(block, function) + " beside a contour in space");
@@ -170,7 +248,7 @@ Done Executor::require_comp_in_plane(const Block& block, Function function) {
 }
 
 /// What a program can say of it in space; the rest is of the working plane.
-void Executor::change_comp_3d(const CompChange& change) {
+void RadiusCompensation::change_comp_3d(const CompChange& change) {
     switch (change.kind) {
         case CompChange::Kind::Leave: comp_3d_.leave(); break;
         case CompChange::Kind::Set:
@@ -179,10 +257,10 @@ void Executor::change_comp_3d(const CompChange& change) {
         case CompChange::Kind::Begin:
             // From one side to the other, or from the plane: the contour so far ends here.
             if (is_any_comp_on()) flush_comp();
-            if (has_ended()) return;
+            if (reporter_.has_ended()) return;
             if (!change.space) {
                 stop_comp();
-                if (!has_ended()) change_comp(change);
+                if (!reporter_.has_ended()) change_comp(change);
                 return;
             }
             comp_3d_.begin(*change.space, change.here);
@@ -198,9 +276,10 @@ void Executor::change_comp_3d(const CompChange& change) {
 
 /// Of the tool, from tip to holder: as the transformation has it, else square to the plane; or as
 /// the program has said that it stays.
-path::Vec3 Executor::tool_direction() const {
+path::Vec3 RadiusCompensation::tool_direction() const {
     if (orienting_.is_on)
-        return machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+        return machine::tool_vector(machine_.kinematics->chain,
+                                    channel_.transformation.joints_of(position_.base));
     if (comp_.acting == CompKind::FaceMillingInPlane)
         return path::unit(path::axes_of(modal_.plane).normal);
     if (comp_.acting == CompKind::FaceMillingInFrame)
@@ -208,10 +287,11 @@ path::Vec3 Executor::tool_direction() const {
     return frames_.total().direction(path::unit(path::axes_of(modal_.plane).normal)).normalized();
 }
 
-Comp3dSettings Executor::comp_3d_settings() const {
+Comp3dSettings RadiusCompensation::comp_3d_settings() const {
     Comp3dSettings settings;
     if (orienting_.is_on)
-        settings.orientation_limits = {&machine_.kinematics->chain, joint_limits()};
+        settings.orientation_limits = {&machine_.kinematics->chain,
+                                       channel_.tool_motion.joint_limits()};
     settings.direction = tool_direction();
     settings.cutter.contact.kind = path::ContactKind::Side;
     settings.cutter.contact.depth = comp_.depth;
@@ -223,7 +303,7 @@ Comp3dSettings Executor::comp_3d_settings() const {
     return settings;
 }
 
-void Executor::begin_comp(const Block& block, CompSide side) {
+void RadiusCompensation::begin_comp(const Block& block, CompSide side) {
     comp_.side = side;
     if (!comp_offset()) {
         reporter_.report(diag::CompWithoutTool, block, function_of(comp_.side));
@@ -247,7 +327,8 @@ void Executor::begin_comp(const Block& block, CompSide side) {
     comp_.acting = comp_.chosen();
     comp_.is_mirrored = frames_.is_mirrored(modal_.plane);
     const bool is_of_tool = comp_.acting == CompKind::InPlane && !comp_.is_in_frame;
-    if (is_of_tool && is_turned_by_carrier() && !is_plane_on_carrier()) {
+    if (is_of_tool && channel_.carriers.is_turned_by_carrier() &&
+        !channel_.carriers.is_plane_on_carrier()) {
         reporter_.report(diag::CarrierPlane, block, function_of(comp_.side));
         return;
     }
@@ -257,10 +338,10 @@ void Executor::begin_comp(const Block& block, CompSide side) {
     }
     if (!require_constant_tool(block)) return;
     CompChange change = comp_change(block, CompChange::Kind::Begin);
-    if (!has_ended()) send_comp(change);
+    if (!reporter_.has_ended()) send_comp(change);
 }
 
-CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
+CompChange RadiusCompensation::comp_change(const Block& block, CompChange::Kind kind) {
     CompChange change;
     change.kind = kind;
     change.settings = comp_settings();
@@ -276,7 +357,7 @@ CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
 }
 
 /// What is chosen counts where the compensation begins.
-bool Executor::is_in_space(CompChange::Kind kind) const {
+bool RadiusCompensation::is_in_space(CompChange::Kind kind) const {
     return kind == CompChange::Kind::Begin ? comp_.acting != CompKind::InPlane : comp_3d_.is_on();
 }
 
@@ -289,7 +370,7 @@ static path::OutsideCorner corner_of(nc::CompCorner corner) {
     return path::OutsideCorner::Arc;
 }
 
-CompSettings Executor::comp_settings() const {
+CompSettings RadiusCompensation::comp_settings() const {
     CompSettings settings;
     path::CompRules& corners = settings.corners;
     corners.outside = corner_of(comp_.corner.value_or(rules_.comp_corner));
@@ -309,7 +390,8 @@ CompSettings Executor::comp_settings() const {
     settings.empty_blocks = rules_.comp_empty_blocks;
     settings.more_empty_is_fault = rules_.comp_more_empty_is_alarm;
     if (orienting_.is_on)
-        settings.orientation_limits = {&machine_.kinematics->chain, joint_limits()};
+        settings.orientation_limits = {&machine_.kinematics->chain,
+                                       channel_.tool_motion.joint_limits()};
     settings.lie = comp_lie();
     return settings;
 }
@@ -317,14 +399,14 @@ CompSettings Executor::comp_settings() const {
 /// How the plane lies in which the cutter is compensated: that of the base system, or that of the
 /// program, if frames have tilted it; there left and right are the program's. A carrier that turns
 /// the tool turns its plane, and that has to be the program's.
-path::Mat3 Executor::comp_lie() const {
+path::Mat3 RadiusCompensation::comp_lie() const {
     const bool is_in_base = rules_.comp_in_base_plane && !tilted_plane_.is_on &&
-                            !comp_.is_in_frame && !is_turned_by_carrier();
+                            !comp_.is_in_frame && !channel_.carriers.is_turned_by_carrier();
     return is_in_base ? path::Mat3::Identity() : plane_lie();
 }
 
 /// How the plane of the program lies, if frames have tilted it.
-path::Mat3 Executor::plane_lie() const {
+path::Mat3 RadiusCompensation::plane_lie() const {
     if (!frames_.is_plane_tilted(modal_.plane)) return path::Mat3::Identity();
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const path::Frame& frame = frames_.total();
@@ -339,7 +421,7 @@ path::Mat3 Executor::plane_lie() const {
 }
 
 /// Number of the offset whose radius acts, 0 for none; nothing: no edge of a tool acts.
-std::optional<std::int64_t> Executor::comp_offset() const {
+std::optional<std::int64_t> RadiusCompensation::comp_offset() const {
     if (rules_.comp_radius_by_offset || tool_.radius_offset != 0) return tool_.radius_offset;
     if (tool_.source == Tool::Source::None || tool_.current == 0) return std::nullopt;
     return tool_.edge_number();
@@ -347,9 +429,11 @@ std::optional<std::int64_t> Executor::comp_offset() const {
 
 /// How far beside the contour the cutter's centre goes, positive to the left: a frame that mirrors
 /// the plane changes the side. A lathe's tool is programmed by its tip.
-void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChange& change) {
-    const double radius = tool_offsets_.radius(number) + extra_.radius + sum_offset(4);
-    watch_radius(block, number);
+void RadiusCompensation::take_comp_tool(const Block& block, std::int64_t number,
+                                        CompChange& change) {
+    const double radius =
+        tool_offsets_.radius(number) + extra_.radius + channel_.tool.sum_offset(4);
+    channel_.dangers.watch_radius(block, number);
     const int tip = tool_offsets_.tip(number);
     const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;
@@ -371,33 +455,37 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
 ///
 /// here     where the tool is behind the block, not compensated
 /// is_last  no block waits behind it
-void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_last) {
+void RadiusCompensation::settle_comp(const Block& block, const AxisValues& here, bool is_last) {
     std::optional<CompAlarm> alarm;
     if (comp_3d_.is_on()) {
         if (!reporter_.has_alarm()) alarm = comp_3d_.end_block(block);
-        if (!reporter_.has_alarm() && !alarm && has_ended() && is_last) alarm = comp_3d_.flush();
+        if (!reporter_.has_alarm() && !alarm && reporter_.has_ended() && is_last)
+            alarm = comp_3d_.flush();
         return take_comp(alarm);
     }
     const bool is_same_plane =
         modal_.plane == compensation_.plane() && compensation_.lie().isApprox(comp_lie(), kSameLie);
     if (!reporter_.has_alarm() && !is_same_plane) reporter_.report(diag::CompPlane, block);
     if (!reporter_.has_alarm()) alarm = compensation_.end_block(here, block);
-    if (!reporter_.has_alarm() && !alarm && has_ended() && is_last) alarm = compensation_.flush();
+    if (!reporter_.has_alarm() && !alarm && reporter_.has_ended() && is_last)
+        alarm = compensation_.flush();
     take_comp(alarm);
     // A frame that mirrors the plane from here on changes the side, as the other word would.
-    const bool goes_on = !has_ended() && comp_.is_on() && is_same_plane;
+    const bool goes_on = !reporter_.has_ended() && comp_.is_on() && is_same_plane;
     if (goes_on && frames_.is_mirrored(modal_.plane) != comp_.is_mirrored)
         begin_comp(block, comp_.side);
 }
 
-void Executor::flush_comp() {
+void RadiusCompensation::flush_comp() {
     take_comp(comp_3d_.is_on() ? comp_3d_.flush() : compensation_.flush());
 }
 
-void Executor::stop_comp() { take_comp(comp_3d_.is_on() ? comp_3d_.stop() : compensation_.stop()); }
+void RadiusCompensation::stop_comp() {
+    take_comp(comp_3d_.is_on() ? comp_3d_.stop() : compensation_.stop());
+}
 
 /// What the compensation has settled goes out.
-void Executor::take_comp(const std::optional<CompAlarm>& alarm) {
+void RadiusCompensation::take_comp(const std::optional<CompAlarm>& alarm) {
     for (auto* settled : {&compensation_.settled(), &comp_3d_.settled()}) {
         for (path::Command& command : *settled) output_.next() = std::move(command);
         settled->clear();
@@ -405,9 +493,18 @@ void Executor::take_comp(const std::optional<CompAlarm>& alarm) {
     if (alarm) report_comp(*alarm);
 }
 
-void Executor::report_comp(const CompAlarm& alarm) {
-    const Block at = block_at(alarm.source, alarm.line);
+void RadiusCompensation::report_comp(const CompAlarm& alarm) {
+    const Block at = channel_.stages.block_at(alarm.source, alarm.line);
     reporter_.report(*alarm.row, at);
+}
+
+/// Whether cutter radius compensation must have ended before the function.
+bool RadiusCompensation::needs_comp_off(const Block& block, Function function) const {
+    const bool acts = comp_.is_on() && block.find(Function::RadiusCompOff) == nullptr;
+    if (!rules_.comp_is_innermost || !acts || block.is_of_cycle()) return false;
+    if (nc::has_fact(function, nc::Fact::NeedsCompOff)) return true;
+    // It begins anew behind, which it can in a plane alone.
+    return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != CompKind::InPlane;
 }
 
 }  // namespace kadr::interp

@@ -5,7 +5,14 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "interp/answers.h"
+#include "interp/block_functions.h"
+#include "interp/channel.h"
+#include "interp/contour_tables.h"
+#include "interp/cornering.h"
 #include "interp/executor.h"
+#include "interp/splines.h"
+#include "interp/transformation.h"
 
 namespace kadr::interp {
 
@@ -35,13 +42,31 @@ int feed_mode_of(const Modal& modal, const Spindle& spindle) {
 
 }  // namespace
 
-std::string_view Executor::begin_contour() {
-    finish_open_spline();
-    if (is_compensated()) return "cutter radius compensation";
-    if (is_transformed()) return "a transformation";
+ContourTables::ContourTables(Channel& channel)
+    : channel_(channel),
+      reporter_(channel.state.reporter),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      spindle_(channel.state.spindle.spindle),
+      tool_(channel.state.tool.tool),
+      corners_(channel.state.stage.corners),
+      coolant_(channel.state.spindle.coolant),
+      has_moved_(channel.state.motion.has_moved),
+      units_(channel.state.motion.units),
+      length_shift_(channel.state.motion.length_shift),
+      modal_cycles_(channel.state.cycle.modal_cycles),
+      shape_(channel.state.cycle.shape),
+      contour_(channel.state.cycle.contour),
+      patterns_(channel.state.cycle.patterns) {}
+
+std::string_view ContourTables::begin_contour() {
+    channel_.splines.finish_open_spline();
+    if (channel_.answers.is_compensated()) return "cutter radius compensation";
+    if (channel_.transformation.is_transformed()) return "a transformation";
     if (modal_cycles_.modal.is_active || modal_cycles_.behind_motions) return "a modal cycle";
     if (shape_ || !patterns_.empty()) return "a cycle";
-    if (corners_.is_active()) leave_corners(diag::CornerWithoutMotion);
+    if (corners_.is_active()) channel_.cornering.leave_corners(diag::CornerWithoutMotion);
     contour_.emplace();
     contour_->position = position_;
     contour_->spindle = spindle_;
@@ -53,8 +78,8 @@ std::string_view Executor::begin_contour() {
 }
 
 /// The block is one that a contour can have.
-Done Executor::require_contour_block(const Block& block) {
-    if (!acts(block)) return kDone;
+Done ContourTables::require_contour_block(const Block& block) {
+    if (!channel_.executor.acts(block)) return kDone;
     const auto refuse = [&](const DiagnosticRow& row, Function function) {
         reporter_.report(row, block, function).arg(reporter_.word_of(block, function));
         return kFailed;
@@ -70,14 +95,14 @@ Done Executor::require_contour_block(const Block& block) {
         const bool changes_units = (function == Function::Inch && units_ != Units::Inch) ||
                                    (function == Function::Metric && units_ == Units::Inch);
         if (nc::has_fact(function, nc::Fact::EndsContour) || changes_units ||
-            is_other_plane(function))
+            channel_.functions.is_other_plane(function))
             return refuse(diag::ContourBlockWrong, function);
     }
     return kDone;
 }
 
 /// What acted in a block that was executed, for the elements that come of it.
-void Executor::note_contour_block(const Block& block) {
+void ContourTables::note_contour_block(const Block& block) {
     if (block.kind != Block::Kind::Nc) return;
     ContourRun::Said said;
     said.line = block.line;
@@ -96,9 +121,9 @@ void Executor::note_contour_block(const Block& block) {
         reporter_.report(diag::ContourTableSmall, block).arg("every table").arg("fewer");
 }
 
-std::optional<ContourElements> Executor::end_contour() {
-    leave_corners(diag::CornerWithoutMotion);
-    if (has_ended()) return std::nullopt;
+std::optional<ContourElements> ContourTables::end_contour() {
+    channel_.cornering.leave_corners(diag::CornerWithoutMotion);
+    if (reporter_.has_ended()) return std::nullopt;
     const ContourRun run = std::move(*contour_);
     contour_.reset();
     position_ = run.position;
@@ -111,7 +136,7 @@ std::optional<ContourElements> Executor::end_contour() {
 }
 
 /// The motions of a contour in the working plane; nothing: one was reported.
-std::optional<ContourElements> Executor::contour_of(const ContourRun& run) {
+std::optional<ContourElements> ContourTables::contour_of(const ContourRun& run) {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const auto in_plane = [&](const AxisValues& base) -> Vec2 {
         const AxisValues here = frames_.from_base(base);

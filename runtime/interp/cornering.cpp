@@ -1,10 +1,15 @@
 // cornering.cpp — what switches chamfers and roundings, and what passes through them.
+#include "interp/cornering.h"
+
 #include <cmath>
 
 #include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/radius_compensation.h"
+#include "interp/stages.h"
+#include "interp/tool_motion.h"
 #include "interp/word_hints.h"
 #include "nc/parameters.h"
 
@@ -26,7 +31,18 @@ Slot slot_across(Axis axis) {
 
 }  // namespace
 
-void Executor::choose_corner(const Block& block, const Invocation& invocation, Actions& actions) {
+Cornering::Cornering(Channel& channel)
+    : channel_(channel),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      corners_(channel.state.stage.corners),
+      comp_(channel.state.stage.comp),
+      smooth_approach_(channel.state.stage.smooth_approach) {}
+
+void Cornering::choose_corner(const Block& block, const Invocation& invocation, Actions& actions) {
     switch (invocation.function) {
         case Function::CornerRoundModal: {
             const double radius =
@@ -73,8 +89,8 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
 }
 
 /// The feed that stands in the same form as the chamfer or the rounding.
-void Executor::take_corner_feed(const Block& block, const Invocation& invocation,
-                                Actions& actions) {
+void Cornering::take_corner_feed(const Block& block, const Invocation& invocation,
+                                 Actions& actions) {
     const std::size_t place = invocation.function == Function::CornerRound
                                   ? parameter_of<Function::CornerRound>("feed")
                                   : parameter_of<Function::CornerChamfer>("feed");
@@ -85,9 +101,9 @@ void Executor::take_corner_feed(const Block& block, const Invocation& invocation
 }
 
 /// Tells the corners what this block wants, before it puts its motion.
-void Executor::wish_corner(const Block& block, const Actions& actions) {
+void Cornering::wish_corner(const Block& block, const Actions& actions) {
     if (block.is_of_cycle()) return;
-    if (goes_straight(block, actions)) {
+    if (channel_.tool_motion.goes_straight(block, actions)) {
         if (actions.corner != nullptr)
             reporter_.report(diag::PointCorner, block, actions.corner->function);
         return;
@@ -129,7 +145,7 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
 }
 
 /// The size counts in the programmed system, the commands are of the base system.
-void Executor::put_wish(const Block& block, CornerWish wish) {
+void Cornering::put_wish(const Block& block, CornerWish wish) {
     if (!(wish.size > 0) && !wish.is_open) return;
     if (comp_.is_face_milling_acting()) {
         if (!wish.is_open)
@@ -141,7 +157,7 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
         if (!wish.is_modal) reporter_.report(diag::ArcStretched, block);
         return;
     }
-    wish.lie = plane_lie();
+    wish.lie = channel_.compensation.plane_lie();
     if (corners_.waits_elsewhere(wish.lie)) leave_corners(diag::CornerNotContour);
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     wish.size *= frames_.total().direction(path::unit(plane.first)).norm();
@@ -152,13 +168,13 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
 }
 
 /// Whether the words of arcs beside a line say a corner.
-bool Executor::has_square_corner(const Block& block) const {
+bool Cornering::has_square_corner(const Block& block) const {
     return rules_.corner_by_arc_words && !block.is_of_cycle() && modal_.motion == Function::Line;
 }
 
 /// A chamfer or a rounding at a square corner, said by the words of arcs beside a line: the centre
 /// word of the other axis, or a radius, whose sign is the way on.
-void Executor::wish_square_corner(const Block& block, const Target& target) {
+void Cornering::wish_square_corner(const Block& block, const Target& target) {
     const SlotMask words = block.given & nc::kArcSlots;
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const auto moves = [&](Axis axis) {
@@ -192,36 +208,15 @@ void Executor::wish_square_corner(const Block& block, const Target& target) {
 
 // ------------------------------------------------------------------------------ out
 
-/// What a block has put goes through the corners and the compensation; what is settled goes out.
-void Executor::settle(const Block& block) {
-    if (!corners_.is_active()) return settle_stages(block, position_.base, true);
-    std::optional<CornerMessage> message;
-    if (reporter_.has_alarm()) {
-        message = corners_.leave(diag::CornerWithoutMotion);
-        message.reset();  // the block has said what is wrong
-    } else {
-        message = corners_.end_block(position_.base, {block.source, block.line});
-        if (!message && has_ended()) message = corners_.leave(diag::CornerWithoutMotion);
-    }
-    pass_corners();
-    if (message) report_corner(*message);
-    if (!reporter_.has_alarm() && has_ended() && is_any_comp_on()) flush_comp();
-}
-
-void Executor::settle_stages(const Block& block, const AxisValues& here, bool is_last) {
-    if (smooth_approach_.is_active()) settle_approach(block);
-    if (is_any_comp_on()) settle_comp(block, here, is_last);
-}
-
 /// A cycle, or the end of the text, has no corner with the motion before it.
-void Executor::leave_corners(const DiagnosticRow& why) {
+void Cornering::leave_corners(const DiagnosticRow& why) {
     if (!corners_.is_active()) return;
     const std::optional<CornerMessage> message = corners_.leave(why);
     pass_corners();
     if (message) report_corner(*message);
 }
 
-void Executor::pass_corners() {
+void Cornering::pass_corners() {
     std::vector<Corners::Item> items = corners_.take_settled();
     Block at{};
     bool has_put = false;  // since the last end of a block
@@ -230,26 +225,26 @@ void Executor::pass_corners() {
         const bool is_change = item.kind == Corners::Item::Kind::Comp;
         if (is_command) {
             has_put = true;
-            locate(at, item.command.source, item.command.line);
-            behind_corners() = std::move(item.command);
+            channel_.stages.locate(at, item.command.source, item.command.line);
+            channel_.stages.behind_corners() = std::move(item.command);
             continue;
         }
         if (!is_change) {
-            locate(at, item.place.source, item.place.line);
+            channel_.stages.locate(at, item.place.source, item.place.line);
         }
         // A change acts on what comes behind it.
         if (!is_change || has_put)
-            settle_stages(at, is_change ? item.change.here : item.here, false);
+            channel_.stages.settle_stages(at, is_change ? item.change.here : item.here, false);
         has_put = false;
-        if (is_change) change_comp(item.change);
+        if (is_change) channel_.compensation.change_comp(item.change);
     }
     std::vector<CornerMessage> warnings;
     warnings.swap(corners_.warnings());
     for (const CornerMessage& warning : warnings) report_corner(warning);
 }
 
-void Executor::report_corner(const CornerMessage& message) {
-    const Block at = block_at(message.place.source, message.place.line);
+void Cornering::report_corner(const CornerMessage& message) {
+    const Block at = channel_.stages.block_at(message.place.source, message.place.line);
     DiagnosticBuilder builder = reporter_.report(*message.row, at);
     if (message.row == &diag::CornerReduced) builder.arg(message.made).arg(message.wanted);
     if (message.row != &diag::CornerSign) return;

@@ -4,7 +4,13 @@
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/machine.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
 #include "path/contour.h"
 #include "path/curve.h"
 #include "path/curve_registry.h"
@@ -65,7 +71,7 @@ std::string joined(const std::vector<std::string_view>& names) {
 }  // namespace
 
 /// A call of a curve. What is wrong with it stops the program as any alarm does.
-void Executor::move_along_curve(const Block& block, const nc::Invocation& call) {
+void Motions::move_along_curve(const Block& block, const nc::Invocation& call) {
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
     const path::CurveKind* kind = path::find_curve(info.curve);
     if (kind == nullptr) {
@@ -99,14 +105,14 @@ void Executor::move_along_curve(const Block& block, const nc::Invocation& call) 
     shape.linear = frames_.total().linear * axes;
     if (!is_sound(shape)) return refuse("it has no finite shape with these values");
 
-    if (!require_feed(block, "curve")) return;
-    leave_corners(diag::CornerNotContour);
-    if (has_ended()) return;
-    if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    if (!channel_.checks.require_feed(block, "curve")) return;
+    channel_.cornering.leave_corners(diag::CornerNotContour);
+    if (reporter_.has_ended()) return;
+    if (tool_.has_changed) channel_.tool.activate_length(block, kLinearXYZ);
     const Vec3 start = linear(position_.base);
     const path::Parametric curve = path::make_parametric(start, path::end_of(shape, start), shape);
     if (!(curve.length > path::kSamePoint)) return refuse("it has no length");
-    if (!require_box_within_limits(block, path::bounds(curve))) return;
+    if (!channel_.checks.require_box_within_limits(block, path::bounds(curve))) return;
 
     Target target{{}, position_.base, 0};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -117,10 +123,10 @@ void Executor::move_along_curve(const Block& block, const nc::Invocation& call) 
     }
     target.here = frames_.from_base(target.base);
     has_moved_ = true;
-    Command& command = put(Op::Parametric, block);
+    Command& command = channel_.stages.put(Op::Parametric, block);
     command.to = target.base;
     command.moved = target.moved;
-    command.exact_stop = stops_exactly();
+    command.exact_stop = channel_.smoothing.stops_exactly();
     command.feed = modal_.feed;
     command.curve.assign(1, shape);
     arrive(target);

@@ -2,6 +2,8 @@
 //
 // What a cycle does is not known here: the expander runs its definition and hands back blocks, and
 // those are executed like any others, with the caller's frames and feed.
+#include "interp/cycles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +11,19 @@
 #include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/block_functions.h"
 #include "interp/block_words.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/cycle_shapes.h"
 #include "interp/cycle_strokes.h"
+#include "interp/danger_watch.h"
 #include "interp/executor.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
+#include "interp/programmed_frames.h"
+#include "interp/radius_compensation.h"
+#include "interp/stages.h"
 #include "interp/word_hints.h"
 #include "macro/named_shape.h"
 #include "nc/parameters.h"
@@ -63,9 +75,34 @@ bool has_shift_vector(const nc::CycleInfo& cycle, const ModalCycle& call) {
 
 }  // namespace
 
+Cycles::Cycles(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      is_lathe_(channel.state.is_lathe),
+      tool_offsets_(channel.state.tool.tool_offsets),
+      cycles_(channel.state.cycle.cycles),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      spindle_(channel.state.spindle.spindle),
+      tool_(channel.state.tool.tool),
+      position_words_(channel.state.motion.position_words),
+      corners_(channel.state.stage.corners),
+      comp_(channel.state.stage.comp),
+      compensation_(channel.state.stage.compensation),
+      comp_3d_(channel.state.stage.comp_3d),
+      taps_rigidly_(channel.state.cycle.taps_rigidly),
+      axes_(channel.state.axes),
+      modal_cycles_(channel.state.cycle.modal_cycles),
+      cycle_(channel.state.cycle.cycle),
+      shape_(channel.state.cycle.shape),
+      patterns_(channel.state.cycle.patterns) {}
+
 /// A form of the cycle that the call says by a letter ("E") is the number of the letter; 0: it is
 /// none.
-void Executor::take_letter(const Block& block, ModalCycle& call) const {
+void Cycles::take_letter(const Block& block, ModalCycle& call) const {
     const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if (parameters[i].dimension != nc::Dimension::Text || parameters[i].name == "shape")
@@ -101,14 +138,14 @@ void forget_words(ModalCycle& call, const nc::CycleInfo::Roles& roles) {
 }  // namespace
 
 /// Whether further axis words repeat the cycle, so that its words stay in force.
-bool Executor::is_modal(nc::CycleId cycle) const {
+bool Cycles::is_modal(nc::CycleId cycle) const {
     return rules_.modal_cycles && dialect_.cycles()[cycle].is_modal;
 }
 
-void Executor::call_cycle(const Block& block, const Actions& actions) {
+void Cycles::call_cycle(const Block& block, const Actions& actions) {
     const Invocation& invocation = *actions.cycle;
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
-    if (!info.curve.empty()) return move_along_curve(block, invocation);
+    if (!info.curve.empty()) return channel_.motions.move_along_curve(block, invocation);
     if (names_contour(info)) return;  // the program keeps it for the cycles behind
     if (cycles_ == nullptr || cycle_.blocks || shape_) {
         reporter_.report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
@@ -130,7 +167,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     take_ends(block, call);
     complete_ends(call);
     take_letter(block, call);
-    if (info.takes_shape() || names_shape(info)) return begin_shape(block, call);
+    if (info.takes_shape() || names_shape(info)) return channel_.shapes.begin_shape(block, call);
     call.is_active = is_modal(call.cycle);
     if (taps_rigidly_) {
         constexpr double kStop = 5;  // M5
@@ -164,13 +201,13 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
 }
 
 /// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
-void Executor::call_behind_motion(const Block& block) {
+void Cycles::call_behind_motion(const Block& block) {
     const bool is_circle_said =
         (block.given & nc::kArcSlots) != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
     // An axis that moves by itself goes along no path.
     const bool is_path = ((block.given & nc::kTargetSlots) != 0 || is_circle_said) &&
                          block.find(Function::RapidOnce) == nullptr;
-    if (has_ended() || cycle_.blocks || shape_ || !is_path) return;
+    if (reporter_.has_ended() || cycle_.blocks || shape_ || !is_path) return;
     Block call = *modal_cycles_.behind_motions;
     call.line = block.line;
     call.source = block.source;
@@ -187,7 +224,7 @@ void Executor::call_behind_motion(const Block& block) {
 }
 
 /// The cycle that was defined last, with the parameters of its definition.
-void Executor::call_defined(const Block& block) {
+void Cycles::call_defined(const Block& block) {
     if (!modal_cycles_.defined) {
         reporter_.report(diag::CycleUndefined, block, Function::CycleCall);
         return;
@@ -204,7 +241,7 @@ void Executor::call_defined(const Block& block) {
 }
 
 /// The motion code behind a cycle ended it; what was its depth is the place of the tool axis.
-void Executor::move_instead_of_cycle(const Block& block, const Actions& actions) {
+void Cycles::move_instead_of_cycle(const Block& block, const Actions& actions) {
     reporter_.report(diag::CycleBesideMotion, block, Function::Cycle).arg("the motion");
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
     const Invocation& cycle = *actions.cycle;
@@ -217,7 +254,7 @@ void Executor::move_instead_of_cycle(const Block& block, const Actions& actions)
     Actions rest = actions;
     rest.cycle = nullptr;
     rest.cycle_is_cancelled = false;
-    move(moves, rest);
+    channel_.motions.move(moves, rest);
 }
 
 // ------------------------------------------------------------------------------ words of modal
@@ -225,13 +262,13 @@ void Executor::move_instead_of_cycle(const Block& block, const Actions& actions)
 
 /// The level of a cycle is a word of the plane's normal; in another plane than X-Y its word of Z is
 /// a place.
-const Block& Executor::with_depth_apart(const Block& block) {
+const Block& Cycles::with_depth_apart(const Block& block) {
     const Invocation* const said = block.find(Function::Cycle);
     if (said == nullptr || cycle_.blocks || is_lathe_ || !is_modal(block.cycle)) return block;
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
     const bool is_said =
         depth >= 0 && (said->given >> depth & 1u) != 0 && (block.cycle_by_form >> depth & 1u) == 0;
-    if (!is_said || plane_in(block) == path::Plane::Xy) return block;
+    if (!is_said || channel_.executor.plane_in(block) == path::Plane::Xy) return block;
     called_ = block;
     called_.set(Slot::Z, block.argument(*said, static_cast<std::size_t>(depth)));
     for (std::size_t i = 0; i < called_.function_count; ++i) {
@@ -242,22 +279,22 @@ const Block& Executor::with_depth_apart(const Block& block) {
 }
 
 /// How often the block does the cycle; false: not at all.
-bool Executor::count_times(const CycleWords& words) {
+bool Cycles::count_times(const CycleWords& words) {
     const auto times = static_cast<int>(words.times.value_or(1));
     cycle_.times_left = times - 1;
     return times > 0;
 }
 
-control::CycleLevel Executor::depth_now(double value) const {
+control::CycleLevel Cycles::depth_now(double value) const {
     return control::cycle_depth(rules_, value, modal_.is_incremental);
 }
 
-control::CycleLevel Executor::retract_now(double value) const {
+control::CycleLevel Cycles::retract_now(double value) const {
     return control::cycle_retract(rules_, value, modal_.is_incremental);
 }
 
 /// Keeps what a call says by its words; what its code says by itself is not for other cycles.
-void Executor::keep_call(const ModalCycle& call) {
+void Cycles::keep_call(const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const nc::CycleInfo::Roles& roles = info.roles;
     const auto says = [&](int parameter) {
@@ -276,16 +313,17 @@ void Executor::keep_call(const ModalCycle& call) {
     if (says(roles.dwell)) modal_cycles_.data.dwell = value(roles.dwell);
 }
 
-void Executor::keep_words(const CycleWords& words) {
+void Cycles::keep_words(const CycleWords& words) {
     if (words.stroke) modal_cycles_.data.stroke = std::abs(*words.stroke);
     if (words.dwell) modal_cycles_.data.dwell = *words.dwell;
 }
 
-void Executor::keep_levels(const Block& block) {
+void Cycles::keep_levels(const Block& block) {
     const Slot depth = nc::slot_of(path::axes_of(cycle_plane()).normal);
     if (block.has(depth)) {
         const bool is_distance = (block.incremental & bit(depth)) != 0;
-        const double scale = cycle_.is_across ? motion_words().x_scale(block, is_distance) : 1;
+        const double scale =
+            cycle_.is_across ? channel_.motions.motion_words().x_scale(block, is_distance) : 1;
         modal_cycles_.data.levels.depth = depth_now(block.at(depth) * scale);
         modal_cycles_.data.levels.depth.is_distance |= is_distance;
     }
@@ -293,7 +331,7 @@ void Executor::keep_levels(const Block& block) {
         modal_cycles_.data.levels.retract = retract_now(block.at(Slot::Radius));
 }
 
-void Executor::warn_levels(const Block& block) {
+void Cycles::warn_levels(const Block& block) {
     if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
     // A distance that nobody says is none: the cycle begins where the tool stands.
     if (!modal_cycles_.data.levels.retract.is_given && !retract_now(0).is_distance)
@@ -303,7 +341,7 @@ void Executor::warn_levels(const Block& block) {
 }
 
 /// Fills the call with what its own words, and those of the cycles before it, have said.
-void Executor::complete_words(ModalCycle& call) {
+void Cycles::complete_words(ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const nc::CycleInfo::Roles& roles = info.roles;
     if (!is_modal(call.cycle) || roles.depth < 0) return;
@@ -325,7 +363,7 @@ void Executor::complete_words(ModalCycle& call) {
 
 /// Where a scaling spares what a cycle says of ways, the cycle runs without it, between the levels
 /// that it gives.
-void Executor::take_off_scale(ModalCycle& call) {
+void Cycles::take_off_scale(ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (rules_.cycle_distances_scaled || !frames_.is_scaled() || info.roles.depth < 0) return;
     const std::size_t normal = index(path::axes_of(cycle_plane()).normal);
@@ -340,7 +378,7 @@ void Executor::take_off_scale(ModalCycle& call) {
     }
     cycle_.frames_outside = frames_;
     frames_.scale_off();
-    frame_changed();
+    channel_.frames.frame_changed();
     for (std::size_t i = 0; i < levels.size(); ++i) {
         if (is_given(call, levels[i]))
             call.arguments[*levels[i]] = frames_.from_base(places[i])[normal];
@@ -350,7 +388,7 @@ void Executor::take_off_scale(ModalCycle& call) {
 /// The library's cycles begin and end at their initial level; those of controls go straight to the
 /// retract level. Where the tool is not at the initial level, the cycle takes it to be there: then
 /// its first way is the one to the retract level.
-void Executor::go_straight(ModalCycle& call) {
+void Cycles::go_straight(ModalCycle& call) {
     cycle_.final_level.reset();
     cycle_.begins_at.reset();
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
@@ -371,7 +409,7 @@ void Executor::go_straight(ModalCycle& call) {
 // ------------------------------------------------------------------------------ calls
 
 /// Keeps parameters for the calls that follow; each line says all of its own anew.
-void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
+void Cycles::preset_cycle(const Block& block, const Invocation& invocation) {
     // Words of a target are those of a call, which lacks something; they must move nothing.
     if ((block.given & nc::kTargetSlots) != 0) {
         reporter_.report(diag::CycleWordsMissing, block, Function::CyclePreset)
@@ -389,7 +427,7 @@ void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
 }
 
 /// What the call does not give has been given before.
-void Executor::complete_call(ModalCycle& call) const {
+void Cycles::complete_call(ModalCycle& call) const {
     for (const ModalCycle& preset : modal_cycles_.presets) {
         if (preset.cycle != call.cycle) continue;
         const std::size_t count = dialect_.cycles()[call.cycle].parameters.size();
@@ -404,7 +442,7 @@ void Executor::complete_call(ModalCycle& call) const {
 }
 
 /// What counts is a whole number. Controls that round such numbers have no modal cycles.
-Done Executor::require_whole_counts(const Block& block, const ModalCycle& call) {
+Done Cycles::require_whole_counts(const Block& block, const ModalCycle& call) {
     if (!rules_.modal_cycles) return kDone;
     const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -420,7 +458,7 @@ Done Executor::require_whole_counts(const Block& block, const ModalCycle& call) 
 
 /// Cycles of a lathe have their end in X and Z. What a word of the call says of it may be a
 /// distance, and so is what the block says besides, where the end has letters of its own for them.
-void Executor::take_ends(const Block& block, ModalCycle& call) const {
+void Cycles::take_ends(const Block& block, ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
         const Slot slot = nc::slot_of(axis);
         const std::optional<std::size_t> end =
@@ -437,7 +475,7 @@ void Executor::take_ends(const Block& block, ModalCycle& call) const {
 
 /// A modal cycle to an end in X and Z keeps what its calls before have said; what none has said of
 /// the end is where the tool stands.
-void Executor::complete_ends(ModalCycle& call) const {
+void Cycles::complete_ends(ModalCycle& call) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (!is_modal(call.cycle) || !find_parameter(info.parameters, "x")) return;
     const bool goes_on = modal_cycles_.modal.is_active && modal_cycles_.modal.cycle == call.cycle;
@@ -450,7 +488,7 @@ void Executor::complete_ends(ModalCycle& call) const {
 }
 
 /// What nothing has said of the end of a cycle is where the tool stands.
-void Executor::end_where_tool_stands(ModalCycle& call) const {
+void Cycles::end_where_tool_stands(ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Z}) {
         const std::optional<std::size_t> end =
             find_parameter(dialect_.cycles()[call.cycle].parameters, end_name(axis));
@@ -460,7 +498,7 @@ void Executor::end_where_tool_stands(ModalCycle& call) const {
 
 /// A code of a single motion is executed in the mode of a cycle to an end in X and Z; what the
 /// calls before have said of the end holds no longer.
-void Executor::forget_ends() {
+void Cycles::forget_ends() {
     ModalCycle& modal = modal_cycles_.modal;
     for (const std::string_view name : {"x", "z", "taper"}) {
         const std::optional<std::size_t> said =
@@ -470,14 +508,14 @@ void Executor::forget_ends() {
 }
 
 /// Whether a modal cycle acts among whose places no other motion stands.
-bool Executor::is_among_positions() const {
+bool Cycles::is_among_positions() const {
     const ModalCycle& modal = modal_cycles_.modal;
     return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle].parameters, "x");
 }
 
 /// All that the block says beside a cycle to an end in X and Z is the cycle's. Drilling
 /// cycles take words that wait for another cycle, and go to a place by any axis.
-Done Executor::require_words_of_cycle(const Block& block, const Actions& actions) {
+Done Cycles::require_words_of_cycle(const Block& block, const Actions& actions) {
     const bool is_called = actions.cycle != nullptr;
     const nc::CycleInfo& info =
         dialect_.cycles()[is_called ? block.cycle : modal_cycles_.modal.cycle];
@@ -500,11 +538,11 @@ Done Executor::require_words_of_cycle(const Block& block, const Actions& actions
     return kDone;
 }
 
-void Executor::repeat_cycle(const Block& block, const Actions& actions) {
+void Cycles::repeat_cycle(const Block& block, const Actions& actions) {
     if (!require_words_of_cycle(block, actions)) return;
     const nc::CycleInfo& info = dialect_.cycles()[modal_cycles_.modal.cycle];
     if (const SlotMask centers = block.given & nc::kCenterSlots; centers != 0)
-        warn_arc_word(block, centers);
+        channel_.motions.warn_arc_word(block, centers);
     keep_levels(block);
     keep_words(actions.cycle_words);
     ModalCycle ends = modal_cycles_.modal;
@@ -528,7 +566,7 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
 }
 
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
-void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape* shape) {
+void Cycles::start_cycle(const Block& block, ModalCycle call, const CycleShape* shape) {
     if (comp_.is_on()) {
         reporter_.report(diag::CycleCompensated, block);
         return;
@@ -536,11 +574,12 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const SlotMask place =
         block.given & nc::kTargetSlots & ~SlotMask{bit(nc::slot_of(plane.normal))};
-    if (!motion_words().require_axes(block, place)) return;
+    if (!channel_.motions.motion_words().require_axes(block, place)) return;
     const bool has_end = find_parameter(dialect_.cycles()[call.cycle].parameters, "x").has_value();
     if (place != 0 && !has_end)
-        line(block, motion_words().target_of(block, place), path::Op::Rapid, stops_exactly());
-    if (has_ended()) return;
+        channel_.motions.line(block, channel_.motions.motion_words().target_of(block, place),
+                              path::Op::Rapid, channel_.smoothing.stops_exactly());
+    if (reporter_.has_ended()) return;
 
     if (is_modal(call.cycle) && modal_cycles_.data.stroke.value_or(0) > 0) {
         if (const auto in_strokes = call_in_strokes(dialect_, call)) {
@@ -585,7 +624,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
 }
 
 /// From here on the blocks of the cycle are executed.
-void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blocks) {
+void Cycles::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blocks) {
     cycle_.stream = std::move(blocks);
     cycle_.caller = block;
     cycle_.modal_before = modal_;
@@ -596,14 +635,14 @@ void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blo
     // The cycle's own motions neither repeat it nor end its mode.
     cycle_.is_modal_behind = modal_cycles_.modal.is_active;
     modal_cycles_.modal.is_active = false;
-    if (corners_.is_active()) settle(block);
-    leave_corners(diag::CornerWithoutMotion);
+    if (corners_.is_active()) channel_.stages.settle(block);
+    channel_.cornering.leave_corners(diag::CornerWithoutMotion);
     cycle_.blocks.emplace(*cycle_.stream, kCycleBatch, &cycle_.context);
 }
 
 /// A tapping cycle whose words do not say the pitch has it from the feed: F itself where it counts
 /// by the revolution, else F divided by the speed.
-Done Executor::complete_tap(const Block& block, ModalCycle& call) {
+Done Cycles::complete_tap(const Block& block, ModalCycle& call) {
     const std::optional<std::size_t> pitch =
         find_parameter(dialect_.cycles()[call.cycle].parameters, "pitch");
     if (!pitch || is_given(call, pitch)) return kDone;
@@ -620,12 +659,12 @@ Done Executor::complete_tap(const Block& block, ModalCycle& call) {
     set_argument(call, pitch, turn);
     // Told where the cycle is called or gets another feed, not at each of its holes.
     const bool is_new = block.find(Function::Cycle) != nullptr || block.has(Slot::Feed);
-    if (!is_pitch && is_new) watch_tap(block, Function::Cycle);
+    if (!is_pitch && is_new) channel_.dangers.watch_tap(block, Function::Cycle);
     return kDone;
 }
 
 /// Where F is the pitch of a thread, that of a cycle is F too.
-Done Executor::complete_thread(const Block& block, ModalCycle& call) {
+Done Cycles::complete_thread(const Block& block, ModalCycle& call) {
     const std::optional<std::size_t> lead =
         find_parameter(dialect_.cycles()[call.cycle].parameters, "lead");
     if (!lead || is_given(call, lead) || !rules_.thread_pitch_is_feed) return kDone;
@@ -642,7 +681,7 @@ Done Executor::complete_thread(const Block& block, ModalCycle& call) {
 }
 
 /// Dwells below 0 count turns of the spindle on some controls.
-Done Executor::time_turns(const Block& block, ModalCycle& call) {
+Done Cycles::time_turns(const Block& block, ModalCycle& call) {
     if (!rules_.negative_dwell_turns) return kDone;
     const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -660,7 +699,7 @@ Done Executor::time_turns(const Block& block, ModalCycle& call) {
 }
 
 /// What the definition of the cycle says against its parameters is told.
-Done Executor::require_no_refusal(const Block& block) {
+Done Cycles::require_no_refusal(const Block& block) {
     const std::optional<std::string> words = cycles_->refusal();
     if (!words) return kDone;
     refuse_cycle(block, *words);
@@ -668,7 +707,7 @@ Done Executor::require_no_refusal(const Block& block) {
 }
 
 /// An alarm of the cycle in these words, which say what number it has on the control.
-void Executor::refuse_cycle(const Block& block, std::string_view words) {
+void Cycles::refuse_cycle(const Block& block, std::string_view words) {
     DiagnosticBuilder message = reporter_.report(diag::CycleRefused, block);
     message.arg(words);
     if (std::optional<nc::AlarmText> alarm = dialect_.alarm(diag::CycleRefused, words))
@@ -676,7 +715,7 @@ void Executor::refuse_cycle(const Block& block, std::string_view words) {
 }
 
 /// Where the control's cycles look around before they begin.
-Done Executor::require_surroundings(const Block& block, const ModalCycle& call) {
+Done Cycles::require_surroundings(const Block& block, const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const auto has = [&](std::string_view name) {
         return find_parameter(info.parameters, name).has_value();
@@ -711,7 +750,7 @@ Done Executor::require_surroundings(const Block& block, const ModalCycle& call) 
 /// What a call does not say because the control knows it: the cutter's diameter, the radius of the
 /// offset that it names or else the last D (whatever has ended the compensation), the plane (17 to
 /// 19), and whether a cycle is called at the places of a pattern.
-void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const {
+void Cycles::complete_surroundings(ModalCycle& call, bool calls_program) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     set_argument(call, find_parameter(info.parameters, "tool_d"),
                  2 * tool_offsets_.radius(tool_.edge_number()));
@@ -729,15 +768,16 @@ void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const
                                             : 19);
 }
 
-void Executor::finish_cycle() {
-    if (!require_no_refusal(block_at(cycle_.caller.source, cycle_.caller.line))) return;
+void Cycles::finish_cycle() {
+    if (!require_no_refusal(channel_.stages.block_at(cycle_.caller.source, cycle_.caller.line)))
+        return;
     // Compensation that the cycle has not ended is over; the cutter stays where it is.
     if (comp_.is_on()) {
         comp_.side = CompSide::Off;
-        stop_comp();
-        if (has_ended()) return;
+        channel_.compensation.stop_comp();
+        if (reporter_.has_ended()) return;
         position_.base = comp_3d_.is_on() ? comp_3d_.place() : compensation_.place();
-        frame_changed();
+        channel_.frames.frame_changed();
     }
     cycle_.blocks.reset();
     cycle_.stream.reset();
@@ -745,27 +785,27 @@ void Executor::finish_cycle() {
     axes_.word_scale[index(Axis::X)] = cycle_.x_scale_before;
     modal_cycles_.modal.is_active = cycle_.is_modal_behind;
     if (cycle_.final_level) return_to_level();
-    if (has_ended()) return;
+    if (reporter_.has_ended()) return;
     if (cycle_.frames_outside) {
         frames_ = *cycle_.frames_outside;
         cycle_.frames_outside.reset();
-        frame_changed();
+        channel_.frames.frame_changed();
     }
     if (cycle_.times_left > 0) {
         --cycle_.times_left;
         const Actions after = cycle_.after;
-        MotionWords words = motion_words();
+        MotionWords words = channel_.motions.motion_words();
         const Block* const again = position_words_.repeated(words);
         const Block caller = again != nullptr ? *again : cycle_.caller;
         start_cycle(caller, modal_cycles_.modal);
         cycle_.after = after;
         return;
     }
-    act_after_motion(cycle_.caller, cycle_.after);
+    channel_.functions.act_after_motion(cycle_.caller, cycle_.after);
 }
 
 /// From the retract level down to where the cycle mode began.
-void Executor::return_to_level() {
+void Cycles::return_to_level() {
     Block way{};
     way.line = cycle_.caller.line;
     way.source = cycle_.caller.source;
@@ -773,18 +813,19 @@ void Executor::return_to_level() {
     way.set(slot, *cycle_.final_level);
     way.absolute = bit(slot);
     if (cycle_.is_across) way.x_measure = nc::XMeasure::Radius;
-    line(way, motion_words().target_of(way, bit(slot)), path::Op::Rapid, stops_exactly());
+    channel_.motions.line(way, channel_.motions.motion_words().target_of(way, bit(slot)),
+                          path::Op::Rapid, channel_.smoothing.stops_exactly());
 }
 
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.
-path::Plane Executor::cycle_plane() const {
+path::Plane Cycles::cycle_plane() const {
     if (cycle_.is_across) return path::Plane::Yz;
     return is_lathe_ || cycle_.lies_flat ? path::Plane::Xy : modal_.plane;
 }
 
 /// The programmed position as a cycle sees it: first and second axis of the plane, tool axis. X of
 /// a lathe is the diameter that programs say.
-AxisValues Executor::position_in_cycle() const {
+AxisValues Cycles::position_in_cycle() const {
     AxisValues position = position_.here;
     if (!cycle_.is_across) {
         for (std::size_t i = 0; i < kAxes; ++i) position[i] /= axes_.word_scale[i];
@@ -799,7 +840,7 @@ AxisValues Executor::position_in_cycle() const {
 
 /// Cycles are written for the plane X-Y with the tool axis Z; in another plane the words belong to
 /// its first axis, its second axis and its tool axis.
-const Block& Executor::in_plane_of_cycle(const Block& block) {
+const Block& Cycles::in_plane_of_cycle(const Block& block) {
     if (cycle_plane() == path::Plane::Xy || block.kind != Block::Kind::Nc) return block;
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const std::array<std::size_t, 3> axes = {index(plane.first), index(plane.second),
@@ -821,6 +862,19 @@ const Block& Executor::in_plane_of_cycle(const Block& block) {
         }
     }
     return cycle_.remapped;
+}
+
+/// A block that goes to a machine coordinate or probes stands in no cycle. Behind a single cycle to
+/// an end in X and Z the way to a machine coordinate is a motion of its own.
+Done Cycles::require_no_cycle(const Block& block, const Actions& actions) {
+    if (!modal_cycles_.modal.is_active && actions.cycle == nullptr) return kDone;
+    if (actions.cycle == nullptr && !actions.probes && !is_among_positions()) {
+        forget_ends();
+        return kDone;
+    }
+    const Function own = actions.probes ? Function::Probe : Function::MachineCoordinates;
+    reporter_.report(diag::MotionInCycle, block, own).arg(reporter_.word_of(block, own));
+    return kFailed;
 }
 
 }  // namespace kadr::interp

@@ -15,7 +15,10 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/danger_watch.h"
+#include "interp/spindles.h"
+#include "interp/transformation.h"
 
 namespace kadr::interp {
 
@@ -40,21 +43,38 @@ constexpr int kShownDecimals = 4;
 
 }  // namespace
 
+DangerWatch::DangerWatch(Channel& channel)
+    : channel_(channel),
+      machine_(channel.state.machine),
+      is_lathe_(channel.state.is_lathe),
+      options_(channel.state.options),
+      reporter_(channel.state.reporter),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      spindle_(channel.state.spindle.spindle),
+      tool_(channel.state.tool.tool),
+      comp_(channel.state.stage.comp),
+      is_scanning_(channel.state.motion.is_scanning),
+      units_(channel.state.motion.units),
+      told_(channel.state.told),
+      dangers_(channel.state.stage.dangers),
+      contour_(channel.state.cycle.contour) {}
+
 /// Whether a comment in the line allows the warning: it silences this line, and not the next one.
-bool Executor::is_allowed(const DiagnosticRow& row, const Block& block) const {
+bool DangerWatch::is_allowed(const DiagnosticRow& row, const Block& block) const {
     return options_.is_allowed && reporter_.locations() != nullptr &&
            options_.is_allowed(row, reporter_.locations()->place(block));
 }
 
 /// Whether a feed is to be warned of here: from here on it counts as told, if no comment allows it.
-bool Executor::first_time_of_feed(const DiagnosticRow& row, const Block& block) {
+bool DangerWatch::first_time_of_feed(const DiagnosticRow& row, const Block& block) {
     if (!is_allowed(row, block)) return told_.first_time_of_feed(modal_.feed);
     dangers_.feed = std::numeric_limits<double>::quiet_NaN();  // the next cut is looked at again
     return false;
 }
 
 /// The feed of a cut with a turning spindle, where it is another one than that of the cut before.
-void Executor::watch_feed(const Block& block) {
+void DangerWatch::watch_feed(const Block& block) {
     if (only_turns_axes(block) || is_scanning_) return;
     dangers_.feed = modal_.feed;
     dangers_.feed_mode = modal_.feed_mode;
@@ -89,8 +109,9 @@ void Executor::watch_feed(const Block& block) {
 }
 
 /// A motion to this X, a radius in the programmed system, under constant cutting speed.
-void Executor::watch_cutting_speed(const Block& block, double from, double to) {
-    if (told_.has_reported(Once::SpeedLimit) || highest_speed() > 0 || contour_) return;
+void DangerWatch::watch_cutting_speed(const Block& block, double from, double to) {
+    if (told_.has_reported(Once::SpeedLimit) || channel_.spindles.highest_speed() > 0 || contour_)
+        return;
     if (spindle_.mode != path::SpindleMode::Cw && spindle_.mode != path::SpindleMode::Ccw) return;
     const double radius = from * to < 0 ? 0 : std::abs(to);
     const double most = rpm_from_speed(machine_.max_speed_of(spindle_.number));
@@ -108,7 +129,7 @@ void Executor::watch_cutting_speed(const Block& block, double from, double to) {
 }
 
 /// A motion along the axis of the tool's length while another one is to act than before.
-void Executor::watch_length(const Block& block, Axis axis) {
+void DangerWatch::watch_length(const Block& block, Axis axis) {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     const bool is_same_length = number == dangers_.length;
     if (is_same_length && tool_.current == dangers_.tool) return;
@@ -134,7 +155,7 @@ void Executor::watch_length(const Block& block, Axis axis) {
 
 /// The first cut of a tool, in a program that has called lengths of others by their numbers: one
 /// that calls none at all has them in its work offsets.
-void Executor::watch_missing_length(const Block& block) {
+void DangerWatch::watch_missing_length(const Block& block) {
     if (contour_ || block.is_of_cycle()) return;
     dangers_.cut_tool = tool_.current;
     const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
@@ -143,7 +164,7 @@ void Executor::watch_missing_length(const Block& block) {
 }
 
 /// T0204: on a turret a tool has several offsets, but not that of another tool.
-void Executor::watch_turret_offset(const Block& block, std::int64_t number) {
+void DangerWatch::watch_turret_offset(const Block& block, std::int64_t number) {
     auto& own = dangers_.own_offsets;
     const auto is_of = [&](std::int64_t tool) { return std::ranges::find(own, tool) != own.end(); };
     if (number == tool_.current && !is_of(number)) own.push_back(number);
@@ -157,7 +178,7 @@ void Executor::watch_turret_offset(const Block& block, std::int64_t number) {
 
 /// `G04 F2`: where F and S say no time, the code that dwells (ISO 6983-1) is an exact stop, and the
 /// feed is changed.
-void Executor::watch_dwell(const Block& block) {
+void DangerWatch::watch_dwell(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     const SlotMask others = block.given & (bit(Slot::Feed) | bit(Slot::Speed));
     if (others == 0 && targets == 0) return;
@@ -176,7 +197,7 @@ void Executor::watch_dwell(const Block& block) {
 /// Tapping whose pitch is the feed per minute divided by the speed, `G84 … F1.25` under G94.
 ///
 /// function  where it is said, if the block has no F
-void Executor::watch_tap(const Block& block, Function function) {
+void DangerWatch::watch_tap(const Block& block, Function function) {
     const double pitch = modal_.feed / spindle_.speed;
     if (!(pitch < danger::kLeastPitch)) return;
     const double unit = units_ == Units::Inch ? kMmPerInch : 1;
@@ -189,7 +210,7 @@ void Executor::watch_tap(const Block& block, Function function) {
 }
 
 /// X becomes a diameter, as on a lathe.
-void Executor::watch_diameter(const Block& block, Function function) {
+void DangerWatch::watch_diameter(const Block& block, Function function) {
     if (options_.has_named_machine || is_lathe_ || told_.has_reported(Once::DiameterOnMill)) return;
     if (is_allowed(diag::DiameterOnMill, block)) return;
     told_.count_as_reported(Once::DiameterOnMill);
@@ -200,7 +221,7 @@ void Executor::watch_diameter(const Block& block, Function function) {
 
 /// The radius of an offset is about to act beside a contour. Shops number the offsets of radii as
 /// they like, so only that of another tool of the machine is one.
-void Executor::watch_radius(const Block& block, std::int64_t number) {
+void DangerWatch::watch_radius(const Block& block, std::int64_t number) {
     const bool is_by_number = tool_.radius_offset != 0 && number == tool_.radius_offset;
     if (!is_by_number || tool_.current == 0 || number == tool_.current || is_lathe_) return;
     const bool is_of_length = tool_.source == Tool::Source::Offset && number == tool_.offset;
@@ -218,7 +239,7 @@ void Executor::watch_radius(const Block& block, std::int64_t number) {
 }
 
 /// How far the tip stands below the end of the last rapid, mm; 0 where there was none.
-double Executor::below_retract() const {
+double DangerWatch::below_retract() const {
     if (!dangers_.has_rapid_end) return 0;
     const auto axis = static_cast<Eigen::Index>(index(path::axes_of(modal_.plane).normal));
     return dangers_.rapid_end[axis] - position_.base[static_cast<std::size_t>(axis)];
@@ -226,11 +247,13 @@ double Executor::below_retract() const {
 
 /// The spindle is about to stop. Of a lathe its tool stands beside the part; a cycle knows what it
 /// does, and a tool that has gone straight down bores or taps, where the stop belongs to the work.
-void Executor::watch_spindle_stop(const Block& block) {
+void DangerWatch::watch_spindle_stop(const Block& block) {
     const bool turns =
         spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
     const bool is_in_cut = dangers_.has_moved && !dangers_.is_at_rapid && !is_lathe_;
-    if (!turns || !is_in_cut || contour_ || block.is_of_cycle() || is_transformed()) return;
+    if (!turns || !is_in_cut || contour_ || block.is_of_cycle() ||
+        channel_.transformation.is_transformed())
+        return;
     const double below = below_retract();
     const Vec3 way =
         Vec3(position_.base[0], position_.base[1], position_.base[2]) - dangers_.rapid_end;
@@ -241,8 +264,10 @@ void Executor::watch_spindle_stop(const Block& block) {
 }
 
 /// Another tool is about to come.
-void Executor::watch_change(const Block& block) {
-    if (!dangers_.has_moved || dangers_.is_at_rapid || contour_ || is_transformed()) return;
+void DangerWatch::watch_change(const Block& block) {
+    if (!dangers_.has_moved || dangers_.is_at_rapid || contour_ ||
+        channel_.transformation.is_transformed())
+        return;
     if (is_lathe_) {
         reporter_.report(diag::ChangeInCut, block).arg("where the last cut has ended");
         return;

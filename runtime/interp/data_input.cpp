@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
-#include "interp/executor.h"
+#include "interp/answers.h"
+#include "interp/block_functions.h"
+#include "interp/channel.h"
 
 namespace kadr::interp {
 
@@ -24,7 +26,7 @@ bool bit_of(double digits, int bit) {
 
 }  // namespace
 
-void Executor::write_parameter(const Block& block, const Invocation& invocation) {
+void BlockFunctions::write_parameter(const Block& block, const Invocation& invocation) {
     constexpr std::int64_t kAxisKind = 1006;  // bit 3: the axis is programmed as a diameter
     constexpr std::int64_t kArcTolerance = 3410;
     constexpr int kDiameter = 3;
@@ -37,7 +39,8 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
     const double value = block.argument(invocation, parameter_of<Function::ParameterData>("value"));
     const bool has_axis = invocation.has(kAxis);
     const auto axis =
-        has_axis ? axis_of(std::llround(block.argument(invocation, kAxis))) : std::optional<Axis>();
+        has_axis ? channel_.answers.axis_of(std::llround(block.argument(invocation, kAxis)))
+                 : std::optional<Axis>();
     if (has_axis && !axis) {
         reporter_.report(diag::ParameterAxis, block, Function::ParameterData)
             .arg(block.argument(invocation, kAxis));
@@ -57,7 +60,7 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
 }
 
 /// Lives of tools are the control's matter: no tool wears here.
-void Executor::tell_life_data(const Block& block) {
+void BlockFunctions::tell_life_data(const Block& block) {
     if (told_.first_time(Once::LifeData))
         reporter_.report(diag::LifeDataIdle, block, Function::LifeData);
 }

@@ -2,7 +2,9 @@
 #include <array>
 
 #include "base/numbers.h"
-#include "interp/executor.h"
+#include "interp/answers.h"
+#include "interp/channel.h"
+#include "interp/path_smoothing.h"
 
 namespace kadr::interp {
 
@@ -82,7 +84,7 @@ std::string corners_text(const Modal& modal, const path::Blending& blending) {
 
 }  // namespace
 
-std::vector<StateItem> Executor::state() const {
+std::vector<StateItem> Answers::state() const {
     std::vector<StateItem> items;
     const auto add = [&items](std::string_view name, std::string value) {
         items.push_back({name, std::move(value)});
@@ -91,7 +93,7 @@ std::vector<StateItem> Executor::state() const {
     add("plane", std::string(plane_name(modal_.plane)));
     add("distances", modal_.is_incremental ? "incremental" : "absolute");
     add("feed", feed_text(modal_));
-    add("corners", corners_text(modal_, blending(path::Op::Line)));
+    add("corners", corners_text(modal_, channel_.smoothing.blending(path::Op::Line)));
     add("spindle", spindle_text(spindle_));
     if (!other_spindles_.empty()) add("master spindle", std::to_string(spindle_.number));
     for (const Spindle& other : other_spindles_)

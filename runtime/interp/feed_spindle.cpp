@@ -7,7 +7,9 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/spindles.h"
+#include "interp/stages.h"
 
 namespace kadr::interp {
 
@@ -21,26 +23,12 @@ using path::FeedMode;
 using path::Op;
 using path::SpindleMode;
 
-void Executor::select_feed_mode(Function member) {
-    const FeedMode before = modal_.feed_mode;
-    modal_.feed_mode = feed_mode_of(member);
-    if (modal_.feed_mode == before || !rules_.feed_deleted_on_mode_change) return;
-    modal_.has_feed = false;
-    tooth_feed_ = 0;
-}
-
-void Executor::set_feed(const Block& block) {
-    modal_.feed = block.at(Slot::Feed);
-    modal_.has_feed = true;
-    tooth_feed_ = 0;
-}
-
-void Executor::program_speed(const Block& block) {
+void Spindles::program_speed(const Block& block) {
     (spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed) = block.at(Slot::Speed);
 }
 
 /// The spindle keeps the speed that it has at this moment.
-void Executor::leave_cutting_speed() {
+void Spindles::leave_cutting_speed() {
     if (!spindle_.has_cutting_speed) return;
     spindle_.has_cutting_speed = false;
     const double speed = turning_speed();
@@ -49,7 +37,7 @@ void Executor::leave_cutting_speed() {
 
 /// Speed under constant cutting speed where the tool is, rpm; infinite in the centre without a
 /// limit.
-double Executor::turning_speed() const {
+double Spindles::turning_speed() const {
     const double diameter = 2 * std::abs(position_.here[index(Axis::X)]);
     const double most = machine_.max_speed_of(spindle_.number);
     double highest = most > 0 ? rpm_from_speed(most) : std::numeric_limits<double>::infinity();
@@ -58,7 +46,7 @@ double Executor::turning_speed() const {
     return std::min(std::max(mm_min / (std::numbers::pi * diameter), spindle_.least), highest);
 }
 
-void Executor::limit_speed(const Block& block, Function function, double limit) {
+void Spindles::limit_speed(const Block& block, Function function, double limit) {
     if (!(limit > 0)) {
         reporter_.report(diag::SpeedLimitInvalid, block, function).arg(limit);
         return;
@@ -69,25 +57,25 @@ void Executor::limit_speed(const Block& block, Function function, double limit) 
 }
 
 /// The limit that acts under constant cutting speed, rpm; 0: none.
-double Executor::highest_speed() const {
+double Spindles::highest_speed() const {
     if (spindle_.limit == 0 || spindle_.most == 0) return std::max(spindle_.limit, spindle_.most);
     return std::min(spindle_.limit, spindle_.most);
 }
 
 /// What bounds the spindle under constant cutting speed.
-SpeedLimits Executor::speed_limits() const { return {spindle_.least, highest_speed()}; }
+SpeedLimits Spindles::speed_limits() const { return {spindle_.least, highest_speed()}; }
 
 /// A command where a function of the block has changed the bounds.
-void Executor::put_speed_limits(const Block& block, const SpeedLimits& before) {
+void Spindles::put_speed_limits(const Block& block, const SpeedLimits& before) {
     const SpeedLimits now = speed_limits();
     // Of another spindle it matters when that is the master.
     if (now == before || is_master_away_) return;
-    Command& command = put(Op::SpeedLimit, block);
+    Command& command = channel_.stages.put(Op::SpeedLimit, block);
     command.speed = now.most;
     command.least_speed = now.least;
 }
 
-void Executor::bound_speed(const Block& block, Function function, bool is_upper, double bound) {
+void Spindles::bound_speed(const Block& block, Function function, bool is_upper, double bound) {
     if (bound < 0 || (is_upper && bound == 0)) {
         reporter_.report(diag::SpeedLimitInvalid, block, function).arg(bound);
         return;
@@ -98,7 +86,7 @@ void Executor::bound_speed(const Block& block, Function function, bool is_upper,
 }
 
 /// The programmed speed within the bounds of the spindle, rpm; said once of each speed.
-double Executor::bounded_speed(const Block& block) {
+double Spindles::bounded_speed(const Block& block) {
     const double wanted = spindle_.speed;
     if (!(wanted > 0)) return wanted;
     double speed = std::max(wanted, spindle_.least);
@@ -108,19 +96,8 @@ double Executor::bounded_speed(const Block& block) {
     return speed;
 }
 
-void Executor::set_area_limit(const Block& block, const Invocation& invocation) {
-    const bool is_upper =
-        count_of(block, invocation, parameter_of<Function::AreaLimit>("upper")) != 0;
-    const control::FrameWords words =
-        frame_words(block, invocation, parameter_of<Function::AreaLimit>("x"),
-                    axes_.word_scale[index(Axis::X)]);
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (words.has(i)) area_.set(static_cast<Axis>(i), is_upper, words.values[i]);
-    }
-}
-
 /// Tells the motion side what has become of the spindle, if anything has.
-void Executor::update_spindle(const Block& block) {
+void Spindles::update_spindle(const Block& block) {
     owes_speed_ = false;
     const bool runs = is_running(spindle_.mode);
     const bool is_bounded = runs && !spindle_.has_cutting_speed;
@@ -138,7 +115,7 @@ void Executor::update_spindle(const Block& block) {
     command.angle_deg = 0;
 }
 
-void Executor::orient_spindle(const Block& block, const Invocation& invocation) {
+void Spindles::orient_spindle(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kAngle = parameter_of<Function::SpindleOrient>("angle");
     constexpr std::size_t kBy = parameter_of<Function::SpindleOrient>("by");
     const bool is_by = invocation.has(kBy);
@@ -147,7 +124,7 @@ void Executor::orient_spindle(const Block& block, const Invocation& invocation) 
 }
 
 /// is_by  the angle counts from where the spindle stands
-void Executor::stand_spindle(const Block& block, Function function, double angle, bool is_by) {
+void Spindles::stand_spindle(const Block& block, Function function, double angle, bool is_by) {
     if (is_by) {
         if (spindle_.mode != SpindleMode::Orient) {
             reporter_.report(diag::SpindleAngleUnknown, block, function);
@@ -168,7 +145,7 @@ void Executor::stand_spindle(const Block& block, Function function, double angle
 }
 
 /// A boring cycle is about to take the edge off the wall.
-void Executor::check_edge_turns(const Block& block) {
+void Spindles::check_edge_turns(const Block& block) {
     const path::Vec3 across = path::unit(path::axes_of(modal_.plane).first);
     const path::Vec3 turned = frames_.total().direction(across).normalized();
     constexpr double kTurned = 1e-6;
@@ -176,12 +153,6 @@ void Executor::check_edge_turns(const Block& block) {
     if (!told_.first_time(Once::TurnedEdge)) return;
     reporter_.report(diag::EdgeNotTurned, block)
         .arg(frames_.is_mirrored(modal_.plane) ? "mirrored" : "turned");
-}
-
-void Executor::set_coolant(const Block& block, path::CoolantMode mode) {
-    if (mode == coolant_) return;
-    coolant_ = mode;
-    put(Op::Coolant, block).coolant = mode;
 }
 
 }  // namespace kadr::interp

@@ -1,5 +1,7 @@
 // feed_words.cpp — what a degree counts in F, and a feed that is a polynomial.
 // source: SINUMERIK reference 2.3 (FGROUP, FGREF), 3.2 (FPO)
+#include "interp/feed_words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,7 +10,9 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/stages.h"
+#include "interp/transformation.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
@@ -17,23 +21,41 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using nc::parameter_of;
+using nc::Slot;
+using path::FeedMode;
 
-/// Whether a motion ends at rest: by what is modal, or by a word of its block alone.
-bool Executor::stops_exactly(bool once) const {
-    return dynamics_.has_exact_stop() && (modal_.has_exact_stop || once);
-}
+namespace {
+
+/// $TC_DPNT among the data of a tool on which nothing else depends.
+constexpr std::int64_t kTeeth = 100;
+
+}  // namespace
+
+FeedWords::FeedWords(Channel& channel)
+    : channel_(channel),
+      machine_(channel.state.machine),
+      tool_offsets_(channel.state.tool.tool_offsets),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      block_count_(channel.state.motion.block_count),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      tool_(channel.state.tool.tool),
+      dynamics_(channel.state.motion.dynamics),
+      axes_(channel.state.axes) {}
 
 /// Whether it may matter how much a degree is in F.
-bool Executor::may_count_degrees(const Block& block) const {
+bool FeedWords::may_count_degrees(const Block& block) const {
     constexpr auto kFollowers = static_cast<AxisMask>(~kLinearXYZ);
     const bool has_followers = (block.given & axes_.present & kFollowers) != 0;
-    return has_followers && (rules_.feed_of_all_axes || block.has_inch_feed) && !is_transformed();
+    return has_followers && (rules_.feed_of_all_axes || block.has_inch_feed) &&
+           !channel_.transformation.is_transformed();
 }
 
 /// A degree is as much in F as a unit of length: an inch where F is in inches. So it is on every
 /// control in a block in which rotary axes move alone, of which none has a radius of its own
 /// (SINUMERIK programming manual, FGREF); with other axes where F is the speed of all of them.
-void Executor::count_degrees(const Block& block, path::Command& command) const {
+void FeedWords::count_degrees(const Block& block, path::Command& command) const {
     AxisMask moving = 0;
     for (const machine::MachineAxis& axis : machine_.axes) {
         const std::size_t i = index(axis.axis);
@@ -53,7 +75,7 @@ void Executor::count_degrees(const Block& block, path::Command& command) const {
 }
 
 /// The polynomial of the block's motions; its end is F from here on.
-void Executor::take_polynomial(const Block& block, const Invocation& invocation) {
+void FeedWords::take_polynomial(const Block& block, const Invocation& invocation) {
     if (modal_.feed_mode == path::FeedMode::PerRevolution) {
         reporter_.report(diag::FeedPolynomialMode, block, invocation.function);
         return;
@@ -70,9 +92,45 @@ void Executor::take_polynomial(const Block& block, const Invocation& invocation)
 }
 
 /// The course of a motion's feed falls to this, in the unit of F.
-void Executor::report_varying_feed(const path::Command& command, double feed) {
-    const Block at = block_at(command.source, command.line);
+void FeedWords::report_varying_feed(const path::Command& command, double feed) {
+    const Block at = channel_.stages.block_at(command.source, command.line);
     reporter_.report(diag::FeedCourseNotPositive, at).arg(round_to(feed, 3));
+}
+
+void FeedWords::select_feed_mode(Function member) {
+    const FeedMode before = modal_.feed_mode;
+    modal_.feed_mode = feed_mode_of(member);
+    if (modal_.feed_mode == before || !rules_.feed_deleted_on_mode_change) return;
+    modal_.has_feed = false;
+    tooth_feed_ = 0;
+}
+
+void FeedWords::set_feed(const Block& block) {
+    modal_.feed = block.at(Slot::Feed);
+    modal_.has_feed = true;
+    tooth_feed_ = 0;
+}
+
+/// The feed of a tooth times the number of teeth is the feed of a turn.
+void FeedWords::set_tooth_feed(const Block& block, double feed) {
+    if (modal_.feed_mode != path::FeedMode::PerRevolution) {
+        reporter_.report(diag::ToothFeedIdle, block, Function::ToothFeed);
+        return;
+    }
+    if (!(feed > 0)) {
+        reporter_.report(diag::FeedNotPositive, block, Function::ToothFeed).arg(feed);
+        return;
+    }
+    tooth_feed_ = feed;
+    take_tooth_feed();
+    if (!(modal_.feed > 0)) reporter_.report(diag::TeethUnknown, block, Function::ToothFeed);
+}
+
+/// The tool in the spindle, or its data, may have become others.
+void FeedWords::take_tooth_feed() {
+    if (tooth_feed_ == 0) return;
+    modal_.feed = tooth_feed_ * tool_offsets_.datum(tool_.edge_number(), kTeeth);
+    modal_.has_feed = true;
 }
 
 }  // namespace kadr::interp

@@ -1,5 +1,7 @@
 // frame_variables.cpp — the frames of the run as variables of a program. S 6.1, 6.4.
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/programmed_frames.h"
+#include "interp/splines.h"
 
 namespace kadr::interp {
 
@@ -37,7 +39,7 @@ auto& numbered(Bases& bases, Quantity quantity, std::int64_t number) {
 }  // namespace
 
 /// From the base system to the programmed one; S 6.1.
-control::ControlFrame Executor::total_frame() const {
+control::ControlFrame ProgrammedFrames::total_frame() const {
     const control::ControlFrame outside = chain(frames_.base(), frames_.work_offset());
     const control::ControlFrame inside = chain(frames_.programmable(), frames_.inner());
     if (!frames_.is_swivelled()) return chain(outside, inside);
@@ -46,7 +48,8 @@ control::ControlFrame Executor::total_frame() const {
     return chain(control::plain_frame(frames_.tables()), chain(outside, chain(planes, inside)));
 }
 
-std::optional<control::ControlFrame> Executor::frame(Quantity quantity, std::int64_t number) {
+std::optional<control::ControlFrame> ProgrammedFrames::frame(Quantity quantity,
+                                                             std::int64_t number) {
     if (is_numbered_base(quantity)) {
         if (!has_base_frame(number)) return std::nullopt;
         const control::BaseFrames& bases =
@@ -74,9 +77,9 @@ std::optional<control::ControlFrame> Executor::frame(Quantity quantity, std::int
     }
 }
 
-Write Executor::set_frame(Quantity quantity, std::int64_t number,
-                          const control::ControlFrame& frame, bool acts_at_once) {
-    finish_open_spline();
+Write ProgrammedFrames::set_frame(Quantity quantity, std::int64_t number,
+                                  const control::ControlFrame& frame, bool acts_at_once) {
+    channel_.splines.finish_open_spline();
     if (quantity == Quantity::SettableFrame) {
         if (number < 0 || number > rules_.work_offsets) return Write::NoSuchEntry;
         work_offset_at(number) = frame;
@@ -103,7 +106,7 @@ Write Executor::set_frame(Quantity quantity, std::int64_t number,
 }
 
 /// Frames of which there is one each. False: nobody sets this one.
-bool Executor::set_plain_frame(Quantity quantity, const control::ControlFrame& frame) {
+bool ProgrammedFrames::set_plain_frame(Quantity quantity, const control::ControlFrame& frame) {
     control::BaseFrames bases = frames_.bases();
     switch (quantity) {
         case Quantity::ActiveFrame: frames_.select_work_offset(frame); return true;
@@ -127,7 +130,7 @@ bool Executor::set_plain_frame(Quantity quantity, const control::ControlFrame& f
 }
 
 /// What was written of base frames acts from now on.
-void Executor::select_stored_bases() {
+void ProgrammedFrames::select_stored_bases() {
     StoredBases& stored = stored_bases_;
     if (stored.new_channel == 0 && stored.new_global == 0) return;
     control::BaseFrames bases = frames_.bases();
@@ -139,10 +142,10 @@ void Executor::select_stored_bases() {
     frames_.select_bases(bases);
 }
 
-Write Executor::set_base_mask(Quantity quantity, double mask) {
+Write ProgrammedFrames::set_base_mask(Quantity quantity, double mask) {
     constexpr double kMost = 0xffff;
     if (!(mask >= 0 && mask <= kMost)) return Write::TooLarge;
-    finish_open_spline();
+    channel_.splines.finish_open_spline();
     control::BaseFrames bases = frames_.bases();
     (is_global(quantity) ? bases.global_mask : bases.channel_mask) =
         static_cast<std::uint16_t>(mask);
@@ -151,7 +154,7 @@ Write Executor::set_base_mask(Quantity quantity, double mask) {
     return Write::Done;
 }
 
-void Executor::restore_frames(bool is_wanted) {
+void ProgrammedFrames::restore_frames(bool is_wanted) {
     if (kept_frames_.empty()) return;
     if (is_wanted) {
         frames_ = kept_frames_.back().frames;

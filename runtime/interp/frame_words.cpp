@@ -7,7 +7,11 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/block_words.h"
+#include "interp/channel.h"
 #include "interp/executor.h"
+#include "interp/motions.h"
+#include "interp/programmed_frames.h"
+#include "interp/radius_compensation.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
@@ -19,7 +23,21 @@ using nc::parameter_of;
 using nc::parameter_of_all;
 using path::Op;
 
-void Executor::select_work_offset(const Block& block, std::int64_t number) {
+ProgrammedFrames::ProgrammedFrames(Channel& channel)
+    : channel_(channel),
+      work_offsets_(channel.state.frame.work_offsets),
+      work_offset_(channel.state.frame.work_offset),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      comp_(channel.state.stage.comp),
+      unplaced_(channel.state.motion.unplaced),
+      axes_(channel.state.axes),
+      modal_cycles_(channel.state.cycle.modal_cycles) {}
+
+void ProgrammedFrames::select_work_offset(const Block& block, std::int64_t number) {
     if (number < 0 || number > rules_.work_offsets) {
         reporter_.report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
         return;
@@ -31,15 +49,16 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
 }
 
 /// Where the compensation lies within the frames, the cutter comes off its contour meanwhile.
-void Executor::let_comp_go(const Block& block, const Invocation& invocation) {
+void ProgrammedFrames::let_comp_go(const Block& block, const Invocation& invocation) {
     if (!comp_.is_on() || !rules_.comp_is_innermost || block.is_of_cycle()) return;
     if (nc::has_fact(invocation.function, nc::Fact::LetsCompGo))
-        send_comp({CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base, {}, {}});
+        channel_.compensation.send_comp(
+            {CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base, {}, {}});
 }
 
 /// X, Y and Z of a function of frames, or all axes.
-control::FrameWords Executor::words_of_frame(const Block& block,
-                                             const Invocation& invocation) const {
+control::FrameWords ProgrammedFrames::words_of_frame(const Block& block,
+                                                     const Invocation& invocation) const {
     constexpr std::size_t kX =
         parameter_of_all<"x", Function::Shift, Function::ShiftAdd, Function::ShiftAxes,
                          Function::ShiftAxesAdd, Function::ShiftCoarse, Function::ShiftFine,
@@ -52,76 +71,80 @@ control::FrameWords Executor::words_of_frame(const Block& block,
 }
 
 /// A change of the frames by words that name axes.
-void Executor::change_frame(const Block& block, const Invocation& invocation,
-                            void (control::Frames::*change)(const control::FrameWords&)) {
+void ProgrammedFrames::change_frame(const Block& block, const Invocation& invocation,
+                                    void (control::Frames::*change)(const control::FrameWords&)) {
     let_comp_go(block, invocation);
     const control::FrameWords words = words_of_frame(block, invocation);
-    if (has_ended() || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
+    if (reporter_.has_ended() ||
+        !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
         return;
     (frames_.*change)(words);
     frame_changed();
 }
 
-Done Executor::require_no_places(const Block& block, const Invocation& invocation) {
+Done ProgrammedFrames::require_no_places(const Block& block, const Invocation& invocation) {
     if (!modal_cycles_.modal.is_active) return kDone;
     reporter_.report(diag::SetPositionInCycle, block, invocation.function);
     return kFailed;
 }
 
 /// The place where the tool stands gets other coordinates.
-void Executor::set_position(const Block& block, const Invocation& invocation) {
+void ProgrammedFrames::set_position(const Block& block, const Invocation& invocation) {
     if (!require_no_places(block, invocation)) return;
     let_comp_go(block, invocation);
     const control::FrameWords words = words_of_frame(block, invocation);
-    if (has_ended() || !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
+    if (reporter_.has_ended() ||
+        !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
         return;
     frames_.set_position(words, position_.here, position_.base);
     name_position(words);
 }
 
 /// … or has those of its work offset again.
-void Executor::reset_position(const Block& block, const Invocation& invocation) {
+void ProgrammedFrames::reset_position(const Block& block, const Invocation& invocation) {
     if (!require_no_places(block, invocation)) return;
     let_comp_go(block, invocation);
-    if (has_ended()) return;
+    if (reporter_.has_ended()) return;
     const control::FrameWords words = words_of_frame(block, invocation);
     frames_.reset_position(static_cast<AxisMask>(words.given));
     name_position(words);
 }
 
 /// The coordinates that the tool has now are those that the program has named.
-void Executor::name_position(const control::FrameWords& words) {
+void ProgrammedFrames::name_position(const control::FrameWords& words) {
     frame_changed();
     for (std::size_t i = 0; i < kAxes; ++i) {
         if (words.has(i)) position_.programmed[i] = position_.here[i];
     }
 }
 
-void Executor::rotate(const Block& block, const Invocation& invocation) {
+void ProgrammedFrames::rotate(const Block& block, const Invocation& invocation) {
     const double angle =
         block.argument(invocation, parameter_of<Function::Rotate>("angle"), rules_.rotation_angle);
-    frames_.rotate(plane_in(block), rad_from_deg(angle), center_of(block, invocation));
+    frames_.rotate(channel_.executor.plane_in(block), rad_from_deg(angle),
+                   center_of(block, invocation));
     frame_changed();
 }
 
-void Executor::end_rotation() {
-    if (rules_.place_behind_rotation && frames_.is_rotated()) unplaced_ = plane_mask();
+void ProgrammedFrames::end_rotation() {
+    if (rules_.place_behind_rotation && frames_.is_rotated())
+        unplaced_ = channel_.motions.plane_mask();
     frames_.rotate_off();
     frame_changed();
 }
 
-void Executor::end_scaling() {
+void ProgrammedFrames::end_scaling() {
     frames_.scale_off();
     frame_changed();
 }
 
-void Executor::end_mirroring(const Block& block, const Invocation& invocation) {
+void ProgrammedFrames::end_mirroring(const Block& block, const Invocation& invocation) {
     frames_.mirror_off(static_cast<AxisMask>(words_of_frame(block, invocation).given));
     frame_changed();
 }
 
-Done Executor::require_named_axes(const Block& block, const Invocation& invocation,
-                                  AxisMask named) {
+Done ProgrammedFrames::require_named_axes(const Block& block, const Invocation& invocation,
+                                          AxisMask named) {
     const auto missing = static_cast<AxisMask>(named & ~(axes_.present | kLinearXYZ));
     if (missing == 0) return kDone;
     reporter_.report(diag::AxisMissing, block, invocation.function)
@@ -130,7 +153,8 @@ Done Executor::require_named_axes(const Block& block, const Invocation& invocati
 }
 
 /// Center of a rotation or a scaling.
-control::FrameWords Executor::center_of(const Block& block, const Invocation& invocation) const {
+control::FrameWords ProgrammedFrames::center_of(const Block& block,
+                                                const Invocation& invocation) const {
     constexpr std::size_t kX = parameter_of_all<"x", Function::Rotate, Function::Scale>();
     const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
     control::FrameWords center = frame_words(block, invocation, kX, x_scale);
@@ -141,7 +165,7 @@ control::FrameWords Executor::center_of(const Block& block, const Invocation& in
 }
 
 /// About X, Y and Z, as far as they are named.
-void Executor::rotate_in_space(const Block& block, const Invocation& invocation) {
+void ProgrammedFrames::rotate_in_space(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kX =
         parameter_of_all<"x", Function::RotateSpace, Function::RotateSolid>();
     std::vector<control::AxisAndValue> angles;
@@ -160,7 +184,7 @@ void Executor::rotate_in_space(const Block& block, const Invocation& invocation)
 }
 
 /// One factor, or one for each axis; the axes that nothing is said of keep their size.
-void Executor::scale(const Block& block, const Invocation& invocation) {
+void ProgrammedFrames::scale(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kFactors = parameter_of<Function::Scale>("fx");
     const double all = block.argument(invocation, parameter_of<Function::Scale>("factor"), 1);
     path::Vec3 factors;
@@ -176,21 +200,7 @@ void Executor::scale(const Block& block, const Invocation& invocation) {
     frame_changed();
 }
 
-/// What it does the machine file says, or the machine builder alone knows; then each is said once.
-void Executor::pass_machine_function(const Block& block, std::int64_t number) {
-    if (const auto& scanner = machine_.scanner) {
-        if (number == scanner->on_function || number == scanner->off_function) {
-            is_scanning_ = number == scanner->on_function;
-            put(is_scanning_ ? Op::ScannerOn : Op::ScannerOff, block);
-            return;
-        }
-    }
-    if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
-    if (!told_.first_time(NoticeEach::MachineFunction, number)) return;
-    reporter_.report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
-}
-
 /// No axis moves when a frame changes, but the tool has other coordinates now.
-void Executor::frame_changed() { position_.here = frames_.from_base(position_.base); }
+void ProgrammedFrames::frame_changed() { position_.here = frames_.from_base(position_.base); }
 
 }  // namespace kadr::interp

@@ -4,8 +4,28 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "interp/block_functions.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/carriers.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/cycle_shapes.h"
+#include "interp/cycles.h"
+#include "interp/danger_watch.h"
+#include "interp/feed_words.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
+#include "interp/programmed_frames.h"
+#include "interp/radius_compensation.h"
+#include "interp/spindles.h"
+#include "interp/splines.h"
+#include "interp/stages.h"
+#include "interp/tilted_planes.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
+#include "interp/virtual_plane.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
@@ -24,12 +44,42 @@ using path::Op;
 using path::Plane;
 using path::SpindleMode;
 
-Actions Executor::apply_functions(const Block& block) {
+BlockFunctions::BlockFunctions(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      machine_(channel.state.machine),
+      is_lathe_(channel.state.is_lathe),
+      options_(channel.state.options),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      spindle_(channel.state.spindle.spindle),
+      other_spindles_(channel.state.spindle.other_spindles),
+      tool_(channel.state.tool.tool),
+      area_(channel.state.stage.area),
+      position_words_(channel.state.motion.position_words),
+      orienting_(channel.state.tool.orienting),
+      tilted_plane_(channel.state.tool.tilted_plane),
+      diameter_is_absolute_(channel.state.motion.diameter_is_absolute),
+      comp_(channel.state.stage.comp),
+      approach_choice_(channel.state.stage.approach_choice),
+      smooth_approach_(channel.state.stage.smooth_approach),
+      coolant_(channel.state.spindle.coolant),
+      is_scanning_(channel.state.motion.is_scanning),
+      taps_rigidly_(channel.state.cycle.taps_rigidly),
+      dynamics_(channel.state.motion.dynamics),
+      told_(channel.state.told),
+      axes_(channel.state.axes),
+      modal_cycles_(channel.state.cycle.modal_cycles) {}
+
+Actions BlockFunctions::apply_functions(const Block& block) {
     Actions actions;
     std::uint8_t asked = nc::Effect::kMotionCode;  // the function that was looked at last …
     bool is_allowed = false;                       // … and whether it may stand here
     for (const nc::Effect& effect : nc::effects_of(rules_, block, changer())) {
-        if (has_ended()) break;
+        if (reporter_.has_ended()) break;
         if (effect.invocation != asked)
             is_allowed = static_cast<bool>(require_allowed(block, effect.function));
         asked = effect.invocation;
@@ -40,7 +90,7 @@ Actions Executor::apply_functions(const Block& block) {
 }
 
 /// Whether the function would change, inside a rotation, what the control fixes before it.
-bool Executor::is_too_late(Function function) const {
+bool BlockFunctions::is_too_late(Function function) const {
     if (!rules_.rotation_is_innermost) return false;
     if (tilted_plane_.is_on && nc::has_fact(function, nc::Fact::BeforeTiltedPlane)) return true;
     if (nc::has_fact(function, nc::Fact::Mirrors) && frames_.is_scaled()) return true;
@@ -48,22 +98,13 @@ bool Executor::is_too_late(Function function) const {
     return nc::has_fact(function, nc::Fact::BeforeRotation) || is_other_plane(function);
 }
 
-bool Executor::is_other_plane(Function function) const {
+bool BlockFunctions::is_other_plane(Function function) const {
     return nc::info(function).group == Group::Plane && plane_of(function) != modal_.plane;
 }
 
-/// Whether cutter radius compensation must have ended before the function.
-bool Executor::needs_comp_off(const Block& block, Function function) const {
-    const bool acts = comp_.is_on() && block.find(Function::RadiusCompOff) == nullptr;
-    if (!rules_.comp_is_innermost || !acts || block.is_of_cycle()) return false;
-    if (nc::has_fact(function, nc::Fact::NeedsCompOff)) return true;
-    // It begins anew behind, which it can in a plane alone.
-    return nc::has_fact(function, nc::Fact::TakesCompBack) && comp_.acting != CompKind::InPlane;
-}
-
 /// Refuses a function that cannot stand where it does.
-Done Executor::require_allowed(const Block& block, Function function) {
-    if (needs_comp_off(block, function)) {
+Done BlockFunctions::require_allowed(const Block& block, Function function) {
+    if (channel_.compensation.needs_comp_off(block, function)) {
         reporter_.report(diag::CompFrame, block, function).arg(reporter_.word_of(block, function));
         return kFailed;
     }
@@ -78,57 +119,50 @@ Done Executor::require_allowed(const Block& block, Function function) {
         return kFailed;
     }
     if (!orienting_.has_length) return kDone;
-    return require_allowed_under_tcp(block, function);
-}
-
-/// The block chooses something of the compensation, which counts before its motion. Roughing works
-/// along the programmed shape and takes no choice; where the shape is followed, it is compensated.
-template <typename Choose>
-void Executor::choose_of_comp(Actions& actions, Choose choose) {
-    if (keeps_shape()) return;
-    actions.comp_changed = true;
-    choose();
+    return channel_.transformation.require_allowed_under_tcp(block, function);
 }
 
 /// What an effect does, or that the block asks for it later.
-void Executor::apply(const Block& block, const nc::Effect& effect, Actions& actions) {
+void BlockFunctions::apply(const Block& block, const nc::Effect& effect, Actions& actions) {
     using Kind = nc::EffectKind;
     const Invocation& invocation = effect.invocation_in(block);
     switch (effect.kind) {
         case Kind::Sets: set_member(block, effect, actions); break;
-        case Kind::Shift: change_frame(block, invocation, &Frames::shift); break;
-        case Kind::ShiftAdd: change_frame(block, invocation, &Frames::shift_add); break;
-        case Kind::Rotate: rotate(block, invocation); break;
-        case Kind::Scale: scale(block, invocation); break;
-        case Kind::Mirror: change_frame(block, invocation, &Frames::mirror); break;
-        case Kind::RotateOff: end_rotation(); break;
-        case Kind::ScaleOff: end_scaling(); break;
-        case Kind::MirrorOff: end_mirroring(block, invocation); break;
-        case Kind::SetPosition: set_position(block, invocation); break;
+        case Kind::Shift: channel_.frames.change_frame(block, invocation, &Frames::shift); break;
+        case Kind::ShiftAdd:
+            channel_.frames.change_frame(block, invocation, &Frames::shift_add);
+            break;
+        case Kind::Rotate: channel_.frames.rotate(block, invocation); break;
+        case Kind::Scale: channel_.frames.scale(block, invocation); break;
+        case Kind::Mirror: channel_.frames.change_frame(block, invocation, &Frames::mirror); break;
+        case Kind::RotateOff: channel_.frames.end_rotation(); break;
+        case Kind::ScaleOff: channel_.frames.end_scaling(); break;
+        case Kind::MirrorOff: channel_.frames.end_mirroring(block, invocation); break;
+        case Kind::SetPosition: channel_.frames.set_position(block, invocation); break;
         case Kind::WorkOffset:
-            select_work_offset(
+            channel_.frames.select_work_offset(
                 block, count_of(block, invocation, parameter_of<Function::WorkOffset>("number")));
             orienting_.owes_offset = false;
             break;
         case Kind::WritesWorkOffset: actions.data = &invocation; break;
-        case Kind::CorrectsWorkOffset: use_probed(block, invocation); break;
-        case Kind::EndsTiltedPlane: end_tilted_plane(block); break;
+        case Kind::CorrectsWorkOffset: channel_.motions.use_probed(block, invocation); break;
+        case Kind::EndsTiltedPlane: channel_.tilted_planes.end_tilted_plane(block); break;
         case Kind::SwitchesTcp: switch_tcp(block, invocation, actions); break;
-        case Kind::SelectsTool: select_tool(block, invocation, actions); break;
+        case Kind::SelectsTool: channel_.tool.select_tool(block, invocation, actions); break;
         case Kind::ChangesTool: actions.tool_change = true; break;
-        case Kind::SelectsEdge: select_edge(block, invocation, actions); break;
-        case Kind::ChangesLength: change_length(block, invocation, actions); break;
+        case Kind::SelectsEdge: channel_.tool.select_edge(block, invocation, actions); break;
+        case Kind::ChangesLength: channel_.tool.change_length(block, invocation, actions); break;
         case Kind::SelectsLength:
             tool_.offset =
                 count_of(block, invocation, parameter_of<Function::LengthOffset>("offset"));
             if (tool_.source == Tool::Source::Offset)
-                set_length_source(Tool::Source::Offset, actions);
+                channel_.tool.set_length_source(Tool::Source::Offset, actions);
             break;
         case Kind::SelectsRadius:
-            choose_of_comp(actions, [&] {
-                tool_.radius_offset =
-                    count_of(block, invocation, parameter_of<Function::RadiusOffset>("offset"));
-            });
+            if (channel_.shapes.keeps_shape()) break;
+            actions.comp_changed = true;
+            tool_.radius_offset =
+                count_of(block, invocation, parameter_of<Function::RadiusOffset>("offset"));
             break;
         case Kind::EndsProgram: actions.ends = true; break;
         case Kind::Own: apply_own(block, invocation, actions); break;
@@ -144,42 +178,27 @@ void Executor::apply(const Block& block, const nc::Effect& effect, Actions& acti
 }
 
 /// Another member of a modal group acts.
-void Executor::set_member(const Block& block, const nc::Effect& effect, Actions& actions) {
+void BlockFunctions::set_member(const Block& block, const nc::Effect& effect, Actions& actions) {
     const Function member = effect.function;
     switch (effect.group()) {
         case Group::Motion: break;  // the motion code acts in motion.cpp
         case Group::Distance: modal_.is_incremental = member == Function::Incremental; break;
         case Group::PathMode: modal_.set_path_mode(member); break;
         case Group::Plane: change_plane(block, member); break;
-        case Group::Units: check_units(block, member); break;  // the reader has made mm of lengths
-        case Group::FeedMode: select_feed_mode(member); break;
+        case Group::Units:
+            channel_.checks.check_units(block, member);
+            break;  // the reader has made mm of lengths
+        case Group::FeedMode: channel_.feed.select_feed_mode(member); break;
         case Group::SpeedMode:
             if (member == Function::CuttingSpeedOn) spindle_.has_cutting_speed = true;
-            else leave_cutting_speed();
+            else channel_.spindles.leave_cutting_speed();
             break;
         case Group::RadiusComp:
-            choose_of_comp(actions, [&] { choose_comp_side(block, member, actions); });
-            break;
         case Group::CompStart:
-            choose_of_comp(actions, [&] { comp_.start = comp_start_of(member); });
-            break;
         case Group::CompCorner:
-            choose_of_comp(actions, [&] { comp_.corner = comp_corner_of(member); });
-            break;
         case Group::CompCheck:
-            choose_of_comp(actions, [&] { comp_.has_check = member == Function::CompCheckOn; });
-            break;
         case Group::CompKind:
-            choose_of_comp(actions, [&] {
-                comp_.system = comp_system_of(member);
-                if (comp_.system == CompKind::InPlane)
-                    comp_.is_in_frame = member == Function::CompInFrame;
-            });
-            break;
-        case Group::CompOrientation:
-            choose_of_comp(actions,
-                           [&] { comp_.orients_on_arc = member == Function::CompOrientOnArc; });
-            break;
+        case Group::CompOrientation: channel_.compensation.choose(block, member, actions); break;
         case Group::Spindle:
             if (member == Function::SpindleOrient) break;
             actions.stops_behind |= effect.when == nc::When::Behind;
@@ -197,7 +216,9 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
             modal_cycles_.returns_to_retract = member == Function::CycleReturnRetract;
             break;
         case Group::Diameter: set_diameter(block, member); break;
-        case Group::Compressor: choose_smoothing(block, effect.invocation_in(block)); break;
+        case Group::Compressor:
+            channel_.smoothing.choose_smoothing(block, effect.invocation_in(block));
+            break;
         case Group::Turning: orienting_.turning = orient_interpolation_of(member); break;
         case Group::OrientAngles:
             orienting_.angles = tool_angles_of(member);
@@ -215,77 +236,36 @@ void Executor::set_member(const Block& block, const nc::Effect& effect, Actions&
     }
 }
 
-void Executor::set_diameter(const Block& block, Function member) {
+void BlockFunctions::set_diameter(const Block& block, Function member) {
     axes_.word_scale[index(Axis::X)] = member == Function::DiameterOff ? 1 : 0.5;
     diameter_is_absolute_ = member == Function::DiameterAbsolute;
-    if (member != Function::DiameterOff) watch_diameter(block, member);
+    if (member != Function::DiameterOff) channel_.dangers.watch_diameter(block, member);
 }
 
-void Executor::switch_tcp(const Block& block, const Invocation& invocation, Actions& actions) {
+void BlockFunctions::switch_tcp(const Block& block, const Invocation& invocation,
+                                Actions& actions) {
     const Function function = invocation.function;
     if (nc::info(function).group == Group::LengthComp)
-        return begin_length_transformation(block, invocation, actions);
-    if (function == Function::TcpBased && !require_transformation(block, invocation)) return;
-    if (!require_no_carrier(block, function)) return;
-    if (nc::has_fact(function, nc::Fact::VirtualAxes)) return begin_virtual(block, invocation);
-    end_virtual(block);
-    if (!has_ended()) switch_transformation(block, invocation);
-}
-
-void Executor::select_tool(const Block& block, const Invocation& invocation, Actions& actions) {
-    constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
-    tool_.selected = tool_number(block, invocation);
-    if (invocation.function == Function::Tool)
-        return set_length_source(Tool::Source::Edge, actions);
-    if (!invocation.has(kOffset)) return;
-    // The offset of a turret's station has length, radius and tip.
-    tool_.offset = tool_.radius_offset = count_of(block, invocation, kOffset);
-    set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset, actions);
-}
-
-void Executor::select_edge(const Block& block, const Invocation& invocation, Actions& actions) {
-    tool_.edge_called = count_of(block, invocation, parameter_of<Function::ToolEdge>("edge"));
-    if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
-    set_length_source(tool_.edge_called == 0 ? Tool::Source::None : Tool::Source::Edge, actions);
-    if (!keeps_shape()) actions.comp_changed |= comp_.is_on();
-}
-
-void Executor::change_length(const Block& block, const Invocation& invocation, Actions& actions) {
-    constexpr std::size_t kOffset =
-        parameter_of_all<"offset", Function::LengthCompOn, Function::LengthCompMinus>();
-    if (orienting_.has_length) end_length_transformation(actions);
-    if (invocation.function == Function::LengthCompOff)
-        return set_length_source(Tool::Source::None, actions);
-    tool_.is_taken_off = invocation.function == Function::LengthCompMinus;
-    if (invocation.has(kOffset)) tool_.offset = count_of(block, invocation, kOffset);
-    set_length_source(Tool::Source::Offset, actions);
+        return channel_.transformation.begin_length_transformation(block, invocation, actions);
+    if (function == Function::TcpBased &&
+        !channel_.transformation.require_transformation(block, invocation))
+        return;
+    if (!channel_.carriers.require_no_carrier(block, function)) return;
+    if (nc::has_fact(function, nc::Fact::VirtualAxes))
+        return channel_.virtual_plane.begin_virtual(block, invocation);
+    channel_.virtual_plane.end_virtual(block);
+    if (!reporter_.has_ended()) channel_.transformation.switch_transformation(block, invocation);
 }
 
 /// What of a function only the interpreter knows.
-void Executor::apply_own(const Block& block, const Invocation& invocation, Actions& actions) {
+void BlockFunctions::apply_own(const Block& block, const Invocation& invocation, Actions& actions) {
     switch (invocation.function) {
         case Function::SpeedLimit: actions.limit = &invocation; break;
         case Function::CompCornerPointed:
-            choose_of_comp(actions, [&] { choose_pointed_corners(block, invocation); });
-            break;
         case Function::CompOpenEnd:
-            choose_of_comp(actions, [&] {
-                comp_.open_end = static_cast<path::OpenEnd>(std::clamp<std::int64_t>(
-                    count_of(block, invocation, parameter_of<Function::CompOpenEnd>("kind")), 0,
-                    2));
-            });
-            break;
         case Function::CompAllowance:
-            choose_of_comp(actions, [&] {
-                comp_.allowance =
-                    block.argument(invocation, parameter_of<Function::CompAllowance>("allowance"));
-            });
-            break;
         case Function::CompDepth:
-            choose_of_comp(actions, [&] {
-                comp_.depth =
-                    block.argument(invocation, parameter_of<Function::CompDepth>("depth"));
-            });
+            channel_.compensation.choose_by_words(block, invocation, actions);
             break;
         case Function::CompKeepVector:
         case Function::CompCornerHere:
@@ -293,7 +273,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
                 reporter_.report(diag::CompNoVector, block, invocation.function);
                 return;
             }
-            if (!require_comp_in_plane(block, invocation.function)) return;
+            if (!channel_.compensation.require_comp_in_plane(block, invocation.function)) return;
             actions.keeps_vector |= invocation.function == Function::CompKeepVector;
             if (invocation.function == Function::CompCornerHere) actions.comp_corner = &invocation;
             break;
@@ -325,41 +305,47 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
             actions.feed_once =
                 block.argument(invocation, parameter_of<Function::FeedOnce>("feed"));
             break;
-        case Function::AreaLimit: set_area_limit(block, invocation); break;
+        case Function::AreaLimit: channel_.checks.set_area_limit(block, invocation); break;
         case Function::AreaOn:
         case Function::AreaOff: area_.switch_on(invocation.function == Function::AreaOn); break;
         case Function::SpeedBound:
-            bound_speed(
+            channel_.spindles.bound_speed(
                 block, invocation.function,
                 count_of(block, invocation, parameter_of<Function::SpeedBound>("upper")) != 0,
                 block.argument(invocation, parameter_of<Function::SpeedBound>("speed")));
             break;
         case Function::CompPause:
         case Function::CompResume:
-            if (comp_.is_on() && !keeps_shape()) {
-                if (!require_comp_in_plane(block, invocation.function)) return;
-                send_comp({invocation.function == Function::CompPause ? CompChange::Kind::Pause
-                                                                      : CompChange::Kind::Resume,
-                           {},
-                           modal_.plane,
-                           0,
-                           position_.base,
-                           {},
-                           {}});
+            if (comp_.is_on() && !channel_.shapes.keeps_shape()) {
+                if (!channel_.compensation.require_comp_in_plane(block, invocation.function))
+                    return;
+                channel_.compensation.send_comp({invocation.function == Function::CompPause
+                                                     ? CompChange::Kind::Pause
+                                                     : CompChange::Kind::Resume,
+                                                 {},
+                                                 modal_.plane,
+                                                 0,
+                                                 position_.base,
+                                                 {},
+                                                 {}});
             }
             break;
         case Function::ApproachSteps:
             approach_choice_.in_steps =
                 count_of(block, invocation, parameter_of<Function::ApproachSteps>("steps")) != 0;
             break;
-        case Function::SumOffset: choose_sum_offset(block, invocation, actions); break;
+        case Function::SumOffset:
+            channel_.tool.choose_sum_offset(block, invocation, actions);
+            break;
         case Function::PathMoves:
         case Function::PointMoves:
         case Function::PointRapids:
             orienting_.point_to_point = point_to_point_of(invocation.function);
             break;
         case Function::AxisConfiguration:
-        case Function::AxisSigns: choose_axes(block, invocation, actions.tool); break;
+        case Function::AxisSigns:
+            channel_.tool_motion.choose_axes(block, invocation, actions.tool);
+            break;
         case Function::OrientReset: actions.orient_reset = &invocation; break;
         case Function::ToolVector:
         case Function::ToolAngle:
@@ -371,34 +357,43 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::ConeOpening:
         case Function::ToolBetween:
         case Function::ToolPoint:
-        case Function::ToolSpin: take_orientation(block, invocation, actions); break;
+        case Function::ToolSpin:
+            channel_.tool_motion.take_orientation(block, invocation, actions);
+            break;
         case Function::Tilt:
         case Function::TiltedPlaneEuler:
         case Function::TiltedPlaneByAngles:
-            tilt(block, invocation);
+            channel_.tilted_planes.tilt(block, invocation);
             if (invocation.function == Function::Tilt) actions.align = &invocation;
             break;
         case Function::TiltedPlaneByPoints:
-        case Function::TiltedPlaneByVectors: set_plane_by_blocks(block, invocation); break;
-        case Function::TiltedPlaneAlongTool: tilt_along_tool(block, invocation); break;
+        case Function::TiltedPlaneByVectors:
+            channel_.tilted_planes.set_plane_by_blocks(block, invocation);
+            break;
+        case Function::TiltedPlaneAlongTool:
+            channel_.tilted_planes.tilt_along_tool(block, invocation);
+            break;
         case Function::AlignTool:
         case Function::AlignToolAtTip: actions.align = &invocation; break;
-        case Function::Rotation3d: turn_in_space(block, invocation); break;
-        case Function::Swivel: swivel(block, invocation); break;
-        case Function::ToolFrame: frame_along_tool(block, invocation); break;
+        case Function::Rotation3d: channel_.tilted_planes.turn_in_space(block, invocation); break;
+        case Function::Swivel: channel_.tilted_planes.swivel(block, invocation); break;
+        case Function::ToolFrame: channel_.tilted_planes.frame_along_tool(block, invocation); break;
         case Function::ToolFrameOff:
             frames_.set_tool_frame(std::nullopt);
-            frame_changed();
+            channel_.frames.frame_changed();
             position_.programmed = position_.here;
             break;
         case Function::TableFrame:
         case Function::TableFrameOff:
-            follow_tables(block, invocation.function == Function::TableFrame);
+            channel_.tilted_planes.follow_tables(block,
+                                                 invocation.function == Function::TableFrame);
             break;
         case Function::ToolCarrier:
         case Function::CarrierByData:
-        case Function::CarrierByFrame: choose_carrier(block, invocation, actions); break;
-        case Function::SplineDegree: set_spline_degree(block, invocation); break;
+        case Function::CarrierByFrame:
+            channel_.carriers.choose_carrier(block, invocation, actions);
+            break;
+        case Function::SplineDegree: channel_.splines.set_spline_degree(block, invocation); break;
         case Function::SplineWeight:  // beside the pole, in splines.cpp
         case Function::SplineInterval:
         case Function::SplineKnot:
@@ -407,10 +402,10 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::PolynomialRange:
         case Function::ThreadChange: break;  // beside the pitch, in motion.cpp
         case Function::SplineStart:
-        case Function::SplineEnd: choose_spline_end(block, invocation); break;
+        case Function::SplineEnd: channel_.splines.choose_spline_end(block, invocation); break;
         case Function::ExactStopOnce:
             actions.exact_stop = true;
-            watch_dwell(block);
+            channel_.dangers.watch_dwell(block);
             break;
         case Function::BlendFeedDistance:
         case Function::BlendRapidDistance:
@@ -418,7 +413,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::OrientTolerance:
         case Function::OrientSmooth:
         case Function::OrientSmoothOff:
-        case Function::HighSpeed: choose_smoothing(block, invocation); break;
+        case Function::HighSpeed: channel_.smoothing.choose_smoothing(block, invocation); break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;
         case Function::LengthSuspend: actions.suspends_length = true; break;
         case Function::Preset: actions.preset = &invocation; break;
@@ -450,25 +445,33 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
         case Function::AxisSpeed:
         case Function::AxisFeed:
         case Function::AxisOverride: dynamics_.set_axis_speed(block, invocation); break;
-        case Function::FeedPolynomial: take_polynomial(block, invocation); break;
+        case Function::FeedPolynomial: channel_.feed.take_polynomial(block, invocation); break;
         case Function::Probe: actions.probes = true; break;
         case Function::ProbeCheck:
         case Function::ProbeClear:
-        case Function::ProbeKeep: use_probed(block, invocation); break;
+        case Function::ProbeKeep: channel_.motions.use_probed(block, invocation); break;
         case Function::ThreadStart:
             actions.thread_start_deg =
                 block.argument(invocation, parameter_of<Function::ThreadStart>("angle"));
             break;
         case Function::TapRigid: taps_rigidly_ = true; break;
-        case Function::Pole: position_words_.set_pole(block, invocation, motion_words()); break;
+        case Function::Pole:
+            position_words_.set_pole(block, invocation, channel_.motions.motion_words());
+            break;
         case Function::PolarPoint: break;  // the motion's matter
-        case Function::PolarOn: position_words_.switch_polar(true, motion_words()); break;
-        case Function::PolarOff: position_words_.switch_polar(false, motion_words()); break;
+        case Function::PolarOn:
+            position_words_.switch_polar(true, channel_.motions.motion_words());
+            break;
+        case Function::PolarOff:
+            position_words_.switch_polar(false, channel_.motions.motion_words());
+            break;
         case Function::CornerChamfer:
         case Function::CornerRound:
         case Function::CornerRoundModal:
         case Function::CornerFeed:
-        case Function::CornerFeedModal: choose_corner(block, invocation, actions); break;
+        case Function::CornerFeedModal:
+            channel_.cornering.choose_corner(block, invocation, actions);
+            break;
         case Function::ContourAngle: actions.angle = &invocation; break;
         case Function::MachineFunction:
             pass_machine_function(
@@ -477,16 +480,24 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
             break;
         case Function::LatheOffsetData:
         case Function::ToolOffsetData: actions.data = &invocation; break;
-        case Function::ShiftAxes: change_frame(block, invocation, &Frames::shift); break;
-        case Function::ShiftAxesAdd: change_frame(block, invocation, &Frames::shift_add); break;
-        case Function::ShiftCoarse: change_frame(block, invocation, &Frames::set_coarse); break;
-        case Function::ShiftFine: change_frame(block, invocation, &Frames::set_fine); break;
-        case Function::SetPositionAxes: set_position(block, invocation); break;
-        case Function::PositionReset: reset_position(block, invocation); break;
+        case Function::ShiftAxes:
+            channel_.frames.change_frame(block, invocation, &Frames::shift);
+            break;
+        case Function::ShiftAxesAdd:
+            channel_.frames.change_frame(block, invocation, &Frames::shift_add);
+            break;
+        case Function::ShiftCoarse:
+            channel_.frames.change_frame(block, invocation, &Frames::set_coarse);
+            break;
+        case Function::ShiftFine:
+            channel_.frames.change_frame(block, invocation, &Frames::set_fine);
+            break;
+        case Function::SetPositionAxes: channel_.frames.set_position(block, invocation); break;
+        case Function::PositionReset: channel_.frames.reset_position(block, invocation); break;
         case Function::RotateSpace:
-        case Function::RotateSolid: rotate_in_space(block, invocation); break;
+        case Function::RotateSolid: channel_.frames.rotate_in_space(block, invocation); break;
         case Function::SpindleOrient: actions.orient = &invocation; break;
-        case Function::MasterSpindle: select_master(block, invocation); break;
+        case Function::MasterSpindle: channel_.spindles.select_master(block, invocation); break;
         case Function::SpindleTurn:
             // The master stops when M5 alone would stop it.
             if (count_of(block, invocation, parameter_of<Function::SpindleTurn>("spindle")) ==
@@ -499,7 +510,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
             [[fallthrough]];
         case Function::SpindleSpeed:
         case Function::SpindleLimit:
-        case Function::SpindleBound: act_on_spindle(block, invocation); break;
+        case Function::SpindleBound: channel_.spindles.act_on_spindle(block, invocation); break;
         case Function::SpindleStand: break;  // which takes its time: before the motion
         case Function::Dwell:
         case Function::SpindleDwell: actions.dwell = &invocation; break;
@@ -524,7 +535,7 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
             if (invocation.has(kStart)) words.start_deg = block.argument(invocation, kStart);
             break;
         }
-        case Function::CyclePreset: preset_cycle(block, invocation); break;
+        case Function::CyclePreset: channel_.cycles.preset_cycle(block, invocation); break;
         case Function::Cycle: actions.cycle = &invocation; break;
         case Function::None:
         case Function::Rapid:
@@ -655,11 +666,11 @@ void Executor::apply_own(const Block& block, const Invocation& invocation, Actio
     }
 }
 
-void Executor::change_plane(const Block& block, Function plane) {
+void BlockFunctions::change_plane(const Block& block, Function plane) {
     const Plane before = modal_.plane;
     modal_.plane = plane_of(plane);
     // Where a tool's lengths act may depend on the plane.
-    tool_.has_changed |= wanted_lengths() != tool_.lengths;
+    tool_.has_changed |= channel_.tool.wanted_lengths() != tool_.lengths;
     if (modal_.plane == before) return;
     position_words_.leave_plane();
     // Along another tool axis the holes begin where the tool stands.
@@ -667,21 +678,25 @@ void Executor::change_plane(const Block& block, Function plane) {
         modal_cycles_.data.initial = position_.here[index(path::axes_of(modal_.plane).normal)];
 }
 
-void Executor::act_before_motion(const Block& block, const Actions& actions) {
+void BlockFunctions::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.data != nullptr) write_data(block, *actions.data);
-    if (actions.tool_change) change_tool(block);
-    if (tool_.edge_called != 0 && !has_ended()) take_edge(block);
-    if (!has_ended() && takes_carrier(block, actions)) take_carrier(block);
-    if (actions.comp_changed) act_on_comp(block, actions);
+    if (actions.tool_change) channel_.tool.change_tool(block);
+    if (tool_.edge_called != 0 && !reporter_.has_ended()) channel_.tool.take_edge(block);
+    if (!reporter_.has_ended() && channel_.carriers.takes_carrier(block, actions))
+        channel_.carriers.take_carrier(block);
+    if (actions.comp_changed) channel_.compensation.act_on_comp(block, actions);
     if (actions.keeps_vector)
-        send_comp({CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});
-    if (actions.comp_corner != nullptr) round_comp_corner(block, *actions.comp_corner);
-    if (has_ended()) return;
+        channel_.compensation.send_comp(
+            {CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});
+    if (actions.comp_corner != nullptr)
+        channel_.compensation.round_comp_corner(block, *actions.comp_corner);
+    if (reporter_.has_ended()) return;
     if (actions.limit != nullptr) {
-        limit_speed(block, Function::SpeedLimit,
-                    block.argument(*actions.limit, parameter_of<Function::SpeedLimit>("limit")));
+        channel_.spindles.limit_speed(
+            block, Function::SpeedLimit,
+            block.argument(*actions.limit, parameter_of<Function::SpeedLimit>("limit")));
     }
-    if (block.has(Slot::Speed)) program_speed(block);
+    if (block.has(Slot::Speed)) channel_.spindles.program_speed(block);
     if (spindle_.has_cutting_speed && !(spindle_.cutting_speed > 0) &&
         block.find(Function::CuttingSpeedOn) != nullptr) {
         reporter_.report(diag::CuttingSpeedMissing, block, Function::CuttingSpeedOn);
@@ -690,48 +705,49 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.spindle) told_.renew_spindle();
     if (actions.spindle && is_running(*actions.spindle)) spindle_.mode = *actions.spindle;
     if (!actions.stops_behind) stop_spindle_and_coolant(block, actions);
-    update_spindle(block);
-    if (actions.orient != nullptr) orient_spindle(block, *actions.orient);
+    channel_.spindles.update_spindle(block);
+    if (actions.orient != nullptr) channel_.spindles.orient_spindle(block, *actions.orient);
     if (!other_spindles_.empty() || block.find(Function::SpindleStand) != nullptr)
-        update_other_spindles(block);
-    if (has_ended()) return;
+        channel_.spindles.update_other_spindles(block);
+    if (reporter_.has_ended()) return;
     if (actions.flood) set_coolant(block, path::CoolantMode::Flood);
     if (actions.mist) set_coolant(block, path::CoolantMode::Mist);
     issue_functions(block, actions, Side::Before);
-    if (actions.message != nullptr) put(Op::Message, block).text = block.text;
+    if (actions.message != nullptr) channel_.stages.put(Op::Message, block).text = block.text;
     if (actions.dwell != nullptr) {
         if (actions.dwell->function == Function::SpindleDwell) {
-            dwell_by_spindle(block, *actions.dwell);
+            channel_.spindles.dwell_by_spindle(block, *actions.dwell);
         } else {
             dwell(block, *actions.dwell);
         }
     }
-    if (actions.align != nullptr && !has_ended()) align(block, *actions.align);
+    if (actions.align != nullptr && !reporter_.has_ended())
+        channel_.tilted_planes.align(block, *actions.align);
 }
 
-void Executor::act_after_motion(const Block& block, const Actions& actions) {
+void BlockFunctions::act_after_motion(const Block& block, const Actions& actions) {
     if (actions.stops_behind) stop_spindle_and_coolant(block, actions);
     issue_functions(block, actions, Side::Behind);
-    if (actions.stop == Actions::Stop::Always) put(Op::Stop, block);
+    if (actions.stop == Actions::Stop::Always) channel_.stages.put(Op::Stop, block);
     if (actions.stop == Actions::Stop::Optional && options_.optional_stop) {
-        put(Op::OptionalStop, block);
+        channel_.stages.put(Op::OptionalStop, block);
     }
     if (actions.ends) {
-        put(Op::End, block);
+        channel_.stages.put(Op::End, block);
         reporter_.end();
     }
 }
 
-void Executor::stop_spindle_and_coolant(const Block& block, const Actions& actions) {
+void BlockFunctions::stop_spindle_and_coolant(const Block& block, const Actions& actions) {
     if (actions.spindle == SpindleMode::Stop) {
-        watch_spindle_stop(block);
+        channel_.dangers.watch_spindle_stop(block);
         spindle_.mode = SpindleMode::Stop;
-        update_spindle(block);
+        channel_.spindles.update_spindle(block);
     }
     if (actions.coolant_off) set_coolant(block, path::CoolantMode::Off);
 }
 
-void Executor::dwell(const Block& block, const Invocation& invocation) {
+void BlockFunctions::dwell(const Block& block, const Invocation& invocation) {
     const double time = block.argument(invocation, parameter_of<Function::Dwell>("time"));
     const double revolutions =
         block.argument(invocation, parameter_of<Function::Dwell>("revolutions"));
@@ -744,9 +760,18 @@ void Executor::dwell(const Block& block, const Invocation& invocation) {
         return;
     }
     if (time == 0 && revolutions == 0) return;
-    Command& command = put(Op::Dwell, block);
+    Command& command = channel_.stages.put(Op::Dwell, block);
     command.time = time;
     command.revolutions = revolutions;
+}
+
+void BlockFunctions::write_data(const Block& block, const Invocation& invocation) {
+    switch (invocation.function) {
+        case Function::WorkOffsetData: channel_.frames.write_work_offset(block, invocation); break;
+        case Function::LatheOffsetData: channel_.tool.write_lathe_offset(block, invocation); break;
+        case Function::ToolOffsetData: channel_.tool.write_tool_offset(block, invocation); break;
+        default: break;  // no other is sent here
+    }
 }
 
 }  // namespace kadr::interp

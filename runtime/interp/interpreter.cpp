@@ -1,7 +1,31 @@
 #include "interp/interpreter.h"
 
+#include "interp/answers.h"
+#include "interp/block_functions.h"
+#include "interp/carriers.h"
+#include "interp/channel.h"
+#include "interp/contour_tables.h"
+#include "interp/cornering.h"
+#include "interp/cycle_shapes.h"
+#include "interp/cycles.h"
+#include "interp/danger_watch.h"
 #include "interp/executor.h"
 #include "interp/feed_characteristics.h"
+#include "interp/feed_words.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
+#include "interp/programmed_frames.h"
+#include "interp/radius_compensation.h"
+#include "interp/smooth_approaches.h"
+#include "interp/spindles.h"
+#include "interp/splines.h"
+#include "interp/stages.h"
+#include "interp/tilted_planes.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
+#include "interp/virtual_plane.h"
 
 namespace kadr::interp {
 
@@ -19,78 +43,117 @@ class Executed final : public Stream<path::Command> {
 
 }  // namespace
 
+/// One channel of a control: its state, its parts, and the road of the blocks through them.
 struct Interpreter::State {
+    State(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
+          const nc::BlockLocations* places, CycleExpander* cycles,
+          const InterpreterOptions& options, DiagnosticSink& sink)
+        : channel_state(dialect, machine, places, cycles, options, sink),
+          executor(channel, blocks) {
+        executor.start();
+    }
+
+    ChannelState channel_state;
+    Channel channel{channel_state,  spindles,     feed,          frames,    tool,
+                    transformation, tool_motion,  tilted_planes, carriers,  virtual_plane,
+                    cornering,      compensation, approaches,    stages,    smoothing,
+                    splines,        cycles,       shapes,        contours,  motions,
+                    checks,         dangers,      answers,       functions, executor};
+    Spindles spindles{channel};
+    FeedWords feed{channel};
+    ProgrammedFrames frames{channel};
+    ToolInUse tool{channel};
+    Transformation transformation{channel};
+    ToolMotion tool_motion{channel};
+    TiltedPlanes tilted_planes{channel};
+    Carriers carriers{channel};
+    VirtualPlane virtual_plane{channel};
+    Cornering cornering{channel};
+    RadiusCompensation compensation{channel};
+    SmoothApproaches approaches{channel};
+    Stages stages{channel};
+    PathSmoothing smoothing{channel};
+    Splines splines{channel};
+    Cycles cycles{channel};
+    CycleShapes shapes{channel};
+    ContourTables contours{channel};
+    Motions motions{channel};
+    MotionChecks checks{channel};
+    DangerWatch dangers{channel};
+    Answers answers{channel};
+    BlockFunctions functions{channel};
     Executor executor;
     Executed executed{executor};
-    FeedCharacteristics courses{executed, [this] { return executor.has_feed_characteristic(); },
-                                [this](const path::Command& command, double feed) {
-                                    executor.report_varying_feed(command, feed);
-                                }};
+    FeedCharacteristics characteristics{
+        executed, [this] { return channel_state.motion.dynamics.has_feed_characteristic(); },
+        [this](const path::Command& command, double at) { feed.report_varying_feed(command, at); }};
 };
 
 Interpreter::Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
                          Stream<nc::Block>& blocks, const nc::BlockLocations* places,
                          CycleExpander* cycles, const InterpreterOptions& options,
                          DiagnosticSink& sink)
-    : state_(new State{Executor(dialect, machine, blocks, places, cycles, options, sink)}) {}
+    : state_(new State(dialect, machine, blocks, places, cycles, options, sink)) {}
 
 Interpreter::~Interpreter() = default;
 
-std::size_t Interpreter::pull(std::span<path::Command> out) { return state_->courses.pull(out); }
-bool Interpreter::alarmed() const { return state_->executor.alarmed(); }
-std::vector<StateItem> Interpreter::state() const { return state_->executor.state(); }
-const AxisValues& Interpreter::position() const { return state_->executor.position(); }
-Snapshot Interpreter::snapshot() const { return state_->executor.snapshot(); }
+std::size_t Interpreter::pull(std::span<path::Command> out) {
+    return state_->characteristics.pull(out);
+}
+bool Interpreter::alarmed() const { return state_->channel_state.reporter.has_alarm(); }
+std::vector<StateItem> Interpreter::state() const { return state_->answers.state(); }
+const AxisValues& Interpreter::position() const {
+    return state_->channel_state.motion.position.here;
+}
+Snapshot Interpreter::snapshot() const { return state_->answers.snapshot(); }
 std::vector<ProbeTouch> Interpreter::touches_ahead() const {
-    return state_->executor.touches_ahead();
+    return state_->channel_state.motion.probe.touches_ahead();
 }
 
-std::uint64_t Interpreter::blocks() const { return state_->executor.blocks(); }
+std::uint64_t Interpreter::blocks() const { return state_->channel_state.motion.block_count; }
 
-double Interpreter::elapsed() { return state_->executor.elapsed(); }
+double Interpreter::elapsed() { return state_->answers.run_time(); }
 std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t first,
                                             std::int64_t second) {
-    return state_->executor.quantity(quantity, first, second);
+    return state_->answers.quantity(quantity, first, second);
 }
 ControlAccess::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_t first,
                                                std::int64_t second, double value,
                                                bool acts_at_once) {
-    return state_->executor.set_quantity(quantity, first, second, value, acts_at_once);
+    return state_->answers.set_quantity(quantity, first, second, value, acts_at_once);
 }
 std::optional<control::ControlFrame> Interpreter::frame(nc::Quantity quantity,
                                                         std::int64_t number) {
-    return state_->executor.frame(quantity, number);
+    return state_->frames.frame(quantity, number);
 }
 ControlAccess::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t number,
                                             const control::ControlFrame& frame, bool acts_at_once) {
-    return state_->executor.set_frame(quantity, number, frame, acts_at_once);
+    return state_->frames.set_frame(quantity, number, frame, acts_at_once);
 }
-bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
-bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
-std::string_view Interpreter::begin_contour() { return state_->executor.begin_contour(); }
-std::optional<ContourElements> Interpreter::end_contour() { return state_->executor.end_contour(); }
-bool Interpreter::is_at_pattern_position() const {
-    return state_->executor.is_at_pattern_position();
-}
-void Interpreter::leave_pattern_position() { state_->executor.leave_pattern_position(); }
-void Interpreter::leave_pattern() { state_->executor.leave_pattern(); }
-void Interpreter::keep_frames() { state_->executor.keep_frames(); }
-void Interpreter::restore_frames(bool is_wanted) { state_->executor.restore_frames(is_wanted); }
+bool Interpreter::is_length(std::int64_t axis) const { return state_->answers.is_length(axis); }
+bool Interpreter::is_compensated() const { return state_->answers.is_compensated(); }
+std::string_view Interpreter::begin_contour() { return state_->contours.begin_contour(); }
+std::optional<ContourElements> Interpreter::end_contour() { return state_->contours.end_contour(); }
+bool Interpreter::is_at_pattern_position() const { return state_->cycles.is_at_pattern_position(); }
+void Interpreter::leave_pattern_position() { state_->cycles.leave_pattern_position(); }
+void Interpreter::leave_pattern() { state_->cycles.leave_pattern(); }
+void Interpreter::keep_frames() { state_->frames.keep_frames(); }
+void Interpreter::restore_frames(bool is_wanted) { state_->frames.restore_frames(is_wanted); }
 std::optional<std::string> Interpreter::text(nc::Quantity quantity, std::int64_t index) {
-    return state_->executor.text(quantity, index);
+    return state_->answers.text(quantity, index);
 }
 ControlAccess::Write Interpreter::set_text(nc::Quantity quantity, std::int64_t index,
                                            std::string_view text) {
-    return state_->executor.set_text(quantity, index, text);
+    return state_->answers.set_text(quantity, index, text);
 }
 std::optional<std::int64_t> Interpreter::axis_number(Axis axis) const {
-    return state_->executor.axis_number(axis);
+    return state_->answers.axis_number(axis);
 }
 bool Interpreter::has_spindle(std::int64_t number) const {
-    return state_->executor.has_spindle(number);
+    return state_->spindles.has_spindle(number);
 }
 double Interpreter::word_factor(std::int64_t axis) const {
-    return state_->executor.word_factor(axis);
+    return state_->answers.word_factor(axis);
 }
 
 }  // namespace kadr::interp

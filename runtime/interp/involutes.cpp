@@ -6,7 +6,12 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
 #include "path/curve.h"
 #include "path/linear.h"
 
@@ -17,10 +22,10 @@ using nc::Slot;
 using path::linear;
 using path::Vec3;
 
-void Executor::involute(const Block& block, const Target& programmed, bool exact_stop) {
-    if (!require_feed(block, "involute")) return;
-    leave_corners(diag::CornerNotContour);
-    if (has_ended()) return;
+void Motions::involute(const Block& block, const Target& programmed, bool exact_stop) {
+    if (!channel_.checks.require_feed(block, "involute")) return;
+    channel_.cornering.leave_corners(diag::CornerNotContour);
+    if (reporter_.has_ended()) return;
     if (frames_.is_stretched(modal_.plane)) {
         reporter_.report(diag::ArcStretched, block, modal_.motion);
         return;
@@ -36,8 +41,8 @@ void Executor::involute(const Block& block, const Target& programmed, bool exact
     put_involute(block, *words, *radius, target, exact_stop);
 }
 
-void Executor::put_involute(const Block& block, const path::InvoluteWords& words, double radius,
-                            const Target& target, bool exact_stop) {
+void Motions::put_involute(const Block& block, const path::InvoluteWords& words, double radius,
+                           const Target& target, bool exact_stop) {
     const path::Frame& frame = frames_.total();
     const Vec3 out = words.start - words.center;
     const Vec3 flat = out - out.dot(words.normal) * words.normal;
@@ -48,11 +53,12 @@ void Executor::put_involute(const Block& block, const path::InvoluteWords& words
     const Vec3 center = frame(words.center);
     const path::Involute involute = path::make_involute(linear(position_.base), linear(target.base),
                                                         center, normal, base_radius);
-    if (tool_.has_changed && !activate_length_on_arc(block, normal, target.moved)) return;
-    if (!require_within_limits(block, target.base, target.moved)) return;
-    if (!require_box_within_limits(block, path::bounds(involute))) return;
+    if (tool_.has_changed && !channel_.tool.activate_length_on_arc(block, normal, target.moved))
+        return;
+    if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
+    if (!channel_.checks.require_box_within_limits(block, path::bounds(involute))) return;
     has_moved_ = true;
-    path::Command& command = put(path::Op::Involute, block);
+    path::Command& command = channel_.stages.put(path::Op::Involute, block);
     command.to = target.base;
     command.moved = target.moved;
     command.exact_stop = exact_stop;

@@ -2,10 +2,16 @@
 // program waits for them.
 #include <cmath>
 
+#include "base/diagnostics/iso.h"
+#include "interp/block_functions.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/stages.h"
 
 namespace kadr::interp {
+
+using nc::Block;
+using path::Op;
 
 namespace {
 
@@ -35,19 +41,19 @@ std::int64_t code_of(const nc::Block& block, const nc::Invocation& invocation) {
 }  // namespace
 
 /// What is on already need not be switched on.
-bool Executor::has_changed(std::int64_t code, const Actions& actions) const {
+bool BlockFunctions::has_changed(std::int64_t code, const Actions& actions) const {
     if (code >= 3 && code <= 5) return spindle_.told.mode != actions.spindle_before;
     if (code >= 7 && code <= 9) return coolant_ != actions.coolant_before;
     return true;
 }
 
 /// Whether the path stops until the machine has acknowledged a function of a block.
-bool Executor::is_awaited(const nc::Block& block, const nc::Invocation& invocation) const {
+bool BlockFunctions::is_awaited(const nc::Block& block, const nc::Invocation& invocation) const {
     const machine::MachineFunction* known = machine_.find_function(code_of(block, invocation));
     return known != nullptr && known->waits;
 }
 
-void Executor::issue_functions(const nc::Block& block, const Actions& actions, Side side) {
+void BlockFunctions::issue_functions(const nc::Block& block, const Actions& actions, Side side) {
     if (machine_.functions.empty()) return;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const std::int64_t code = code_of(block, block.functions[i]);
@@ -63,10 +69,30 @@ void Executor::issue_functions(const nc::Block& block, const Actions& actions, S
             continue;
         }
         if (!has_changed(code, actions)) continue;
-        path::Command& command = put(path::Op::Function, block);
+        path::Command& command = channel_.stages.put(path::Op::Function, block);
         command.code = code;
         command.step = step;
     }
+}
+
+void BlockFunctions::set_coolant(const Block& block, path::CoolantMode mode) {
+    if (mode == coolant_) return;
+    coolant_ = mode;
+    channel_.stages.put(Op::Coolant, block).coolant = mode;
+}
+
+/// What it does the machine file says, or the machine builder alone knows; then each is said once.
+void BlockFunctions::pass_machine_function(const Block& block, std::int64_t number) {
+    if (const auto& scanner = machine_.scanner) {
+        if (number == scanner->on_function || number == scanner->off_function) {
+            is_scanning_ = number == scanner->on_function;
+            channel_.stages.put(is_scanning_ ? Op::ScannerOn : Op::ScannerOff, block);
+            return;
+        }
+    }
+    if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
+    if (!told_.first_time(NoticeEach::MachineFunction, number)) return;
+    reporter_.report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
 }
 
 }  // namespace kadr::interp

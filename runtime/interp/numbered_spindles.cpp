@@ -10,7 +10,9 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/spindles.h"
+#include "interp/stages.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
@@ -43,25 +45,37 @@ bool names_spindle(const Block& block, std::int64_t number) {
 
 }  // namespace
 
+Spindles::Spindles(Channel& channel)
+    : channel_(channel),
+      machine_(channel.state.machine),
+      reporter_(channel.state.reporter),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      spindle_(channel.state.spindle.spindle),
+      other_spindles_(channel.state.spindle.other_spindles),
+      owes_speed_(channel.state.spindle.owes_speed),
+      told_(channel.state.told) {}
+
 /// The spindles of the machine, all standing, the first one as the master.
-void Executor::set_up_spindles() {
+void Spindles::set_up_spindles() {
     for (const machine::MachineSpindle& spindle : machine_.spindles)
         other_spindles_.emplace_back().number = spindle.number;
 }
 
 /// A spindle by its number, 0 the master; null: the machine has none such.
-const Spindle* Executor::spindle_at(std::int64_t number) const {
+const Spindle* Spindles::spindle_at(std::int64_t number) const {
     if (number == 0 || number == spindle_.number) return &spindle_;
     const auto found = std::ranges::find(other_spindles_, number, &Spindle::number);
     return found == other_spindles_.end() ? nullptr : &*found;
 }
 
-bool Executor::has_spindle(std::int64_t number) const { return spindle_at(number) != nullptr; }
+bool Spindles::has_spindle(std::int64_t number) const { return spindle_at(number) != nullptr; }
 
 /// Does `act` to the spindle that the invocation names; a number that the machine does not have is
 /// reported.
 template <typename Act>
-void Executor::with_spindle(const Block& block, const Invocation& invocation, Act act) {
+void Spindles::with_spindle(const Block& block, const Invocation& invocation, Act act) {
     const std::int64_t number = count_of(block, invocation, kSpindle);
     if (number == spindle_.number) return act();
     const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
@@ -79,18 +93,18 @@ void Executor::with_spindle(const Block& block, const Invocation& invocation, Ac
 }
 
 /// What the motion side is told of the spindle whose turn it is.
-Command& Executor::put_spindle(const Block& block) {
-    Command& command = put(is_master_away_ ? Op::OtherSpindle : Op::Spindle, block);
+Command& Spindles::put_spindle(const Block& block) {
+    Command& command = channel_.stages.put(is_master_away_ ? Op::OtherSpindle : Op::Spindle, block);
     command.spindle_number = shown_number();
     return command;
 }
 
 /// Where the machine has several spindles, the number of the one whose turn it is; else 0.
-std::uint8_t Executor::shown_number() const {
+std::uint8_t Spindles::shown_number() const {
     return other_spindles_.empty() ? 0 : static_cast<std::uint8_t>(spindle_.number);
 }
 
-void Executor::select_master(const Block& block, const Invocation& invocation) {
+void Spindles::select_master(const Block& block, const Invocation& invocation) {
     const std::int64_t number = std::llround(
         block.argument(invocation, parameter_of<Function::MasterSpindle>("spindle"), 1));
     if (number == spindle_.number) return;
@@ -119,7 +133,7 @@ void Executor::select_master(const Block& block, const Invocation& invocation) {
 }
 
 /// What a word says of a spindle by its number.
-void Executor::act_on_spindle(const Block& block, const Invocation& invocation) {
+void Spindles::act_on_spindle(const Block& block, const Invocation& invocation) {
     with_spindle(block, invocation, [&] {
         switch (invocation.function) {
             case Function::SpindleSpeed: {
@@ -149,7 +163,7 @@ void Executor::act_on_spindle(const Block& block, const Invocation& invocation) 
 }
 
 /// Tells what the block has changed of the spindles by their numbers: the master is told as ever.
-void Executor::update_other_spindles(const Block& block) {
+void Spindles::update_other_spindles(const Block& block) {
     for (Spindle& other : other_spindles_) {
         if (!names_spindle(block, other.number)) continue;
         const double warned = told_.exchange_bound(0);
@@ -160,7 +174,7 @@ void Executor::update_other_spindles(const Block& block) {
         std::swap(spindle_, other);
         told_.exchange_bound(warned);
     }
-    for (std::size_t i = 0; i < block.function_count && !has_ended(); ++i) {
+    for (std::size_t i = 0; i < block.function_count && !reporter_.has_ended(); ++i) {
         const Invocation& invocation = block.functions[i];
         if (invocation.function != Function::SpindleStand) continue;
         constexpr std::size_t kAngle = parameter_of<Function::SpindleStand>("angle");
@@ -174,7 +188,7 @@ void Executor::update_other_spindles(const Block& block) {
 }
 
 /// The time of so many revolutions of a spindle is known here; the path follows the master alone.
-void Executor::dwell_by_spindle(const Block& block, const Invocation& invocation) {
+void Spindles::dwell_by_spindle(const Block& block, const Invocation& invocation) {
     with_spindle(block, invocation, [&] {
         const double revolutions =
             block.argument(invocation, parameter_of<Function::SpindleDwell>("revolutions"));
@@ -185,7 +199,7 @@ void Executor::dwell_by_spindle(const Block& block, const Invocation& invocation
                 .arg(revolutions < 0 ? "it is negative" : "the spindle stands");
             return;
         }
-        if (revolutions > 0) put(Op::Dwell, block).time = revolutions / speed * 60;
+        if (revolutions > 0) channel_.stages.put(Op::Dwell, block).time = revolutions / speed * 60;
     });
 }
 

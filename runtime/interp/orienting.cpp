@@ -10,8 +10,12 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/block_words.h"
+#include "interp/channel.h"
 #include "interp/compensated_orientation.h"
-#include "interp/executor.h"
+#include "interp/motions.h"
+#include "interp/tilted_planes.h"
+#include "interp/tool_in_use.h"
+#include "interp/transformation.h"
 #include "machine/kinematics.h"
 #include "nc/parameters.h"
 #include "path/linear.h"
@@ -68,20 +72,39 @@ std::string written_direction(const Vec3& direction) {
 
 }  // namespace
 
-Vec3 Executor::joints_of(const AxisValues& base) const {
+Transformation::Transformation(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      machine_(channel.state.machine),
+      work_offset_(channel.state.frame.work_offset),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      tool_(channel.state.tool.tool),
+      orienting_(channel.state.tool.orienting),
+      tilted_plane_(channel.state.tool.tilted_plane),
+      virtual_(channel.state.tool.virtual_axes),
+      came_from_(channel.state.motion.came_from),
+      comp_(channel.state.stage.comp),
+      told_(channel.state.told),
+      length_shift_(channel.state.motion.length_shift) {}
+
+Vec3 Transformation::joints_of(const AxisValues& base) const {
     return joints_at(machine_.kinematics->chain, base);
 }
 
 /// The joints as the control counts its rotary axes 1 and 2. Of a head or a table alone axis 1
 /// carries axis 2; of both, axis 1 is the head's. S 6.5, 7.1.
-std::array<std::size_t, 2> Executor::joints_in_order() const {
+std::array<std::size_t, 2> Transformation::joints_in_order() const {
     const Chain& chain = machine_.kinematics->chain;
     const bool both_on_head = chain.joints[machine::kR1].side == machine::Side::Head;
     if (both_on_head || !chain.has(machine::kR2)) return {machine::kR1, machine::kR2};
     return {machine::kR2, machine::kR1};
 }
 
-AxisMask Executor::joint_axes() const {
+AxisMask Transformation::joint_axes() const {
     AxisMask axes = 0;
     for (const machine::RotaryJoint& joint : machine_.kinematics->chain.joints)
         if (joint.is_present) axes = static_cast<AxisMask>(axes | bit(joint.axis));
@@ -89,9 +112,9 @@ AxisMask Executor::joint_axes() const {
 }
 
 /// Where the axes of the machine stand.
-AxisValues Executor::machine_axes() const { return machine_axes_at(position_.base); }
+AxisValues Transformation::machine_axes() const { return machine_axes_at(position_.base); }
 
-AxisValues Executor::machine_axes_at(const AxisValues& base) const {
+AxisValues Transformation::machine_axes_at(const AxisValues& base) const {
     AxisValues axes = base;
     if (virtual_.axes.is_on()) {
         const Vec3 real = path::real_position(virtual_.axes, linear(axes));
@@ -110,7 +133,7 @@ AxisValues Executor::machine_axes_at(const AxisValues& base) const {
 /// The transformation that a block asks for by its number and its data is the machine's. The tool
 /// at base position and the zeros of the rotary axes are the machine file's, and the axes follow
 /// them in the motion too. S 7.1.
-Done Executor::require_transformation(const Block& block, const nc::Invocation& invocation) {
+Done Transformation::require_transformation(const Block& block, const nc::Invocation& invocation) {
     constexpr double kSameDirection = 1e-4;  // rad; components are written with four digits
     constexpr std::size_t kNumber = parameter_of<Function::TcpBased>("number");
     constexpr std::size_t kX = parameter_of<Function::TcpBased>("x");
@@ -150,7 +173,7 @@ Done Executor::require_transformation(const Block& block, const nc::Invocation& 
 }
 
 /// The axes stay where they are; what changes is the system in which the tip is said. S 7.1.
-void Executor::switch_transformation(const Block& block, const nc::Invocation& invocation) {
+void Transformation::switch_transformation(const Block& block, const nc::Invocation& invocation) {
     const bool is_wanted = invocation.function != Function::TcpOff;
     if (is_wanted && !machine_.kinematics) {
         reporter_.report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
@@ -162,8 +185,8 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
             .arg(reporter_.word_of(block, invocation.function));
         return;
     }
-    if (tool_.has_changed) activate_length(block, kLinearXYZ);
-    drop_carry(block);
+    if (tool_.has_changed) channel_.tool.activate_length(block, kLinearXYZ);
+    channel_.tilted_planes.drop_carry(block);
     const AxisValues axes = machine_axes();
     orienting_.is_on = is_wanted;
     orienting_.configuration = 0;
@@ -184,11 +207,12 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
     }
     position_.here = position_.programmed = frames_.from_base(position_.base);
     came_from_ = tip;
-    if (!is_wanted && tilted_plane_.is_on) carry(block, joints_of(position_.base));
+    if (!is_wanted && tilted_plane_.is_on)
+        channel_.tilted_planes.carry(block, joints_of(position_.base));
 }
 
 /// Inside of a spline no other coordinate system begins. S 7.1: 14402.
-Done Executor::require_no_spline(const Block& block, Function function) {
+Done Transformation::require_no_spline(const Block& block, Function function) {
     if (!nc::has_fact(modal_.motion, nc::Fact::SplineMotion)) return kDone;
     reporter_.report(diag::TransformationSpline, block, function)
         .arg(reporter_.word_of(block, function));
@@ -196,7 +220,7 @@ Done Executor::require_no_spline(const Block& block, Function function) {
 }
 
 /// An axis that the transformation moves does not move by itself. S 7.1: 17610.
-Done Executor::require_no_lone_axis(const Block& block, SlotMask targets) {
+Done Transformation::require_no_lone_axis(const Block& block, SlotMask targets) {
     const auto moved = static_cast<AxisMask>(targets & kLinearXYZ);
     // Where a transformation is a kind of length compensation a rapid is one like any other.
     if (moved == 0 || !is_transformed() || orienting_.has_length) return kDone;
@@ -210,8 +234,9 @@ Done Executor::require_no_lone_axis(const Block& block, SlotMask targets) {
 
 /// As a kind of tool length compensation: the place in the program stays, and X, Y and Z are from
 /// here on the tip in the workpiece as it lies now. F 4.7.
-void Executor::begin_length_transformation(const Block& block, const nc::Invocation& invocation,
-                                           Actions& actions) {
+void Transformation::begin_length_transformation(const Block& block,
+                                                 const nc::Invocation& invocation,
+                                                 Actions& actions) {
     if (!machine_.kinematics) {
         reporter_.report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
         return;
@@ -237,7 +262,8 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
         if (rules_.tcp_as_table_stands) {
             // Where the rotary axes go in this block counts as where they stand.
             const auto rotary = static_cast<nc::SlotMask>(block.given & joint_axes());
-            const Vec3 joints = joints_of(motion_words().target_of(block, rotary).base);
+            const Vec3 joints =
+                joints_of(channel_.motions.motion_words().target_of(block, rotary).base);
             frames_.set_table(table_frame(machine_.kinematics->chain, joints));
         }
         position_.base = frames_.to_base(position_.here);
@@ -245,12 +271,12 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
     }
     tool_.is_taken_off = false;
     if (invocation.has(kOffset)) tool_.offset = std::llround(block.argument(invocation, kOffset));
-    set_length_source(Tool::Source::Offset, actions);
-    actions.switches_length = !was_on || wanted_lengths() != tool_.lengths;
+    channel_.tool.set_length_source(Tool::Source::Offset, actions);
+    actions.switches_length = !was_on || channel_.tool.wanted_lengths() != tool_.lengths;
 }
 
 /// The axes stand; the control's point goes back along the tool to where it is without a length.
-void Executor::end_length_transformation(Actions& actions) {
+void Transformation::end_length_transformation(Actions& actions) {
     const Chain& chain = machine_.kinematics->chain;
     const AxisValues axes = machine_axes();
     const Vec3 head = joints_on(chain, machine::Side::Head, joints_of(axes));
@@ -273,7 +299,7 @@ void Executor::end_length_transformation(Actions& actions) {
 
 /// Whether a machine's transformation takes the work offset off is a matter of its set-up: what is
 /// said behind it acts on each. S 7.1. Said once, of the first motion.
-void Executor::check_offset_programmed(const Block& block) {
+void Transformation::check_offset_programmed(const Block& block) {
     if (!std::exchange(orienting_.owes_offset, false)) return;
     if (!told_.first_time(Once::WorkOffset)) return;
     DiagnosticBuilder warning = reporter_.report(diag::TransformationOffset, block);
@@ -283,7 +309,7 @@ void Executor::check_offset_programmed(const Block& block) {
 
 /// What the control refuses while its transformation is a kind of tool length compensation.
 /// F 4.7: PS5421.
-Done Executor::require_allowed_under_tcp(const Block& block, Function function) {
+Done Transformation::require_allowed_under_tcp(const Block& block, Function function) {
     if (!orienting_.has_length || block.is_of_cycle()) return kDone;
     const bool is_peripheral = comp_.is_on() && comp_.is_peripheral_code;
     if (is_peripheral && nc::info(function).group == nc::Group::LengthComp) {

@@ -3,7 +3,11 @@
 // The blocks of such a cycle are motions to places. Each is executed as if it stood in the program,
 // so that the cycle which is called behind motions, or is modal, is called there.
 #include "base/diagnostics/iso.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/cycles.h"
 #include "interp/executor.h"
+#include "interp/stages.h"
 
 namespace kadr::interp {
 
@@ -16,10 +20,10 @@ constexpr std::size_t kPlaceBatch = 16;
 
 }  // namespace
 
-void Executor::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> places) {
-    if (corners_.is_active()) settle(block);
-    leave_corners(diag::CornerWithoutMotion);
-    if (has_ended()) return;
+void Cycles::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> places) {
+    if (corners_.is_active()) channel_.stages.settle(block);
+    channel_.cornering.leave_corners(diag::CornerWithoutMotion);
+    if (reporter_.has_ended()) return;
     Stream<Block>& stream = *places;
     patterns_.push_back({std::move(places), BlockQueue(stream, kPlaceBatch), block, modal_,
                          calls_program_at(block), false});
@@ -27,7 +31,7 @@ void Executor::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> 
     modal_.motion = Function::Rapid;
 }
 
-void Executor::go_to_next_position() {
+void Cycles::go_to_next_position() {
     PatternRun& pattern = patterns_.back();
     const Block* const place = pattern.places.next();
     if (place == nullptr) return finish_pattern();
@@ -36,11 +40,11 @@ void Executor::go_to_next_position() {
     pattern.is_held = pattern.calls_program;
     // A modal cycle is repeated by places; a motion code would end it.
     if (modal_cycles_.modal.is_active) place_.motion = Function::None;
-    execute(place_);
+    channel_.executor.execute(place_);
 }
 
 /// Behind the places the codes act that acted before them. A feed that was set there stays.
-void Executor::finish_pattern() {
+void Cycles::finish_pattern() {
     const PatternRun& pattern = patterns_.back();
     const Block caller = pattern.caller;
     Modal after = pattern.modal_before;
@@ -54,17 +58,17 @@ void Executor::finish_pattern() {
 }
 
 /// Whether the program of the text is called at the places of this block, and not a cycle.
-bool Executor::calls_program_at(const Block& block) const {
+bool Cycles::calls_program_at(const Block& block) const {
     return reporter_.locations() != nullptr && reporter_.locations()->calls_at_positions(block);
 }
 
-bool Executor::is_at_pattern_position() const {
+bool Cycles::is_at_pattern_position() const {
     return !patterns_.empty() && patterns_.back().is_held;
 }
 
-void Executor::leave_pattern_position() { patterns_.back().is_held = false; }
+void Cycles::leave_pattern_position() { patterns_.back().is_held = false; }
 
-void Executor::leave_pattern() {
+void Cycles::leave_pattern() {
     if (!patterns_.empty()) finish_pattern();
 }
 

@@ -5,7 +5,16 @@
 // questions. Whatever is not plain is left to motion.cpp, as if nobody had looked here.
 #include <bit>
 
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/danger_watch.h"
 #include "interp/executor.h"
+#include "interp/feed_words.h"
+#include "interp/motion_checks.h"
+#include "interp/path_smoothing.h"
+#include "interp/splines.h"
+#include "interp/stages.h"
+#include "interp/transformation.h"
 
 namespace kadr::interp {
 
@@ -17,14 +26,15 @@ using path::Op;
 
 /// Nothing that waits, repeats or turns acts on a move to a place.
 bool Executor::is_plain_state() const {
-    const bool waits =
-        shape_ || contour_ || open_line_ || is_in_spline() || modal_cycles_.behind_motions;
-    const bool has_mode = is_transformed() || modal_cycles_.modal.is_active || taps_rigidly_ ||
+    const bool waits = shape_ || contour_ || open_line_ || channel_.splines.is_in_spline() ||
+                       modal_cycles_.behind_motions;
+    const bool has_mode = channel_.transformation.is_transformed() ||
+                          modal_cycles_.modal.is_active || taps_rigidly_ ||
                           !position_words_.is_plain() || modal_.is_incremental || unplaced_ != 0 ||
                           owes_speed_ || tilted_plane_.carries || tilted_plane_.on_tables ||
                           tilted_plane_.open.has_value();
-    return !has_stages() && !area_.acts() && !wishes_corners() && !waits && !has_mode &&
-           !tool_.has_changed && frames_.is_shift();
+    return !channel_.stages.has_stages() && !area_.acts() && !channel_.cornering.wishes_corners() &&
+           !waits && !has_mode && !tool_.has_changed && frames_.is_shift();
 }
 
 /// Words of axes alone, each a place, for a line or a rapid.
@@ -44,7 +54,7 @@ Executor::Plainly Executor::move_plainly(const Block& block) {
     if (is_rapid ? !told_.has_reported(Once::Rapid) && spindle_.mode == path::SpindleMode::Stop
                  : motion != Function::Line)
         return Plainly::NotPlain;
-    if (!is_rapid && may_count_degrees(block)) return Plainly::NotPlain;
+    if (!is_rapid && channel_.feed.may_count_degrees(block)) return Plainly::NotPlain;
     if (options_.max_blocks != 0 && block_count_ >= options_.max_blocks) return Plainly::NotPlain;
     const AxisValues& shift = frames_.shift_values();
     AxisValues to;  // in the base system
@@ -57,11 +67,11 @@ Executor::Plainly Executor::move_plainly(const Block& block) {
 
     ++block_count_;
     modal_.motion = motion;
-    if (!is_rapid && !require_feed(block, "line")) return Plainly::Executed;
+    if (!is_rapid && !channel_.checks.require_feed(block, "line")) return Plainly::Executed;
     has_moved_ = true;
-    Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
+    Command& command = channel_.stages.put(is_rapid ? Op::Rapid : Op::Line, block);
     command.moved = static_cast<AxisMask>(block.given);
-    command.exact_stop = stops_exactly();
+    command.exact_stop = channel_.smoothing.stops_exactly();
     command.feed = is_rapid ? 0 : modal_.feed;
     const path::Vec3 before{position_.base[0], position_.base[1], position_.base[2]};
     bool is_elsewhere = false;
@@ -72,7 +82,7 @@ Executor::Plainly Executor::move_plainly(const Block& block) {
         position_.here[i] = position_.programmed[i] = block.values[i] * axes_.word_scale[i];
     }
     if (spindle_.has_cutting_speed && (block.given & bit(nc::Slot::X)) != 0) [[unlikely]]
-        watch_cutting_speed(block, before[0] - shift[0], position_.here[0]);
+        channel_.dangers.watch_cutting_speed(block, before[0] - shift[0], position_.here[0]);
     if (is_elsewhere) came_from_ = before;
     return Plainly::Executed;
 }

@@ -11,7 +11,9 @@
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
@@ -39,7 +41,7 @@ bool is_told_by_sign(const machine::MachineAxis& axis) {
 }  // namespace
 
 /// Whether a motion of this kind goes from point to point.
-bool Executor::goes_straight(Op op) const {
+bool ToolMotion::goes_straight(Op op) const {
     if (!orienting_.is_on || orienting_.has_length) return false;
     switch (orienting_.point_to_point) {
         case PointToPoint::None: return false;
@@ -51,14 +53,14 @@ bool Executor::goes_straight(Op op) const {
 }
 
 /// … the motion of a block.
-bool Executor::goes_straight(const Block& block, const Actions& actions) const {
+bool ToolMotion::goes_straight(const Block& block, const Actions& actions) const {
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_rapid = actions.at_rapid || motion == Function::Rapid;
     return goes_straight(is_rapid ? Op::Rapid : Op::Line);
 }
 
 /// What has a path of its own has no place where axes go from point to point. S 14144.
-Done Executor::require_point_to_point_way(const Block& block, const Actions& actions) {
+Done ToolMotion::require_point_to_point_way(const Block& block, const Actions& actions) {
     const bool is_wanted = orienting_.point_to_point == PointToPoint::All ||
                            (orienting_.point_to_point == PointToPoint::Rapids &&
                             (actions.at_rapid || modal_.motion == Function::Rapid));
@@ -85,9 +87,10 @@ Done Executor::require_point_to_point_way(const Block& block, const Actions& act
 }
 
 /// Which position of the rotary axes the block wants: `STAT` from here on, `TU` here. S 7.4.
-void Executor::choose_axes(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
+void ToolMotion::choose_axes(const Block& block, const nc::Invocation& invocation,
+                             ToolWords& tool) {
     const Function function = invocation.function;
-    if (!is_transformed()) {
+    if (!channel_.transformation.is_transformed()) {
         reporter_.report(diag::AxisChoiceAlone, block, function)
             .arg(reporter_.word_of(block, function));
         return;
@@ -118,7 +121,7 @@ void Executor::choose_axes(const Block& block, const nc::Invocation& invocation,
 }
 
 /// The limits of the joints, as the block's signs leave them.
-machine::JointLimits Executor::signed_limits(const ToolWords& tool) const {
+machine::JointLimits ToolMotion::signed_limits(const ToolWords& tool) const {
     machine::JointLimits limits = joint_limits();
     if (!tool.signs) return limits;
     const Chain& chain = machine_.kinematics->chain;
@@ -137,7 +140,7 @@ machine::JointLimits Executor::signed_limits(const ToolWords& tool) const {
 
 /// Where the axes stand for the tool that the block says. What leads a tool along a path leads
 /// none here.
-Done Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
+Done ToolMotion::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || spins_with_path(tool);
     if (is_led || tool.lead) {
         const Function word = tool.lead ? Function::ToolLead : function_of(orienting_.turning);
@@ -152,11 +155,11 @@ Done Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Tar
         if (!require_axes_for_direction(block)) return kFailed;
         const std::optional<Vec3> to = wanted_direction(block, tool);
         if (!to || !stand_along(block, tool, *to, target)) return kFailed;
-    } else if ((block.given & joint_axes()) != 0) {
+    } else if ((block.given & channel_.transformation.joint_axes()) != 0) {
         if (!turn_by_signs(block, tool, target)) return kFailed;
     } else if (tool.signs || tool.programs_configuration) {
-        const Vec3 stays =
-            machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+        const Vec3 stays = machine::tool_vector(machine_.kinematics->chain,
+                                                channel_.transformation.joints_of(position_.base));
         if (!stand_along(block, tool, stays, target)) return kFailed;
     }
     return lay_spin(block, tool, target);
@@ -164,8 +167,8 @@ Done Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Tar
 
 /// The rotary axes hold the tool along a direction, in the position that the block asks for, or the
 /// nearest one.
-Done Executor::stand_along(const Block& block, const ToolWords& tool, const Vec3& to,
-                           Target& target) {
+Done ToolMotion::stand_along(const Block& block, const ToolWords& tool, const Vec3& to,
+                             Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     machine::PathQuery query = query_to(to, tool.angles.is_said() ? &tool : nullptr);
     query.mode = machine::PathMode::Axis;
@@ -186,7 +189,7 @@ Done Executor::stand_along(const Block& block, const ToolWords& tool, const Vec3
 }
 
 /// Rotary axes that are programmed go to the turn that has the sign of the block.
-Done Executor::turn_by_signs(const Block& block, const ToolWords& tool, Target& target) {
+Done ToolMotion::turn_by_signs(const Block& block, const ToolWords& tool, Target& target) {
     if (!tool.signs) return kDone;
     const Chain& chain = machine_.kinematics->chain;
     const machine::JointLimits limits = signed_limits(tool);

@@ -13,7 +13,14 @@
 #include <vector>
 
 #include "base/diagnostics/iso.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/splines.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "path/curve.h"
 #include "path/linear.h"
 
@@ -178,11 +185,12 @@ double greatest_other_way(const AxisValues& from, const AxisValues& to) {
 
 }  // namespace
 
-void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_stop) {
-    if (!require_feed(block, "polynomial")) return;
-    leave_corners(diag::CornerNotContour);
-    if (has_ended()) return;
-    std::optional<MotionWords::Polynomials> course = motion_words().polynomials_of(block);
+void Splines::polynomial(const Block& block, const ToolWords& tool, bool exact_stop) {
+    if (!channel_.checks.require_feed(block, "polynomial")) return;
+    channel_.cornering.leave_corners(diag::CornerNotContour);
+    if (reporter_.has_ended()) return;
+    std::optional<MotionWords::Polynomials> course =
+        channel_.motions.motion_words().polynomials_of(block);
     if (!course) return;
     Target* const target = &course->target;
     std::vector<Pole>& poles = course->poles;
@@ -196,22 +204,24 @@ void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_
     std::vector<Piece> pieces;
     for (const Piece& piece : positive)
         cut_evenly(piece, way, frames_.total(), kMostFollowedCuts, pieces);
-    if (!require_orientation_along(block, tool)) return;
-    if (tool_.has_changed) activate_length(block, target->moved);
-    if (!require_within_limits(block, target->base, target->moved)) return;
+    if (!channel_.tool_motion.require_orientation_along(block, tool)) return;
+    if (tool_.has_changed) channel_.tool.activate_length(block, target->moved);
+    if (!channel_.checks.require_within_limits(block, target->base, target->moved)) return;
     ControlPointBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
     said.modes = orienting_;
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
     std::vector<ProgrammedSpan> spans =
         programmed_spans(pieces, frames_.total(), position_.base, said, shares_time);
-    if (!share_orientation(block, tool, shares_of(spans), blocks_of(spans))) return;
-    for (std::size_t i = 0; i < spans.size() && !has_ended(); ++i) {
+    if (!channel_.tool_motion.share_orientation(block, tool, shares_of(spans), blocks_of(spans)))
+        return;
+    for (std::size_t i = 0; i < spans.size() && !reporter_.has_ended(); ++i) {
         const bool is_last = i + 1 == spans.size();
         put_span(spans[i].span, spans[i].said, target->moved, is_last && exact_stop);
     }
-    if (has_ended()) return;
-    if (orienting_.is_on) put_joints(joints_of(position_.base), *target);
-    arrive(*target);
+    if (reporter_.has_ended()) return;
+    if (orienting_.is_on)
+        channel_.tool_motion.put_joints(channel_.transformation.joints_of(position_.base), *target);
+    channel_.motions.arrive(*target);
     const path::SplineSpan& last = spans.back().span;
     const Vec3 came_from = degree > 1 ? last.shape.inner[degree - 2] : last.start;
     if (came_from != linear(target->base)) came_from_ = came_from;

@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "interp/executor.h"
+#include "interp/block_functions.h"
+#include "interp/channel.h"
 #include "nc/tables.h"
 
 namespace kadr::interp {
@@ -24,7 +25,7 @@ bool is_ruled(const nc::Dialect& dialect, Group group) {
 
 /// Every default is executed as if it stood in a block of its own. Nobody has written it: there is
 /// no place to tell anything of it. Units are the reader's matter.
-void Executor::power_on() {
+void BlockFunctions::power_on() {
     const Reporter::Silence silence(reporter_, Reporter::Locations::Hidden);
     const nc::DialectTables& tables = dialect_.tables();
     for (std::size_t i = 0; i < tables.power_on.size(); ++i) {
@@ -41,14 +42,14 @@ void Executor::power_on() {
     tool_.has_changed = tool_.source != Tool::Source::None;
 }
 
-void Executor::begin_with(Function function) {
+void BlockFunctions::begin_with(Function function) {
     Block block{};
     if (!block.add(function)) return;
     if (nc::info(function).group == Group::Motion) modal_.motion = function;
     const Actions actions = apply_functions(block);
-    if (!has_ended()) act_before_motion(block, actions);
+    if (!reporter_.has_ended()) act_before_motion(block, actions);
     // What this machine, without a tool, cannot do does not act.
-    if (has_ended()) comp_.side = CompSide::Off;
+    if (reporter_.has_ended()) comp_.side = CompSide::Off;
     reporter_.go_on();
 }
 

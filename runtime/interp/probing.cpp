@@ -9,8 +9,11 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/answers.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/motions.h"
+#include "interp/programmed_frames.h"
 #include "nc/parameters.h"
 #include "path/linear.h"
 
@@ -24,7 +27,7 @@ using nc::parameter_of_all;
 using path::linear;
 
 /// The way up to a part of it.
-Target Executor::part_of_move(const Target& target, double part) const {
+Target Motions::part_of_move(const Target& target, double part) const {
     Target out = target;
     for (std::size_t i = 0; i < kAxes; ++i)
         out.base[i] = position_.base[i] + part * (target.base[i] - position_.base[i]);
@@ -35,7 +38,7 @@ Target Executor::part_of_move(const Target& target, double part) const {
 /// What the probe meets on its way.
 ///
 /// way  in the coordinates of the block's words, which are the machine's under G53
-Probing Executor::probe_along(const Block& block, const Target& target, const ProgrammedMove& way) {
+Probing Motions::probe_along(const Block& block, const Target& target, const ProgrammedMove& way) {
     Probing probing;
     const Invocation& call = *block.find(Function::Probe);
     probing.goes_on = block.argument(call, parameter_of<Function::Probe>("through")) != 0;
@@ -52,10 +55,10 @@ Probing Executor::probe_along(const Block& block, const Target& target, const Pr
     return probing;
 }
 
-std::optional<double> Executor::touch_of_scene(const Target& target, bool springs_back) {
+std::optional<double> Motions::touch_of_scene(const Target& target, bool springs_back) {
     if (!probe_.has_part()) {
         const std::int64_t offset = probe_.scene()->offset;
-        probe_.place_part(offset > 0 ? chain(frames_.base(), work_offset_at(offset))
+        probe_.place_part(offset > 0 ? chain(frames_.base(), channel_.frames.work_offset_at(offset))
                                      : control::ControlFrame());
     }
     const bool has_edge = tool_.source == Tool::Source::Edge;
@@ -68,7 +71,7 @@ std::optional<double> Executor::touch_of_scene(const Target& target, bool spring
 }
 
 /// Behind the motion: what the probe has found.
-void Executor::note_probed(const Probing& probing) {
+void Motions::note_probed(const Probing& probing) {
     const Position end = position_;
     // Where the probe goes on, the axes stood elsewhere as it triggered.
     if (probing.touched && probing.goes_on) {
@@ -79,8 +82,10 @@ void Executor::note_probed(const Probing& probing) {
     probed.is_found = probing.touched.has_value();
     probed.tip = position_.here;
     for (std::size_t i = 0; i < kAxes; ++i) {
-        probed.head[i] = *place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));
-        probed.machine[i] = *place_of(nc::Quantity::MachinePosition, static_cast<Axis>(i));
+        probed.head[i] =
+            *channel_.answers.place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));
+        probed.machine[i] =
+            *channel_.answers.place_of(nc::Quantity::MachinePosition, static_cast<Axis>(i));
     }
     probe_.find(probed);
     position_ = end;
@@ -88,10 +93,10 @@ void Executor::note_probed(const Probing& probing) {
 
 /// The library's words about what was probed last. Where nobody has said where the part lies, it
 /// lies where the program expects it.
-void Executor::use_probed(const Block& block, const Invocation& invocation) {
+void Motions::use_probed(const Block& block, const Invocation& invocation) {
     if (!probe_.knows_touches() || !probe_.found()) return;
     const auto axis_at = [&](std::size_t parameter) {
-        return axis_of(count_of(block, invocation, parameter));
+        return channel_.answers.axis_of(count_of(block, invocation, parameter));
     };
     switch (invocation.function) {
         case Function::ProbeCheck:
@@ -120,8 +125,9 @@ void Executor::use_probed(const Block& block, const Invocation& invocation) {
             const double found = probe_.found()->tip[index(*axis)];
             const bool is_middle = invocation.function == Function::OffsetToMiddle;
             const double place = is_middle ? (probe_.kept() + found) / 2 : found;
-            const double before = work_offset_at(number).shift[index(*axis)];
-            set_work_offset(number, *axis, before + place - block.argument(invocation, kAt), false);
+            const double before = channel_.frames.work_offset_at(number).shift[index(*axis)];
+            channel_.frames.set_work_offset(
+                number, *axis, before + place - block.argument(invocation, kAt), false);
             return;
         }
         default: return;

@@ -7,7 +7,10 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/answers.h"
+#include "interp/channel.h"
+#include "interp/motions.h"
+#include "interp/programmed_frames.h"
 
 namespace kadr::interp {
 
@@ -19,16 +22,9 @@ using nc::Quantity;
 using nc::SlotMask;
 using path::Op;
 
-namespace {
-
-/// $TC_DPNT among the data of a tool on which nothing else depends.
-constexpr std::int64_t kTeeth = 100;
-
-}  // namespace
-
 /// The axes of the block go to its place with their bare spindle; the length acts again with the
 /// next motion of each.
-void Executor::move_without_length(const Block& block, const Target& target, bool exact_stop) {
+void Motions::move_without_length(const Block& block, const Target& target, bool exact_stop) {
     if (orienting_.is_on || comp_.is_on()) {
         reporter_.report(diag::IsoNotSupported, block, Function::LengthSuspend)
             .arg(orienting_.is_on
@@ -52,7 +48,7 @@ void Executor::move_without_length(const Block& block, const Target& target, boo
 
 /// Where the axes stand gets other machine coordinates; no axis moves. What the machine itself
 /// knows, limits and fixed points, stays where it is.
-void Executor::preset_axes(const Block& block, const Invocation& invocation) {
+void Motions::preset_axes(const Block& block, const Invocation& invocation) {
     if (orienting_.is_on || comp_.is_on() || corners_.is_active()) {
         reporter_.report(diag::PresetMisplaced, block, Function::Preset)
             .arg(orienting_.is_on ? "a transformation" : "cutter radius compensation");
@@ -64,7 +60,7 @@ void Executor::preset_axes(const Block& block, const Invocation& invocation) {
     for (std::size_t i = 0; i < 3 * kEach; i += kEach) {
         if (!invocation.has(kAxis + i)) continue;
         const double name = block.argument(invocation, kAxis + i);
-        const auto axis = axis_of(std::llround(name));
+        const auto axis = channel_.answers.axis_of(std::llround(name));
         if (!axis || name >= 0) {
             reporter_.report(diag::PresetAxis, block, Function::Preset);
             return;
@@ -76,40 +72,18 @@ void Executor::preset_axes(const Block& block, const Invocation& invocation) {
         }
         const double wanted = block.argument(invocation, kTo + i) * axes_.word_scale[index(*axis)] *
                               (is_rotary(*axis) || units_ != Units::Inch ? 1 : kMmPerInch);
-        const double now = *place_of(Quantity::MachinePosition, *axis);
+        const double now = *channel_.answers.place_of(Quantity::MachinePosition, *axis);
         frames_.preset(*axis, now - wanted);
         preset_[index(*axis)] += now - wanted;
     }
-    frame_changed();
+    channel_.frames.frame_changed();
     if (told_.first_time(Once::Preset))
         reporter_.report(diag::PresetLimits, block, Function::Preset);
 }
 
-/// The feed of a tooth times the number of teeth is the feed of a turn.
-void Executor::set_tooth_feed(const Block& block, double feed) {
-    if (modal_.feed_mode != path::FeedMode::PerRevolution) {
-        reporter_.report(diag::ToothFeedIdle, block, Function::ToothFeed);
-        return;
-    }
-    if (!(feed > 0)) {
-        reporter_.report(diag::FeedNotPositive, block, Function::ToothFeed).arg(feed);
-        return;
-    }
-    tooth_feed_ = feed;
-    take_tooth_feed();
-    if (!(modal_.feed > 0)) reporter_.report(diag::TeethUnknown, block, Function::ToothFeed);
-}
-
-/// The tool in the spindle, or its data, may have become others.
-void Executor::take_tooth_feed() {
-    if (tooth_feed_ == 0) return;
-    modal_.feed = tooth_feed_ * tool_offsets_.datum(tool_.edge_number(), kTeeth);
-    modal_.has_feed = true;
-}
-
 /// Here every tool has the length that its offset says: the tool comes to where the program expects
 /// the sensor, and the offset stays.
-void Executor::measure_length(const Block& block, const Invocation& invocation) {
+void Motions::measure_length(const Block& block, const Invocation& invocation) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     if ((targets & (targets - 1)) != 0 || targets == 0) {
         reporter_.report(diag::MeasureAxes, block, Function::MeasureLength);

@@ -6,7 +6,13 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cycles.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
+#include "interp/transformation.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
@@ -21,56 +27,12 @@ using path::Op;
 
 // ------------------------------------------------------------------------------ without frames
 
-/// Whether the block is one like any other, to places of the tip in machine coordinates: it is
-/// compensated and rounded, and it may be an arc or a thread. S 6.3.
-bool Executor::is_without_frames(const Actions& actions) const {
-    return actions.machine_coordinates && rules_.machine_coordinates_keep_length &&
-           !rules_.machine_coordinates_rapid;
-}
-
-/// For this block no frame acts.
-Done Executor::take_frames_off(const Block& block) {
-    constexpr SlotMask kPlaces = nc::kTargetSlots | nc::kPolarSlots | nc::kArcSlots;
-    if ((block.given & kPlaces) == 0) return kDone;
-    if (is_transformed()) {
-        reporter_.report(diag::TransformationMotion, block, Function::MachineCoordinates)
-            .arg("a place in machine coordinates");
-        return kFailed;
-    }
-    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
-    if (nc::has_fact(motion, nc::Fact::SplineMotion)) {
-        reporter_.report(diag::IsoNotSupported, block, Function::MachineCoordinates)
-            .arg("a spline in machine coordinates");
-        return kFailed;
-    }
-    const nc::Invocation* said = block.find(Function::MachineCoordinates);
-    frames_off_.emplace(FramesOff{frames_, position_});
-    frames_ = frames_.machine_frames(
-        said != nullptr
-            ? count_of(block, *said, parameter_of<Function::MachineCoordinates>("keeps"))
-            : 0);
-    frame_changed();
-    position_.programmed = position_.here;
-    return kDone;
-}
-
-void Executor::put_frames_back(const Block& block) {
-    const FramesOff off = *std::exchange(frames_off_, std::nullopt);
-    frames_ = off.frames;
-    frame_changed();
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        const bool has_moved =
-            (block.given >> i & 1u) != 0 || position_.base[i] != off.before.base[i];
-        position_.programmed[i] = has_moved ? position_.here[i] : off.before.programmed[i];
-    }
-}
-
 // ------------------------------------------------------------------------------ places
 
 /// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
 /// the tool length act. The way is none of the contour.
-void Executor::move_in_machine_coordinates(const Block& block) {
-    if (is_transformed()) {
+void Motions::move_in_machine_coordinates(const Block& block) {
+    if (channel_.transformation.is_transformed()) {
         reporter_.report(diag::TransformationMotion, block, Function::MachineCoordinates)
             .arg("a place in machine coordinates");
         return;
@@ -88,11 +50,14 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     const bool is_rapid =
         probes_at_rapid(block) ||
         (!probes && (rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid));
-    if (!is_rapid && !(probes ? require_probe_feed(block) : require_feed(block, "line"))) return;
+    if (!is_rapid && !(probes ? channel_.checks.require_probe_feed(block)
+                              : channel_.checks.require_feed(block, "line")))
+        return;
 
     const SlotMask targets = block.given & nc::kTargetSlots;
     const bool has_length = rules_.machine_coordinates_keep_length;
-    if (has_length && tool_.has_changed) activate_length(block, static_cast<AxisMask>(targets));
+    if (has_length && tool_.has_changed)
+        channel_.tool.activate_length(block, static_cast<AxisMask>(targets));
     AxisValues to = position_.base;
     for (std::size_t i = 0; i < kAxes; ++i) to[i] += length_shift_[i];
     const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
@@ -118,9 +83,12 @@ void Executor::move_in_machine_coordinates(const Block& block) {
         target = *probing.touched;
         for (std::size_t i = 0; i < kAxes; ++i) to[i] = target.base[i] + length_shift_[i];
     }
-    if (!require_within_limits(block, target.base, target.moved)) return;
+    if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
 
-    Command& command = put(is_rapid ? Op::Rapid : probes ? Op::Probe : Op::Line, block);
+    Command& command = channel_.stages.put(is_rapid ? Op::Rapid
+                                           : probes ? Op::Probe
+                                                    : Op::Line,
+                                           block);
     command.to = to;
     command.moved = target.moved;
     command.machine_coordinates = true;
@@ -132,12 +100,12 @@ void Executor::move_in_machine_coordinates(const Block& block) {
 }
 
 /// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.
-void Executor::rapid_to_machine_position(const Block& block, const AxisValues& to, AxisMask moved) {
+void Motions::rapid_to_machine_position(const Block& block, const AxisValues& to, AxisMask moved) {
     Target target{{}, to, moved};
     for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];
     target.here = frames_.from_base(target.base);
-    if (!require_within_machine(block, target.base, target.moved)) return;
-    Command& command = put(Op::Rapid, block);
+    if (!channel_.checks.require_within_machine(block, target.base, target.moved)) return;
+    Command& command = channel_.stages.put(Op::Rapid, block);
     command.to = to;
     command.moved = moved;
     command.machine_coordinates = true;
@@ -148,8 +116,8 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
 }
 
 /// A way to a reference point, or from there; none of them stands among the holes of a cycle.
-void Executor::refer(const Block& block, const nc::Invocation& invocation) {
-    if (is_transformed()) {
+void Motions::refer(const Block& block, const nc::Invocation& invocation) {
+    if (channel_.transformation.is_transformed()) {
         // The search for the reference point has no number; a fixed point may have the first.
         const bool is_fixed = invocation.function == Function::ReferencePoint &&
                               invocation.has(parameter_of<Function::ReferencePoint>("point"));
@@ -161,11 +129,11 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
         }
         return;
     }
-    if (is_among_positions()) {
+    if (channel_.cycles.is_among_positions()) {
         reporter_.report(diag::ReferenceInCycle, block, invocation.function);
         return;
     }
-    if (modal_cycles_.modal.is_active) forget_ends();
+    if (modal_cycles_.modal.is_active) channel_.cycles.forget_ends();
     switch (invocation.function) {
         case Function::ReferenceCheck: return check_reference(block);
         case Function::ReferenceLeave: return leave_reference(block);
@@ -176,12 +144,12 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
 }
 
 /// To the programmed place, which must be the reference point of the axes that are named.
-void Executor::check_reference(const Block& block) {
+void Motions::check_reference(const Block& block) {
     constexpr double kWidth = 0.0005;  // mm, deg: half an increment
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0 || !motion_words().require_axes(block, targets)) return;
     line(block, motion_words().target_of(block, targets), Op::Rapid, true);
-    for (std::size_t i = 0; i < kAxes && !has_ended(); ++i) {
+    for (std::size_t i = 0; i < kAxes && !reporter_.has_ended(); ++i) {
         if ((targets >> i & 1u) == 0) continue;
         const double at = position_.base[i] + length_shift_[i];
         if (std::abs(at - axes_.reference_points[0][i]) <= kWidth) continue;
@@ -194,7 +162,7 @@ void Executor::check_reference(const Block& block) {
 
 /// Over the place over which the axes went to their reference point, to the programmed one. A
 /// distance counts from the place between.
-void Executor::leave_reference(const Block& block) {
+void Motions::leave_reference(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0 || !motion_words().require_axes(block, targets)) return;
     Target over{position_.here, {}, static_cast<AxisMask>(targets)};
@@ -209,11 +177,12 @@ void Executor::leave_reference(const Block& block) {
     }
     over.base = frames_.to_base(over.here);
     if (over.base != position_.base) line(block, over, Op::Rapid, true);
-    if (!has_ended()) line(block, motion_words().target_of(block, targets), Op::Rapid, true);
+    if (!reporter_.has_ended())
+        line(block, motion_words().target_of(block, targets), Op::Rapid, true);
 }
 
 /// Makes the ways longer by the radius offset, so many times.
-Done Executor::increase_by_tool_offset(const Block& block, double times, Target& target) {
+Done Motions::increase_by_tool_offset(const Block& block, double times, Target& target) {
     if (comp_.is_on()) {
         reporter_.report(diag::WayOffsetCompensated, block, Function::ToolOffsetIncrease);
         return kFailed;
@@ -234,7 +203,7 @@ Done Executor::increase_by_tool_offset(const Block& block, double times, Target&
 
 /// Over the programmed place, if the block names one and the tool is not there, to the reference
 /// point of the axes that are named.
-void Executor::return_to_reference(const Block& block, const nc::Invocation& invocation) {
+void Motions::return_to_reference(const Block& block, const nc::Invocation& invocation) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     auto moved = static_cast<AxisMask>(targets);
     if (invocation.function == Function::ReferencePoint) {
@@ -260,7 +229,7 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
     if (targets != 0) {
         const Target over = motion_words().target_of(block, targets);
         if (over.base != position_.base) line(block, over, Op::Rapid, true);
-        if (has_ended()) return;
+        if (reporter_.has_ended()) return;
     }
     AxisValues to = position_.base;
     for (std::size_t i = 0; i < kAxes; ++i) {

@@ -8,7 +8,9 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/tilted_planes.h"
+#include "interp/tool_in_use.h"
 
 namespace kadr::interp {
 
@@ -27,7 +29,7 @@ constexpr int kMostTurns = 2;  // PS5043
 
 /// The rotations and the length of the tool are nested. The length
 /// is switched on inside of them and off again: else it would lie askew to its own compensation.
-Done Executor::require_nested_length(const Block& block, Function function) {
+Done TiltedPlanes::require_nested_length(const Block& block, Function function) {
     const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
     if (!has_length) return kDone;
     reporter_.report(diag::SpaceTurnLength, block, function)
@@ -35,7 +37,7 @@ Done Executor::require_nested_length(const Block& block, Function function) {
     return kFailed;
 }
 
-void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
+void TiltedPlanes::turn_in_space(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kCenter = parameter_of<Function::Rotation3d>("x");
     constexpr std::size_t kAxis = parameter_of<Function::Rotation3d>("i");
     constexpr std::size_t kAngle = parameter_of<Function::Rotation3d>("angle");
@@ -65,11 +67,11 @@ void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
 }
 
 /// All rotations end at once.
-Done Executor::end_rotations_3d(const Block& block) {
+Done TiltedPlanes::end_rotations_3d(const Block& block) {
     if (tilted_plane_.turns == 0) return kDone;
     if (!require_nested_length(block, Function::RotateOff)) return kFailed;
     tilted_plane_.turns = 0;
-    set_length_shift(length_shift_of(tool_.lengths));
+    channel_.tool.set_length_shift(channel_.tool.length_shift_of(tool_.lengths));
     return kDone;
 }
 

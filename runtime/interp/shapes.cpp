@@ -4,7 +4,12 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/cycle_shapes.h"
+#include "interp/cycles.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
 #include "macro/named_shape.h"
 
 namespace kadr::interp {
@@ -25,7 +30,22 @@ bool is_plane(Function function, path::Plane plane) {
 
 }  // namespace
 
-void Executor::begin_shape(const Block& block, const ModalCycle& call) {
+CycleShapes::CycleShapes(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      reporter_(channel.state.reporter),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      spindle_(channel.state.spindle.spindle),
+      tool_(channel.state.tool.tool),
+      coolant_(channel.state.spindle.coolant),
+      axes_(channel.state.axes),
+      modal_cycles_(channel.state.cycle.modal_cycles),
+      cycle_(channel.state.cycle.cycle),
+      shape_(channel.state.cycle.shape) {}
+
+void CycleShapes::begin_shape(const Block& block, const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const auto given = [&](int parameter) { return (call.given >> parameter & 1u) != 0; };
     const bool is_named = macro::names_shape(info);
@@ -55,7 +75,7 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
 }
 
 /// The block is one that the shape can have.
-Done Executor::require_shape_block(const Block& block) {
+Done CycleShapes::require_shape_block(const Block& block) {
     if (block.kind != Block::Kind::Nc || is_behind_shape(block)) return kDone;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (!nc::has_fact(block.functions[i].function, nc::Fact::EndsShape)) continue;
@@ -89,11 +109,11 @@ Done Executor::require_shape_block(const Block& block) {
 }
 
 /// Behind the blocks of a program that a call has named, the cycle is called.
-bool Executor::is_behind_shape(const Block& block) const {
+bool CycleShapes::is_behind_shape(const Block& block) const {
     return shape_->is_named && block.find(Function::CycleCall) != nullptr;
 }
 
-void Executor::end_shape_block(const Block& block) {
+void CycleShapes::end_shape_block(const Block& block) {
     if (shape_->is_named) {
         if (is_behind_shape(block)) finish_shape();
         return;
@@ -102,8 +122,9 @@ void Executor::end_shape_block(const Block& block) {
     finish_shape();
 }
 
-void Executor::finish_shape() {
-    leave_corners(shape_->is_named ? diag::CornerWithoutMotion : diag::ShapeLastBlock);
+void CycleShapes::finish_shape() {
+    channel_.cornering.leave_corners(shape_->is_named ? diag::CornerWithoutMotion
+                                                      : diag::ShapeLastBlock);
     if (reporter_.has_alarm()) return;
     if (shape_->is_followed) return return_from_shape();
     const ShapeRun run = std::move(*shape_);
@@ -127,20 +148,20 @@ void Executor::finish_shape() {
         (run.approach_axes & bit(nc::Slot::X)) != 0 && (run.approach_axes & bit(nc::Slot::Z)) != 0);
     const CycleShape shape = shape_of(run);
     modal_cycles_.modal = call;
-    start_cycle(run.block, call, &shape);
+    channel_.cycles.start_cycle(run.block, call, &shape);
 }
 
 /// Back to where the tool stood before the first block.
-void Executor::return_from_shape() {
+void CycleShapes::return_from_shape() {
     const Block from = std::move(shape_->block);
     const AxisValues start = shape_->position.here;
     shape_.reset();
     Target back{start, frames_.to_base(start), 0};
     for (const Axis axis : {Axis::X, Axis::Z}) back.moved |= bit(axis);
-    line(from, back, Op::Rapid, stops_exactly());
+    channel_.motions.line(from, back, Op::Rapid, channel_.smoothing.stops_exactly());
 }
 
-CycleShape Executor::shape_of(const ShapeRun& run) const {
+CycleShape CycleShapes::shape_of(const ShapeRun& run) const {
     CycleShape shape;
     const path::Plane plane = run.modal.plane;
     // Where the words of a cycle are turned into another plane, so is its shape.

@@ -6,7 +6,9 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/path_smoothing.h"
+#include "interp/transformation.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
@@ -18,7 +20,16 @@ using nc::parameter_of_all;
 using path::BlendKind;
 using path::Op;
 
-void Executor::choose_smoothing(const Block& block, const nc::Invocation& invocation) {
+PathSmoothing::PathSmoothing(Channel& channel)
+    : channel_(channel),
+      machine_(channel.state.machine),
+      reporter_(channel.state.reporter),
+      modal_(channel.state.motion.modal),
+      orienting_(channel.state.tool.orienting),
+      virtual_(channel.state.tool.virtual_axes),
+      dynamics_(channel.state.motion.dynamics) {}
+
+void PathSmoothing::choose_smoothing(const Block& block, const nc::Invocation& invocation) {
     switch (invocation.function) {
         case Function::CompressOn: smoothing_.compresses = true; return;
         case Function::CompressOff: smoothing_.compresses = false; return;
@@ -51,7 +62,7 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
 /// of its set-up (unsure): here they are those that give the smoothest path within the tolerance,
 /// whatever the kind of machining. The kinds differ in their dynamics, of which a machine file has
 /// one set.
-void Executor::choose_high_speed(const Block& block, const nc::Invocation& invocation) {
+void PathSmoothing::choose_high_speed(const Block& block, const nc::Invocation& invocation) {
     constexpr Function kCorners = Function::BlendSmooth;
     constexpr bool kCompresses = true;
     const double tolerance =
@@ -70,7 +81,7 @@ void Executor::choose_high_speed(const Block& block, const nc::Invocation& invoc
 }
 
 /// How the corner behind a motion of this block is rounded.
-path::Blending Executor::blending(Op op) const {
+path::Blending PathSmoothing::blending(Op op) const {
     path::Blending blending;
     if (virtual_.axes.is_on() || !path::is_motion(op)) return blending;
     const double orientation = smoothing_.orientation.value_or(machine_.orientation_tolerance);
@@ -92,9 +103,15 @@ path::Blending Executor::blending(Op op) const {
 
 /// Within which tolerance a motion of this block may become a part of a curve; 0: not at all. The
 /// moves of cycles are what they are.
-double Executor::compressing(Op op) const {
-    if (is_transformed() || !smoothing_.compresses || op != Op::Line) return 0;
+double PathSmoothing::compressing(Op op) const {
+    if (channel_.transformation.is_transformed() || !smoothing_.compresses || op != Op::Line)
+        return 0;
     return smoothing_.tolerance.value_or(machine_.compressor_tolerance);
+}
+
+/// Whether a motion ends at rest: by what is modal, or by a word of its block alone.
+bool PathSmoothing::stops_exactly(bool once) const {
+    return dynamics_.has_exact_stop() && (modal_.has_exact_stop || once);
 }
 
 }  // namespace kadr::interp

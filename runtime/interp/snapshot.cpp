@@ -2,17 +2,21 @@
 
 #include <algorithm>
 
-#include "interp/executor.h"
+#include "interp/answers.h"
+#include "interp/channel.h"
+#include "interp/spindles.h"
+#include "interp/transformation.h"
 
 namespace kadr::interp {
 
-Snapshot Executor::snapshot() const {
+Snapshot Answers::snapshot() const {
     Snapshot now;
     now.axes = axes_.present;
     // Beside a contour the axes stand where the blocks have sent them that are settled.
-    const AxisValues machine = comp_3d_.is_on()        ? machine_axes_at(comp_3d_.place())
-                               : compensation_.is_on() ? machine_axes_at(compensation_.place())
-                                                       : machine_axes();
+    const AxisValues machine =
+        comp_3d_.is_on()        ? channel_.transformation.machine_axes_at(comp_3d_.place())
+        : compensation_.is_on() ? channel_.transformation.machine_axes_at(compensation_.place())
+                                : channel_.transformation.machine_axes();
     for (std::size_t i = 0; i < kAxes; ++i) {
         now.work[i] = position_.here[i] / axes_.word_scale[i];
         now.machine[i] = machine[i];
@@ -22,7 +26,7 @@ Snapshot Executor::snapshot() const {
     now.spindle = spindle_.mode;
     now.has_cutting_speed = spindle_.has_cutting_speed;
     now.speed = spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
-    now.master_spindle = shown_number();
+    now.master_spindle = channel_.spindles.shown_number();
     for (const Spindle& other : other_spindles_)
         now.spindles.push_back({other.number, other.mode, other.speed});
     if (!now.spindles.empty()) now.spindles.push_back({spindle_.number, now.spindle, now.speed});

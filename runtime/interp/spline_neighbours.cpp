@@ -8,7 +8,9 @@
 #include <Eigen/Geometry>
 
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/motions.h"
+#include "interp/splines.h"
 #include "path/curve.h"
 #include "path/linear.h"
 
@@ -89,10 +91,10 @@ std::optional<Vec3> direction_into_next(MotionWords& words, const Block& block) 
 }  // namespace
 
 /// In the base system, of length 1; nothing if the block has none, or it was reported.
-std::optional<Vec3> Executor::direction_into(const Block& next) {
+std::optional<Vec3> Splines::direction_into(const Block& next) {
     // Where positions are in another frame is not known before the block is executed.
     if (next.find(nc::Fact::MovesPositions) != nullptr) return std::nullopt;
-    MotionView view = motion_view();
+    MotionView view = channel_.motions.motion_view();
     view.take(next);
     MotionWords words(view, reporter_);
     std::optional<Vec3> way;

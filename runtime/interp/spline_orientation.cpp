@@ -10,7 +10,12 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/motion_checks.h"
+#include "interp/radius_compensation.h"
+#include "interp/splines.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "machine/chain.h"
 #include "path/linear.h"
 
@@ -28,11 +33,13 @@ constexpr double kNoDirection = 1e-3;
 }  // namespace
 
 /// The tool may turn as it is said beside a spline or a polynomial.
-Done Executor::require_orientation_along(const Block& block, const ToolWords& tool) {
+Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& tool) {
     if (!orienting_.is_on && !tool.is_any()) return kDone;
-    const bool is_alone = orienting_.is_on && !orienting_.has_length && !is_any_comp_on();
+    const bool is_alone =
+        orienting_.is_on && !orienting_.has_length && !channel_.compensation.is_any_comp_on();
     // What is modal would act on the spans that wait, too.
-    bool is_refused = tool.is_any() && (!is_alone || (tool.changes_lead_tilt && is_in_spline()));
+    bool is_refused =
+        tool.is_any() && (!is_alone || (tool.changes_lead_tilt && channel_.splines.is_in_spline()));
     if (modal_.motion == Function::Spline) {
         const OrientInterpolation turning = orienting_.turning;
         const bool is_free =
@@ -46,15 +53,15 @@ Done Executor::require_orientation_along(const Block& block, const ToolWords& to
         return kFailed;
     }
     if (!orienting_.is_on) return kDone;
-    check_offset_programmed(block);
+    channel_.transformation.check_offset_programmed(block);
     if (!require_one_turn(block, tool)) return kFailed;
     return require_no_idle_words(block, tool);
 }
 
 /// What a pole of a B-spline says of the tool: a direction, or the one of the pole before it.
 /// Nothing where no transformation turns the tool.
-Done Executor::orient_control_point(const Block& block, const ToolWords& tool,
-                                    ControlPointBlock& pole) {
+Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
+                                      ControlPointBlock& pole) {
     if (!orienting_.is_on) return kDone;
     if (tool.programs_direction()) {
         if (!require_axes_for_direction(block)) return kFailed;
@@ -63,7 +70,7 @@ Done Executor::orient_control_point(const Block& block, const ToolWords& tool,
         pole.direction = *said;
         return kDone;
     }
-    const Vec3 joints = joints_of(position_.base);
+    const Vec3 joints = channel_.transformation.joints_of(position_.base);
     pole.direction =
         spline_->direction().value_or(machine::tool_vector(machine_.kinematics->chain, joints));
     return kDone;
@@ -73,26 +80,29 @@ Done Executor::orient_control_point(const Block& block, const ToolWords& tool,
 /// position, of which X, Y and Z are behind blocks that have been read meanwhile.
 ///
 /// at  whose place messages show
-Done Executor::turn_along(const Block& at, const ControlPointBlock& said, const path::Curve& span,
-                          AxisValues& to) {
+Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, const path::Curve& span,
+                            AxisValues& to) {
     const Position read = position_;
     const double feed = std::exchange(modal_.feed, said.feed);
     const OrientModes modes = std::exchange(static_cast<OrientModes&>(orienting_), said.modes);
     for (std::size_t i = 0; i < 3; ++i)
         position_.base[i] = path::start(span)[static_cast<Eigen::Index>(i)];
     position_.here = frames_.from_base(position_.base);
-    Target target{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
+    Target target{position_.here, position_.base,
+                  static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
                   kLinearXYZ};
     for (std::size_t i = 0; i < 3; ++i)
         target.base[i] = path::end(span)[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
     const bool is_laid = lay_span_orientation(at, said, span, target) &&
-                         require_within_limits(at, target.base, joint_axes());
+                         channel_.checks.require_within_limits(
+                             at, target.base, channel_.transformation.joint_axes());
     modal_.feed = feed;
     static_cast<OrientModes&>(orienting_) = modes;
     position_ = read;
     if (!is_laid) return kFailed;
-    for (AxisMask rest = joint_axes(); rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
+    for (AxisMask rest = channel_.transformation.joint_axes(); rest != 0;
+         rest = static_cast<AxisMask>(rest & (rest - 1))) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         to[i] = position_.base[i] = target.base[i];
         position_.here[i] = position_.programmed[i] = target.here[i];
@@ -100,8 +110,8 @@ Done Executor::turn_along(const Block& at, const ControlPointBlock& said, const 
     return kDone;
 }
 
-Done Executor::lay_span_orientation(const Block& at, const ControlPointBlock& said,
-                                    const path::Curve& span, Target& target) {
+Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& said,
+                                      const path::Curve& span, Target& target) {
     next_orientation_ = {};
     course_.reset();
     if (said.direction) {
@@ -121,9 +131,9 @@ Done Executor::lay_span_orientation(const Block& at, const ControlPointBlock& sa
 
 /// What a block says of the tool, shared out to the pieces of its polynomial by their lengths: the
 /// directions in which they end.
-Done Executor::share_orientation(const Block& block, const ToolWords& tool,
-                                 const std::vector<double>& shares,
-                                 const std::vector<ControlPointBlock*>& pieces) {
+Done ToolMotion::share_orientation(const Block& block, const ToolWords& tool,
+                                   const std::vector<double>& shares,
+                                   const std::vector<ControlPointBlock*>& pieces) {
     if (!orienting_.is_on) return kDone;
     const bool is_led = is_led_by_surface(tool);
     if (pieces.size() == 1 || (!tool.is_any() && !is_led)) {
@@ -140,7 +150,8 @@ Done Executor::share_orientation(const Block& block, const ToolWords& tool,
     if (!require_axes_for_direction(block)) return kFailed;
     const std::optional<Vec3> to = wanted_direction(block, tool);
     if (!to) return kFailed;
-    const Vec3 from = machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+    const Vec3 from = machine::tool_vector(machine_.kinematics->chain,
+                                           channel_.transformation.joints_of(position_.base));
     const auto arc = machine::great_circle(from, *to);
     if (!arc) {
         reporter_.report(diag::OrientationOpposite, block);

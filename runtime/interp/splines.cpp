@@ -1,12 +1,24 @@
 // splines.cpp — B-splines: their blocks are collected, their spans executed as soon as they are
 // known.
+#include "interp/splines.h"
+
 #include <bit>
 #include <utility>
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/block_functions.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
+#include "interp/radius_compensation.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "path/curve.h"
 #include "path/linear.h"
 
@@ -53,9 +65,30 @@ std::optional<double> word(const Block& block, Function function, std::size_t pa
 
 }  // namespace
 
+Splines::Splines(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      work_offset_(channel.state.frame.work_offset),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      tool_(channel.state.tool.tool),
+      position_words_(channel.state.motion.position_words),
+      orienting_(channel.state.tool.orienting),
+      next_orientation_(channel.state.tool.next_orientation),
+      came_from_(channel.state.motion.came_from),
+      has_moved_(channel.state.motion.has_moved),
+      spline_(channel.state.cycle.spline),
+      through_(channel.state.cycle.through),
+      spline_commands_(channel.state.cycle.spline_commands),
+      puts_span_(channel.state.cycle.puts_span),
+      dynamics_(channel.state.motion.dynamics) {}
+
 /// Whether a block belongs to the spline that runs. By knots, the function said again begins
 /// another one.
-bool Executor::continues_spline(const Block& block) const {
+bool Splines::continues_spline(const Block& block) const {
     const bool is_spline = block.motion == Function::None || block.motion == Function::Spline;
     if (!is_spline || (block.motion == Function::Spline && spline_->is_by_knots())) return false;
     bool has_knot = false;
@@ -70,7 +103,7 @@ bool Executor::continues_spline(const Block& block) const {
     return has_knot || (block.given & nc::kTargetSlots) != 0;
 }
 
-void Executor::set_spline_degree(const Block& block, const nc::Invocation& invocation) {
+void Splines::set_spline_degree(const Block& block, const nc::Invocation& invocation) {
     const double degree =
         block.argument(invocation, parameter_of<Function::SplineDegree>("degree"));
     if (degree >= 1 && degree <= 3) {
@@ -84,18 +117,19 @@ void Executor::set_spline_degree(const Block& block, const nc::Invocation& invoc
 }
 
 /// A block under the spline function: a pole, a knot or both.
-void Executor::spline(const Block& block, const ToolWords& tool) {
+void Splines::spline(const Block& block, const ToolWords& tool) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     const std::optional<double> knot = word(block, Function::SplineKnot, kKnot);
     const SlotMask others = targets & ~SlotMask{kLinearXYZ};
-    const bool leads_others = !is_transformed() && !knot && !(spline_ && spline_->is_by_knots());
+    const bool leads_others =
+        !channel_.transformation.is_transformed() && !knot && !(spline_ && spline_->is_by_knots());
     if (others != 0 && !leads_others) {
         const auto other = static_cast<nc::Slot>(std::countr_zero(others));
         reporter_.report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
         return;
     }
-    if (!motion_words().require_axes(block, targets) ||
-        !motion_words().require_rotary_approaches(block))
+    if (!channel_.motions.motion_words().require_axes(block, targets) ||
+        !channel_.motions.motion_words().require_rotary_approaches(block))
         return;
     if (const auto interval = word(block, Function::SplineInterval, kInterval);
         interval && *interval < 0) {
@@ -103,7 +137,7 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
             .arg(reporter_.word_of(block, Function::SplineInterval));
         return;
     }
-    if (!require_orientation_along(block, tool)) return;
+    if (!channel_.tool_motion.require_orientation_along(block, tool)) return;
     if (!spline_ && !start_spline(block, knot.has_value())) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
@@ -120,28 +154,28 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
     move_along_spline();
 }
 
-Done Executor::start_spline(const Block& block, bool by_knots) {
+Done Splines::start_spline(const Block& block, bool by_knots) {
     const bool counts_knots =
         dialect_.can_write(Function::SplineKnot) && !dialect_.can_write(Function::SplineInterval);
-    leave_corners(diag::CornerNotContour);
-    if (has_ended()) return kFailed;
+    channel_.cornering.leave_corners(diag::CornerNotContour);
+    if (reporter_.has_ended()) return kFailed;
     if (!by_knots && counts_knots) {
         reporter_.report(diag::SplineKnots, block).arg("are missing");
         return kFailed;
     }
-    if (!require_feed(block, "spline")) return kFailed;
-    if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    if (!channel_.checks.require_feed(block, "spline")) return kFailed;
+    if (tool_.has_changed) channel_.tool.activate_length(block, kLinearXYZ);
     spline_commands_.begin(span_as_programmed(block));
     spline_.emplace(spline_degree_, by_knots);
     if (by_knots) return kDone;
     ControlPointBlock start{block.line, block.source, 0, position_.base, {}, {}};
     start.modes = orienting_;
-    if (!orient_control_point(block, {}, start)) return kFailed;
+    if (!channel_.tool_motion.orient_control_point(block, {}, start)) return kFailed;
     spline_->add_control_point(linear(position_.base), 1, start);
     return kDone;
 }
 
-Done Executor::add_control_point(const Block& block, SlotMask targets, const ToolWords& tool) {
+Done Splines::add_control_point(const Block& block, SlotMask targets, const ToolWords& tool) {
     const double weight = word(block, Function::SplineWeight, kWeight).value_or(1);
     if (!(weight > 0)) {
         reporter_.report(diag::SplineValue, block, Function::SplineWeight)
@@ -150,11 +184,11 @@ Done Executor::add_control_point(const Block& block, SlotMask targets, const Too
             .arg("above 0");
         return kFailed;
     }
-    const Target target = motion_words().target_of(block, targets);
+    const Target target = channel_.motions.motion_words().target_of(block, targets);
     const Vec3 pole = linear(target.base);
     // Poles of X, Y and Z may lie where the axes never go; those of the others are held to theirs.
-    if (!require_within_limits(block, target.base,
-                               static_cast<AxisMask>(target.moved & ~kLinearXYZ)))
+    if (!channel_.checks.require_within_limits(block, target.base,
+                                               static_cast<AxisMask>(target.moved & ~kLinearXYZ)))
         return kFailed;
     const bool is_start = spline_->poles() == 0;
     if (is_start && (pole - linear(position_.base)).norm() > kSamePlace) {
@@ -163,40 +197,41 @@ Done Executor::add_control_point(const Block& block, SlotMask targets, const Too
         return kFailed;
     }
     ControlPointBlock said = control_point_block(block, target.base);
-    if (!orient_control_point(block, tool, said)) return kFailed;
+    if (!channel_.tool_motion.orient_control_point(block, tool, said)) return kFailed;
     spline_->moved = static_cast<AxisMask>(spline_->moved | target.moved);
     spline_->add_control_point(pole, weight, said);
-    arrive(target);
+    channel_.motions.arrive(target);
     return kDone;
 }
 
 /// Whether a spline goes on in a block with a position beside which this stands. Another motion
 /// ends it, and what makes the path stop; what moves places or the tool ends it as well.
 /// source: SINUMERIK reference 4.4
-bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invocation) const {
+bool Splines::leaves_spline_open(const Block& block, const nc::Invocation& invocation) const {
     if (nc::has_fact(invocation.function, nc::Fact::InSpline)) return true;
-    if (nc::has_fact(invocation.function, nc::Fact::InSplineWithoutComp)) return !is_any_comp_on();
+    if (nc::has_fact(invocation.function, nc::Fact::InSplineWithoutComp))
+        return !channel_.compensation.is_any_comp_on();
     switch (invocation.function) {
         case Function::WorkOffset:
             return count_of(block, invocation, parameter_of<Function::WorkOffset>("number")) ==
                    work_offset_;
         case Function::ToolSelect:
-            return !nc::selects_at_once(rules_, changer()) &&
+            return !nc::selects_at_once(rules_, channel_.functions.changer()) &&
                    !invocation.has(parameter_of<Function::ToolSelect>("offset"));
         case Function::SpindleOrient: return false;
-        case Function::MachineFunction: return !is_awaited(block, invocation);
+        case Function::MachineFunction: return !channel_.functions.is_awaited(block, invocation);
         default: break;
     }
     switch (nc::info(invocation.function).group) {
-        case nc::Group::Plane: return !is_other_plane(invocation.function);
+        case nc::Group::Plane: return !channel_.functions.is_other_plane(invocation.function);
         case nc::Group::Spindle:
-        case nc::Group::Coolant: return !is_awaited(block, invocation);
+        case nc::Group::Coolant: return !channel_.functions.is_awaited(block, invocation);
         default: return false;
     }
 }
 
 /// A block with a point, as its span is executed.
-ControlPointBlock Executor::control_point_block(const Block& block, const AxisValues& to) {
+ControlPointBlock Splines::control_point_block(const Block& block, const AxisValues& to) {
     // A course of the feed counts blocks.
     if (block.function_count != 0 || dynamics_.has_feed_characteristic())
         spline_commands_.change(span_as_programmed(block));
@@ -205,27 +240,28 @@ ControlPointBlock Executor::control_point_block(const Block& block, const AxisVa
             modal_.feed,
             to,
             spline_commands_.count(),
-            stops_exactly(block.find(Function::ExactStopOnce) != nullptr),
+            channel_.smoothing.stops_exactly(block.find(Function::ExactStopOnce) != nullptr),
             std::nullopt,
             std::nullopt,
             orienting_};
 }
 
-Command Executor::span_as_programmed(const Block& block) {
+Command Splines::span_as_programmed(const Block& block) {
     Command span;
     span.op = Op::Spline;
-    fill_in(span, block);
+    channel_.stages.fill_in(span, block);
     return span;
 }
 
 /// Puts out what stands in front of the span of a block of the open spline.
-void Executor::put_commands_before(std::uint32_t number) {
-    while (auto said = spline_commands_.take_before(number)) behind_corners() = std::move(*said);
+void Splines::put_commands_before(std::uint32_t number) {
+    while (auto said = spline_commands_.take_before(number))
+        channel_.stages.behind_corners() = std::move(*said);
 }
 
 /// Puts out the spans that are known by now.
-void Executor::move_along_spline() {
-    while (!has_ended()) {
+void Splines::move_along_spline() {
+    while (!reporter_.has_ended()) {
         const std::optional<SplineStep> step = spline_->next();
         if (!step) return;
         put_commands_before(step->block.number);
@@ -235,7 +271,7 @@ void Executor::move_along_spline() {
 }
 
 /// A span of an open spline is as its own block has said, and turns as it was laid just now.
-void Executor::as_programmed(Command& command) const {
+void Splines::as_programmed(Command& command) const {
     const Command laid = std::exchange(command, spline_commands_.span());
     command.source = laid.source;
     command.line = laid.line;
@@ -248,8 +284,8 @@ void Executor::as_programmed(Command& command) const {
 }
 
 /// A span as a command, said by a block.
-void Executor::put_span(const path::SplineSpan& span, const ControlPointBlock& said, AxisMask moved,
-                        bool exact_stop) {
+void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& said, AxisMask moved,
+                       bool exact_stop) {
     Block at;  // whose place messages show
     at.line = said.line;
     at.source = said.source;
@@ -257,26 +293,28 @@ void Executor::put_span(const path::SplineSpan& span, const ControlPointBlock& s
     path::Curve curve = path::Point{start};
     if (shape.degree > 3) curve = path::make_quintic(start, end, shape);
     else curve = path::make_spline(start, end, shape);
-    if (!require_box_within_limits(at, path::bounds(curve))) return;
+    if (!channel_.checks.require_box_within_limits(at, path::bounds(curve))) return;
     AxisValues to = said.to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = end[static_cast<Eigen::Index>(i)];
     puts_span_ = true;
-    const bool is_laid = !orienting_.is_on || turn_along(at, said, curve, to);
+    const bool is_laid = !orienting_.is_on || channel_.tool_motion.turn_along(at, said, curve, to);
     puts_span_ = false;
     if (!is_laid) return;
     has_moved_ = true;
     const bool turns = next_orientation_.turning != path::Turning::Axes;
-    Command& command = put(Op::Spline, at);
+    Command& command = channel_.stages.put(Op::Spline, at);
     if (is_in_spline()) as_programmed(command);
     command.to = to;
-    command.moved = turns ? static_cast<AxisMask>(moved | kLinearXYZ | joint_axes()) : moved;
+    command.moved =
+        turns ? static_cast<AxisMask>(moved | kLinearXYZ | channel_.transformation.joint_axes())
+              : moved;
     command.spline = shape;
     command.feed = said.feed;
     command.exact_stop = exact_stop;
 }
 
 /// Another block follows, or none: the spline ends where its last pole is.
-void Executor::finish_spline() {
+void Splines::finish_spline() {
     if (const auto fault = spline_->finish()) {
         report_spline(spline_end_, *fault);
     } else {
@@ -286,7 +324,7 @@ void Executor::finish_spline() {
     spline_.reset();
 }
 
-void Executor::report_spline(const Block& block, NurbsFault fault) {
+void Splines::report_spline(const Block& block, NurbsFault fault) {
     if (fault == NurbsFault::Poles) {
         reporter_.report(diag::SplinePoles, block)
             .arg(spline_->degree())

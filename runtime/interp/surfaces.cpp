@@ -3,8 +3,11 @@
 #include <numbers>
 
 #include "base/diagnostics/iso.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
 #include "interp/mill_shape.h"
+#include "interp/radius_compensation.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
 #include "machine/kinematics.h"
 #include "machine/orientation.h"
 
@@ -15,10 +18,11 @@ using nc::Function;
 using path::Vec3;
 
 /// The cutter that acts, as it touches surfaces; nothing where it touches none, or it was reported.
-std::optional<Cutter3d> Executor::mill_shape_now(const Block& block) {
+std::optional<Cutter3d> RadiusCompensation::mill_shape_now(const Block& block) {
     if (!comp_.is_face_milling_acting()) return std::nullopt;
     const std::int64_t number = comp_offset().value_or(0);
-    const auto found = face_cutter(tool_offsets_, number, extra_.radius + sum_offset(4));
+    const auto found =
+        face_cutter(tool_offsets_, number, extra_.radius + channel_.tool.sum_offset(4));
     if (!found) {
         reporter_.report(diag::CompFaceTool, block, function_of(comp_.side))
             .arg(found.error() == MillShapeFault::EdgeTooLarge
@@ -39,7 +43,7 @@ std::optional<Cutter3d> Executor::mill_shape_now(const Block& block) {
 }
 
 /// Where the program has said that the tool keeps its direction, nothing may turn it.
-Done Executor::require_constant_tool(const Block& block) {
+Done RadiusCompensation::require_constant_tool(const Block& block) {
     const bool is_constant = comp_.acting == CompKind::FaceMillingInFrame ||
                              comp_.acting == CompKind::FaceMillingInPlane;
     if (!is_constant || !orienting_.is_on) return kDone;
@@ -48,8 +52,8 @@ Done Executor::require_constant_tool(const Block& block) {
 }
 
 /// How the surface lies along the block, for the cutter on it.
-Done Executor::lay_surface(const Block& block, const ToolWords& tool) {
-    const auto normals = normals_of(block, tool);
+Done RadiusCompensation::lay_surface(const Block& block, const ToolWords& tool) {
+    const auto normals = channel_.tool_motion.normals_of(block, tool);
     if (!normals) return kFailed;
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
     if (!arc) {
@@ -64,20 +68,20 @@ Done Executor::lay_surface(const Block& block, const ToolWords& tool) {
     face_.turn = arc->turn;
     // Where the tool is led by the surface too, that is still to be asked where the block before
     // ended.
-    if (!keeps_lead_tilt_to_surface()) orienting_.normal = (*normals)[1];
+    if (!channel_.tool_motion.keeps_lead_tilt_to_surface()) orienting_.normal = (*normals)[1];
     return kDone;
 }
 
 /// A code by which the side of the cutter is compensated stands inside the tool centre point
 /// control, which ends after it. F 4.4.
-Done Executor::require_tcp_for_peripheral_comp(const Block& block, Function function) {
+Done RadiusCompensation::require_tcp_for_peripheral_comp(const Block& block, Function function) {
     if (orienting_.has_length) return kDone;
     reporter_.report(diag::SideCompAlone, block, function);
     return kFailed;
 }
 
 /// F 4.4: with a tool and a table that turn, lines and positioning only.
-Done Executor::require_no_peripheral_arc(const Block& block) {
+Done RadiusCompensation::require_no_peripheral_arc(const Block& block) {
     const bool is_on = comp_.is_on() && comp_.is_peripheral_code;
     if (!is_on || !is_arc(modal_.motion)) return kDone;
     const machine::Chain& chain = machine_.kinematics->chain;

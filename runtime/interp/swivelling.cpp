@@ -10,7 +10,12 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/carriers.h"
+#include "interp/channel.h"
+#include "interp/motions.h"
+#include "interp/programmed_frames.h"
+#include "interp/tilted_planes.h"
+#include "interp/transformation.h"
 #include "machine/tilted_plane.h"
 #include "path/linear.h"
 
@@ -62,7 +67,7 @@ Frame back_of(const Frame& frame) { return path::inverse(frame).value(); }
 
 }  // namespace
 
-void Executor::swivel(const Block& block, const Invocation& invocation) {
+void TiltedPlanes::swivel(const Block& block, const Invocation& invocation) {
     const bool says_none = invocation.given == 0 && block.text.empty();
     if (says_none || block.text == "0") return end_swivel(block);
     const auto refuse = [&](std::string_view what) {
@@ -86,8 +91,8 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     }
     if (digit(options, 0) > 1 || digit(options, 1) > 1) return refuse("_ST has a digit above 1");
     // The cycle sees to it that no transformation acts: the axes stay, as at TRAFOOF. S 6.5.
-    if (orienting_.is_on) switch_transformation(block, {Function::TcpOff});
-    if (has_ended() || !retract_before_swivel(block, invocation)) return;
+    if (orienting_.is_on) channel_.transformation.switch_transformation(block, {Function::TcpOff});
+    if (reporter_.has_ended() || !retract_before_swivel(block, invocation)) return;
 
     // A new plane is said in the system of the work offset; one that is added, in the plane so far
     // with all that the program has done in it.
@@ -102,7 +107,7 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
                              path::translation(three(block, invocation, kShift)));
     tilted_plane_.is_on = true;
     told_.renew(Once::TiltTurned);
-    frame_changed();
+    channel_.frames.frame_changed();
 
     constexpr double kMostModes = 1e6;
     const auto mode =
@@ -115,14 +120,14 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     if (direction != 0)
         holds_tip ? turn_about_tip(block, *joints, Op::Rapid, 0)
                   : turn_joints(block, *joints, Op::Rapid);
-    if (!has_ended()) carry(block, *joints);
+    if (!reporter_.has_ended()) carry(block, *joints);
 }
 
 /// Where the rotary axes 1 and 2 of the swivel data are to stand, rad. S 6.5.
-Vec3 Executor::direct_joints(const Block& block, const Invocation& invocation) const {
+Vec3 TiltedPlanes::direct_joints(const Block& block, const Invocation& invocation) const {
     const machine::Chain& chain = machine_.kinematics->chain;
-    Vec3 joints = joints_of(position_.base);
-    const std::array<std::size_t, 2> order = joints_in_order();
+    Vec3 joints = channel_.transformation.joints_of(position_.base);
+    const std::array<std::size_t, 2> order = channel_.transformation.joints_in_order();
     for (std::size_t i = 0; i < 2; ++i) {
         if (chain.has(order[i]))
             joints[static_cast<Eigen::Index>(order[i])] =
@@ -132,7 +137,8 @@ Vec3 Executor::direct_joints(const Block& block, const Invocation& invocation) c
 }
 
 /// The rotation that the mode and the angles say; nothing if it was reported.
-std::optional<Mat3> Executor::swivel_rotation(const Block& block, const Invocation& invocation) {
+std::optional<Mat3> TiltedPlanes::swivel_rotation(const Block& block,
+                                                  const Invocation& invocation) {
     const double mode = block.argument(invocation, kMode);
     const auto refuse = [&](std::string_view what) -> std::optional<Mat3> {
         reporter_.report(diag::SwivelValue, block, Function::Swivel).arg(what);
@@ -173,14 +179,14 @@ std::optional<Mat3> Executor::swivel_rotation(const Block& block, const Invocati
     return machine::turned_in_order(turns);
 }
 
-Done Executor::retract_before_swivel(const Block& block, const Invocation& invocation) {
+Done TiltedPlanes::retract_before_swivel(const Block& block, const Invocation& invocation) {
     const double kind = block.argument(invocation, parameter_of<Function::Swivel>("retract"));
     const auto to_reference = [&](AxisMask axes) {
-        AxisValues to = machine_axes();
+        AxisValues to = channel_.transformation.machine_axes();
         for (std::size_t i = 0; i < 3; ++i)
             if ((axes >> i & 1u) != 0) to[i] = axes_.reference_points[0][i];
-        rapid_to_machine_position(block, to, axes);
-        return Done(!has_ended());
+        channel_.motions.rapid_to_machine_position(block, to, axes);
+        return Done(!reporter_.has_ended());
     };
     const auto across = static_cast<AxisMask>((bit(Axis::X) | bit(Axis::Y)) & axes_.present);
     if (kind == 0) return kDone;
@@ -196,9 +202,10 @@ Done Executor::retract_before_swivel(const Block& block, const Invocation& invoc
 }
 
 /// Away from the workpiece along the tool: by a distance, or as far as the axes go.
-Done Executor::retract_along_tool(const Block& block, std::optional<double> by) {
-    const AxisValues axes = machine_axes();
-    const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, joints_of(position_.base));
+Done TiltedPlanes::retract_along_tool(const Block& block, std::optional<double> by) {
+    const AxisValues axes = channel_.transformation.machine_axes();
+    const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain,
+                                            channel_.transformation.joints_of(position_.base));
     double most = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
         const double along = tool[static_cast<Eigen::Index>(i)];
@@ -215,21 +222,21 @@ Done Executor::retract_along_tool(const Block& block, std::optional<double> by) 
                   static_cast<AxisMask>(axes_.present & kLinearXYZ)};
     for (std::size_t i = 0; i < 3; ++i) target.base[i] += way * tool[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
-    line(block, target, Op::Rapid, true);
-    return Done(!has_ended());
+    channel_.motions.line(block, target, Op::Rapid, true);
+    return Done(!reporter_.has_ended());
 }
 
 /// The frames of the cycle go; no axis moves.
-void Executor::end_swivel(const Block& block) {
-    if (carrier_.stand) end_carrier();
+void TiltedPlanes::end_swivel(const Block& block) {
+    if (carrier_.stand) channel_.carriers.end_carrier();
     frames_.set_tool_frame(std::nullopt);
     end_tilted_plane(block);
-    frame_changed();
+    channel_.frames.frame_changed();
 }
 
 /// One axis of the programmed system comes to lie along the tool, the others turn no more than they
 /// have to.
-void Executor::frame_along_tool(const Block& block, const Invocation& invocation) {
+void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invocation) {
     const double said = block.argument(invocation, parameter_of<Function::ToolFrame>("axis"));
     const auto axis = static_cast<Eigen::Index>(said) - 1;
     if (axis < 0 || axis > 2) return;  // no form says it
@@ -238,7 +245,7 @@ void Executor::frame_along_tool(const Block& block, const Invocation& invocation
         tool = carrier_.stand->head() * tool;
     } else if (machine_.kinematics) {
         const machine::Chain& chain = machine_.kinematics->chain;
-        const Vec3 joints = joints_of(position_.base);
+        const Vec3 joints = channel_.transformation.joints_of(position_.base);
         tool = orienting_.is_on ? machine::tool_vector(chain, joints)
                                 : machine::tool_in_base(chain, joints);
     }
@@ -253,24 +260,25 @@ void Executor::frame_along_tool(const Block& block, const Invocation& invocation
                        moves ? linear(position_.base) : old.shift};
     const Frame outside = frames_.tables() * frames_.outside_tool_frame();
     frames_.set_tool_frame(back_of(outside) * wanted * back_of(frames_.inside_tool_frame()));
-    frame_changed();
+    channel_.frames.frame_changed();
     position_.programmed = position_.here;  // `Z=IC(100)` behind it is a way along the tool alone
 }
 
 /// PAROT, PAROTOF.
-void Executor::follow_tables(const Block& block, bool is_wanted) {
+void TiltedPlanes::follow_tables(const Block& block, bool is_wanted) {
     if (is_wanted && !carrier_.stand && !require_rotary_axes(block, Function::TableFrame)) return;
     tilted_plane_.on_tables = is_wanted;
     if (carrier_.stand) {
-        lay_on_carrier();
+        channel_.carriers.lay_on_carrier();
         position_.programmed = position_.here;
         return;
     }
     if (tilted_plane_.carries || orienting_.is_on) return;
-    frames_.set_tables(
-        is_wanted ? machine::table_frame(machine_.kinematics->chain, joints_of(position_.base))
-                  : Frame{});
-    frame_changed();
+    frames_.set_tables(is_wanted
+                           ? machine::table_frame(machine_.kinematics->chain,
+                                                  channel_.transformation.joints_of(position_.base))
+                           : Frame{});
+    channel_.frames.frame_changed();
     position_.programmed = position_.here;
 }
 

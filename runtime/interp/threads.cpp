@@ -6,7 +6,13 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
+#include "interp/spindles.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
 #include "path/linear.h"
 
 namespace kadr::interp {
@@ -24,7 +30,7 @@ using path::Vec3;
 
 /// A line with the spindle geared to it, in as out: the spindle turns as the sign of the pitch
 /// says, and stands at the end with the axis.
-void Executor::tap(const Block& block, const Target& target) {
+void Motions::tap(const Block& block, const Target& target) {
     const SlotMask words = block.given & nc::kCenterSlots;
     const double pitch = words == 0 ? 0 : block.at(first_slot(words));
     if (pitch == 0) {
@@ -36,12 +42,12 @@ void Executor::tap(const Block& block, const Target& target) {
         reporter_.report(diag::TapSpeedMissing, block);
         return;
     }
-    if (tool_.has_changed) activate_length(block, target.moved);
-    if (!require_within_limits(block, target.base, target.moved)) return;
+    if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
+    if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     const bool is_cw = (pitch > 0) == (modal_.motion == Function::TapIn);
     spindle_.mode = is_cw ? SpindleMode::Cw : SpindleMode::Ccw;
-    update_spindle(block);
-    Command& command = put(Op::Line, block);
+    channel_.spindles.update_spindle(block);
+    Command& command = channel_.stages.put(Op::Line, block);
     command.to = target.base;
     command.moved = target.moved;
     command.feed_mode = FeedMode::PerRevolution;
@@ -49,12 +55,12 @@ void Executor::tap(const Block& block, const Target& target) {
     command.exact_stop = command.keeps_feed = command.ignores_hold = true;
     arrive(target);
     spindle_.mode = SpindleMode::Stop;
-    update_spindle(block);
+    channel_.spindles.update_spindle(block);
 }
 
 /// A line geared to the spindle as it turns. Its pitch counts along the axis of the longer way, so
 /// a turn takes the tool so much farther along the line as that is longer.
-void Executor::thread(const Block& block, const Target& target, const Actions& actions) {
+void Motions::thread(const Block& block, const Target& target, const Actions& actions) {
     const Vec3 way = linear(target.here) - linear(position_.here);
     const std::optional<double> pitch = thread_pitch(block, way);
     if (!pitch) return;
@@ -62,14 +68,14 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     const std::optional<double> change = thread_change(block, *pitch, along);
     if (!change) return;
     if (!require_thread_spindle(block)) return;
-    check_tool(block);
-    if (tool_.has_changed) activate_length(block, target.moved);
-    if (!require_within_limits(block, target.base, target.moved)) return;
+    channel_.checks.check_tool(block);
+    if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
+    if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
-    Command& command = put(Op::Thread, block);
+    Command& command = channel_.stages.put(Op::Thread, block);
     command.to = target.base;
     command.moved = target.moved;
-    command.exact_stop = stops_exactly(actions.exact_stop);
+    command.exact_stop = channel_.smoothing.stops_exactly(actions.exact_stop);
     command.feed_mode = FeedMode::PerRevolution;
     const double length = (linear(target.base) - linear(position_.base)).norm();
     const double by_way = along > 0 ? length / along : 1;
@@ -80,7 +86,7 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
 }
 
 /// The spindle, which the thread is geared to, turns.
-Done Executor::require_thread_spindle(const Block& block) {
+Done Motions::require_thread_spindle(const Block& block) {
     if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
         reporter_.report(diag::RevolutionFeedStands, block);
         return kFailed;
@@ -92,7 +98,7 @@ Done Executor::require_thread_spindle(const Block& block) {
 
 /// By how much the pitch changes in a turn; 0 of an even thread. In a turn the tool goes by the
 /// pitch, so its square changes by twice the change times the way: it must not come to zero.
-std::optional<double> Executor::thread_change(const Block& block, double pitch, double way) {
+std::optional<double> Motions::thread_change(const Block& block, double pitch, double way) {
     if (!nc::has_fact(modal_.motion, nc::Fact::VaryingThread)) return 0;
     const nc::Invocation* const word = block.find(Function::ThreadChange);
     if (word == nullptr) {
@@ -108,7 +114,7 @@ std::optional<double> Executor::thread_change(const Block& block, double pitch, 
 }
 
 /// The pitch that the block or, on some controls, F says; nothing if it was reported missing.
-std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way) {
+std::optional<double> Motions::thread_pitch(const Block& block, const Vec3& way) {
     constexpr double kEqualTravels = 1e-6;  // mm: at 45 degrees either axis will do
     const SlotMask words = block.given & nc::kCenterSlots;
     Eigen::Index longest = 0;

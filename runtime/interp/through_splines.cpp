@@ -6,7 +6,14 @@
 #include <bit>
 
 #include "base/diagnostics/iso.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/splines.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "nc/parameters.h"
 #include "path/curve.h"
 #include "path/linear.h"
@@ -33,7 +40,7 @@ std::optional<Vec3> direction_of(const Vec3& way) {
 }  // namespace
 
 /// `kind` as the function says it; what it may be is the dialect's matter.
-void Executor::choose_spline_end(const Block& block, const nc::Invocation& invocation) {
+void Splines::choose_spline_end(const Block& block, const nc::Invocation& invocation) {
     constexpr std::size_t kKind =
         nc::parameter_of_all<"kind", Function::SplineStart, Function::SplineEnd>();
     const double said = block.argument(invocation, kKind);
@@ -45,7 +52,7 @@ void Executor::choose_spline_end(const Block& block, const nc::Invocation& invoc
 
 /// Whether a block belongs to the spline that runs: a position, with nothing beside it that ends
 /// the spline. The function may stand there again.
-bool Executor::continues_through(const Block& block) {
+bool Splines::continues_through(const Block& block) {
     if (block.motion != Function::None && block.motion != through_->function) return false;
     if (only_turns(block)) return false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
@@ -59,34 +66,34 @@ bool Executor::continues_through(const Block& block) {
 
 /// Whether a block says how the tool stands at the place where it is: no point of a spline, as a
 /// point cannot stand twice, but not to be left out either. It is run by itself.
-bool Executor::only_turns(const Block& block) {
+bool Splines::only_turns(const Block& block) {
     const bool is_turned = block.find(nc::Fact::ToolWord) != nullptr;
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (!is_turned || targets == 0 || (block.given & nc::kPolarSlots) != 0) return false;
-    MotionView view = motion_view();
+    MotionView view = channel_.motions.motion_view();
     view.take(block);
     const Target target = MotionWords(view, reporter_).target_of(block, targets);
     return !((linear(target.base) - linear(position_.base)).norm() > path::kSameKnot);
 }
 
 /// A block with a position under such a function.
-void Executor::go_through(const Block& block, SlotMask targets, const ToolWords& tool) {
+void Splines::go_through(const Block& block, SlotMask targets, const ToolWords& tool) {
     const SlotMask others = targets & ~SlotMask{kLinearXYZ};
     const auto refuse_others = [&] {
         const auto other = static_cast<Slot>(std::countr_zero(others));
         reporter_.report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
     };
-    if (others != 0 && is_transformed()) return refuse_others();
-    if (!motion_words().require_axes(block, targets) ||
-        !motion_words().require_rotary_approaches(block))
+    if (others != 0 && channel_.transformation.is_transformed()) return refuse_others();
+    if (!channel_.motions.motion_words().require_axes(block, targets) ||
+        !channel_.motions.motion_words().require_rotary_approaches(block))
         return;
-    if (!require_feed(block, "spline")) return;
-    if (!require_orientation_along(block, tool)) return;
+    if (!channel_.checks.require_feed(block, "spline")) return;
+    if (!channel_.tool_motion.require_orientation_along(block, tool)) return;
     if (!through_ && !start_through(block)) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
-    const Target target = motion_words().target_of(block, targets);
-    if (!require_within_limits(block, target.base, target.moved)) return;
+    const Target target = channel_.motions.motion_words().target_of(block, targets);
+    if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     if (!through_->spline.add_point(linear(target.base))) {
         // An axis has no way of the spline to follow.
         const bool is_followed = others != 0 && target.base != position_.base;
@@ -97,13 +104,13 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
     through_->moved = static_cast<AxisMask>(through_->moved | target.moved);
     through_->blocks.push_back(control_point_block(block, target.base));
     if (tool.is_any()) through_->blocks.back().tool = tool;
-    arrive(target);
+    channel_.motions.arrive(target);
     move_through();
 }
 
-Done Executor::start_through(const Block& block) {
-    leave_corners(diag::CornerNotContour);
-    if (has_ended()) return kFailed;
+Done Splines::start_through(const Block& block) {
+    channel_.cornering.leave_corners(diag::CornerNotContour);
+    if (reporter_.has_ended()) return kFailed;
     SplineEnd start{spline_ends_.start, Vec3::Zero()};
     if (start.kind == SplineEnd::Kind::Tangent) {
         const auto direction = direction_of(linear(position_.base) - came_from_);
@@ -113,7 +120,7 @@ Done Executor::start_through(const Block& block) {
         }
         start.tangent = *direction;
     }
-    if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    if (tool_.has_changed) channel_.tool.activate_length(block, kLinearXYZ);
     spline_commands_.begin(span_as_programmed(block));
     const bool is_akima = modal_.motion == Function::AkimaSpline;
     const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::CubicSpline;
@@ -126,8 +133,8 @@ Done Executor::start_through(const Block& block) {
 
 /// Puts out the spans that are known by now. One that is known while points may still come is not
 /// the last.
-void Executor::move_through() {
-    while (!has_ended()) {
+void Splines::move_through() {
+    while (!reporter_.has_ended()) {
         const std::optional<path::ThroughSpan> span = through_->spline.next();
         if (!span) return;
         const ControlPointBlock block = through_->blocks.front();
@@ -140,13 +147,14 @@ void Executor::move_through() {
 }
 
 /// Another block follows, or none: the spline ends at its last point.
-void Executor::finish_through(const Block* next) {
+void Splines::finish_through(const Block* next) {
     SplineEnd end{spline_ends_.end, Vec3::Zero()};
     if (end.kind == SplineEnd::Kind::Tangent) {
         const auto direction = next != nullptr ? direction_into(*next) : std::nullopt;
         if (!direction) {
             // What is wrong with the block itself was said.
-            if (!has_ended()) reporter_.report(diag::SplineNoDirection, spline_end_).arg("behind");
+            if (!reporter_.has_ended())
+                reporter_.report(diag::SplineNoDirection, spline_end_).arg("behind");
             through_.reset();
             return;
         }
@@ -162,7 +170,7 @@ void Executor::finish_through(const Block* next) {
 
 /// What is open ends: where the tool is cannot be said inside of a spline. `next` is the block that
 /// ends it, if it is one.
-void Executor::finish_open_spline(const Block* next) {
+void Splines::finish_open_spline(const Block* next) {
     if (spline_) finish_spline();
     if (through_) finish_through(next);
 }

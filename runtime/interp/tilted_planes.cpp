@@ -5,6 +5,8 @@
 // as the tables have turned it, and between the tip and what the linear axes carry lies the tool as
 // the heads have turned it: every line is one of the linear axes, and limits are theirs. Workpiece
 // and offsets are said for rotary axes at zero. F 4.8, S 6.5, motion.md 7.2.
+#include "interp/tilted_planes.h"
+
 #include <array>
 #include <cmath>
 
@@ -13,7 +15,14 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/carriers.h"
+#include "interp/channel.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/programmed_frames.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
+#include "interp/transformation.h"
 #include "machine/orientation.h"
 #include "machine/tilted_plane.h"
 #include "nc/parameters.h"
@@ -90,9 +99,26 @@ Function function_of(const OpenPlane& said) {
 
 // ------------------------------------------------------------------------------ planes
 
+TiltedPlanes::TiltedPlanes(Channel& channel)
+    : channel_(channel),
+      machine_(channel.state.machine),
+      reporter_(channel.state.reporter),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      tool_(channel.state.tool.tool),
+      carrier_(channel.state.tool.carrier),
+      orienting_(channel.state.tool.orienting),
+      tilted_plane_(channel.state.tool.tilted_plane),
+      came_from_(channel.state.motion.came_from),
+      comp_(channel.state.stage.comp),
+      told_(channel.state.told),
+      axes_(channel.state.axes),
+      length_shift_(channel.state.motion.length_shift) {}
+
 /// The origin that a block names: all of its coordinates or none. Nothing: it was reported.
-std::optional<Vec3> Executor::origin_of_plane(const Block& block, const Invocation& invocation,
-                                              std::size_t first) {
+std::optional<Vec3> TiltedPlanes::origin_of_plane(const Block& block, const Invocation& invocation,
+                                                  std::size_t first) {
     const unsigned given = invocation.given >> first & 0b111u;
     if (given == 0 || given == 0b111u) return three(block, invocation, first);
     reporter_.report(diag::TiltFormat, block, invocation.function)
@@ -101,8 +127,8 @@ std::optional<Vec3> Executor::origin_of_plane(const Block& block, const Invocati
 }
 
 /// A plane may be said here.
-Done Executor::require_place_for_plane(const Block& block, const Invocation& invocation,
-                                       bool is_added) {
+Done TiltedPlanes::require_place_for_plane(const Block& block, const Invocation& invocation,
+                                           bool is_added) {
     if (comp_.is_on()) {
         reporter_.report(diag::TiltCompensated, block, invocation.function)
             .arg(reporter_.word_of(block, invocation.function));
@@ -116,16 +142,17 @@ Done Executor::require_place_for_plane(const Block& block, const Invocation& inv
 }
 
 /// The plane lies in the system reached so far, a local shift included.
-void Executor::set_plane(const Frame& plane, bool is_added) {
+void TiltedPlanes::set_plane(const Frame& plane, bool is_added) {
     const Frame own = path::translation(frames_.own_shift());
     const Frame back = path::translation(-frames_.own_shift());
     const Frame outer = is_added ? frames_.tilt() : Frame{};
     frames_.set_tilted_plane(outer * own * plane * back);
     tilted_plane_.is_on = true;
-    frame_changed();
+    channel_.frames.frame_changed();
 }
 
-std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocation& invocation) {
+std::optional<Frame> TiltedPlanes::plane_by_angles(const Block& block,
+                                                   const Invocation& invocation) {
     const bool is_plane = invocation.function == Function::TiltedPlaneByAngles;
     constexpr std::size_t kOrigin =
         parameter_of_all<"x", Function::Tilt, Function::TiltedPlaneEuler>();
@@ -162,7 +189,7 @@ std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocat
     return shift * turned(machine::turned_about_fixed(turns));
 }
 
-void Executor::tilt(const Block& block, const Invocation& invocation) {
+void TiltedPlanes::tilt(const Block& block, const Invocation& invocation) {
     const bool is_added =
         invocation.function == Function::TiltedPlaneByAngles &&
         block.argument(invocation, parameter_of<Function::TiltedPlaneByAngles>("added")) != 0;
@@ -172,11 +199,11 @@ void Executor::tilt(const Block& block, const Invocation& invocation) {
     const std::optional<Frame> plane = plane_by_angles(block, invocation);
     if (!plane) return;
     set_plane(*plane, is_added);
-    if (machine_.kinematics) carry(block, joints_of(position_.base));
+    if (machine_.kinematics) carry(block, channel_.transformation.joints_of(position_.base));
 }
 
 /// Planes by points or vectors stand in several blocks, one behind the other.
-void Executor::set_plane_by_blocks(const Block& block, const Invocation& invocation) {
+void TiltedPlanes::set_plane_by_blocks(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kNumber =
         parameter_of_all<"number", Function::TiltedPlaneByPoints, Function::TiltedPlaneByVectors>();
     constexpr std::size_t kAdded =
@@ -216,10 +243,10 @@ void Executor::set_plane_by_blocks(const Block& block, const Invocation& invocat
     tilted_plane_.open.reset();
     if (!plane) return;
     set_plane(*plane, is_added);
-    if (machine_.kinematics) carry(block, joints_of(position_.base));
+    if (machine_.kinematics) carry(block, channel_.transformation.joints_of(position_.base));
 }
 
-std::optional<Frame> Executor::plane_by_blocks(const Block& block, const OpenPlane& said) {
+std::optional<Frame> TiltedPlanes::plane_by_blocks(const Block& block, const OpenPlane& said) {
     const std::array<Vec3, 3> points = {said.values[1], said.values[2], said.values[3]};
     const auto plane = said.is_by_points
                            ? machine::through_points(points)
@@ -233,7 +260,7 @@ std::optional<Frame> Executor::plane_by_blocks(const Block& block, const OpenPla
            path::rotation_in_plane(path::Plane::Xy, said.turn);
 }
 
-Done Executor::require_block_of_open_plane(const Block& block) {
+Done TiltedPlanes::require_block_of_open_plane(const Block& block) {
     if (block.find(function_of(*tilted_plane_.open)) != nullptr) return kDone;
     reporter_.report(diag::TiltFormat, block)
         .arg("its blocks are not complete: number " + std::to_string(tilted_plane_.open->next) +
@@ -242,13 +269,13 @@ Done Executor::require_block_of_open_plane(const Block& block) {
 }
 
 /// The plane square to the tool as it stands; frames lie on the turned tables first.
-void Executor::tilt_along_tool(const Block& block, const Invocation& invocation) {
+void TiltedPlanes::tilt_along_tool(const Block& block, const Invocation& invocation) {
     if (!require_place_for_plane(block, invocation, false)) return;
     if (!require_rotary_axes(block, invocation.function)) return;
     constexpr std::size_t kOrigin = parameter_of<Function::TiltedPlaneAlongTool>("x");
     const std::optional<Vec3> said = origin_of_plane(block, invocation, kOrigin);
     if (!said) return;
-    carry(block, joints_of(position_.base));
+    carry(block, channel_.transformation.joints_of(position_.base));
     const Vec3 origin =
         (invocation.given >> kOrigin & 0b111u) != 0 ? *said : linear(position_.here);
     const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, tilted_plane_.joints);
@@ -262,26 +289,26 @@ void Executor::tilt_along_tool(const Block& block, const Invocation& invocation)
     position_.programmed = position_.here;
 }
 
-void Executor::end_tilted_plane(const Block& block) {
+void TiltedPlanes::end_tilted_plane(const Block& block) {
     if (!tilted_plane_.is_on || !end_rotations_3d(block)) return;
     tilted_plane_.is_on = false;
     told_.renew(Once::TiltTurned);
     frames_.set_tilted_plane({});
     drop_carry(block);
-    frame_changed();
+    channel_.frames.frame_changed();
     position_.programmed = position_.here;
 }
 
 // ------------------------------------------------------------------------------ rotary axes
 
-Done Executor::require_rotary_axes(const Block& block, Function function) {
+Done TiltedPlanes::require_rotary_axes(const Block& block, Function function) {
     if (machine_.kinematics && machine_.kinematics->chain.is_turning()) return kDone;
     reporter_.report(diag::TiltNoKinematics, block, function).arg(machine_.name);
     return kFailed;
 }
 
 /// The rotary axes turn until the tool is along Z of the plane.
-void Executor::align(const Block& block, const Invocation& invocation) {
+void TiltedPlanes::align(const Block& block, const Invocation& invocation) {
     const Function function = invocation.function;
     const bool is_about_tip = function == Function::AlignToolAtTip;
     if (!tilted_plane_.is_on) {
@@ -308,18 +335,19 @@ void Executor::align(const Block& block, const Invocation& invocation) {
         is_about_tip ? block.argument(invocation, parameter_of<Function::AlignToolAtTip>("above"))
                      : 0;
     is_about_tip ? turn_about_tip(block, *joints, op, above) : turn_joints(block, *joints, op);
-    if (!has_ended()) carry(block, *joints);
+    if (!reporter_.has_ended()) carry(block, *joints);
 }
 
 /// Places of the rotary axes with the tool along Z of the programmed system; nothing if it was
 /// reported.
-std::optional<Vec3> Executor::joints_for_plane(const Block& block, Function function, int sense) {
+std::optional<Vec3> TiltedPlanes::joints_for_plane(const Block& block, Function function,
+                                                   int sense) {
     const machine::Kinematics& kinematics = *machine_.kinematics;
     const machine::Chain& chain = kinematics.chain;
     const Vec3 normal = frames_.total().direction(Vec3::UnitZ());
     machine::SwivelQuery query;
     query.direction = (frames_.tables().linear.transpose() * normal).normalized();
-    query.start = joints_of(position_.base);
+    query.start = channel_.transformation.joints_of(position_.base);
     query.rule = kinematics.rule;
     query.sense = sense;
     const std::size_t last = chain.has(machine::kR2) ? machine::kR2 : machine::kR1;
@@ -351,42 +379,45 @@ std::optional<Vec3> Executor::joints_for_plane(const Block& block, Function func
 }
 
 /// The rotary axes go there, and the linear axes stand.
-void Executor::turn_joints(const Block& block, const Vec3& joints, Op op) {
+void TiltedPlanes::turn_joints(const Block& block, const Vec3& joints, Op op) {
     const machine::Chain& chain = machine_.kinematics->chain;
-    if ((joints - joints_of(position_.base)).cwiseAbs().maxCoeff() < kSameAngle) return;
-    Target target{position_.here, position_.base, joint_axes()};
+    if ((joints - channel_.transformation.joints_of(position_.base)).cwiseAbs().maxCoeff() <
+        kSameAngle)
+        return;
+    Target target{position_.here, position_.base, channel_.transformation.joint_axes()};
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
         const std::size_t i = index(chain.joints[k].axis);
         target.base[i] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
         target.here[i] = target.base[i] - frames_.shift_values()[i];
     }
-    line(block, target, op, true);
+    channel_.motions.line(block, target, op, true);
 }
 
 /// The rotary axes go there, and the linear axes hold the tip on the workpiece, or a point of the
 /// tool's axis above it: that is the tip of a shorter tool. F 4.8.
-void Executor::turn_about_tip(const Block& block, const Vec3& joints, Op op, double above) {
-    if (op == Op::Line && !require_feed(block, "line")) return;
+void TiltedPlanes::turn_about_tip(const Block& block, const Vec3& joints, Op op, double above) {
+    if (op == Op::Line && !channel_.checks.require_feed(block, "line")) return;
     drop_carry(block);
-    if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    if (tool_.has_changed) channel_.tool.activate_length(block, kLinearXYZ);
     if (above == 0) return hold_tip(block, joints, op);
     const Vec3 lengths = tool_.lengths;
     tool_.lengths -= above * machine_.kinematics->chain.tool_direction;
-    stand_at(block, machine_axes(), true);
+    stand_at(block, channel_.transformation.machine_axes(), true);
     hold_tip(block, joints, op);
-    if (has_ended()) return;
-    const AxisValues axes = machine_axes();
+    if (reporter_.has_ended()) return;
+    const AxisValues axes = channel_.transformation.machine_axes();
     tool_.lengths = lengths;
     stand_at(block, axes, true);
 }
 
-void Executor::hold_tip(const Block& block, const Vec3& joints, Op op) {
+void TiltedPlanes::hold_tip(const Block& block, const Vec3& joints, Op op) {
     const machine::Chain& chain = machine_.kinematics->chain;
-    const AxisValues axes = machine_axes();
+    const AxisValues axes = channel_.transformation.machine_axes();
     const Vec3 tool = -tool_.lengths;
-    machine::ChainPosition position{
-        linear(axes), {axes[6], axes[7], axes[8]}, joints_of(position_.base)};
+    machine::ChainPosition position{linear(axes),
+                                    {axes[6], axes[7], axes[8]},
+                                    channel_.transformation.joints_of(position_.base)};
     const Vec3 tip = machine::forward(chain, position, tool).tip;
     position.rotary = joints;
     const Vec3 stand = machine::inverse_linear(chain, tip, position, tool);
@@ -397,9 +428,9 @@ void Executor::hold_tip(const Block& block, const Vec3& joints, Op op) {
     }
     for (std::size_t i = 0; i < 3; ++i)
         end[i] = stand[static_cast<Eigen::Index>(i)] - length_shift_[i];
-    const auto moved = static_cast<AxisMask>(kLinearXYZ | joint_axes());
-    if (!require_within_machine(block, end, moved)) return;
-    path::Command& command = put(op, block);
+    const auto moved = static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes());
+    if (!channel_.checks.require_within_machine(block, end, moved)) return;
+    path::Command& command = channel_.stages.put(op, block);
     command.to = end;
     for (std::size_t i = 0; i < 3; ++i) command.to[i] = tip[static_cast<Eigen::Index>(i)];
     command.moved = moved;
@@ -408,30 +439,18 @@ void Executor::hold_tip(const Block& block, const Vec3& joints, Op op) {
     command.turning = path::Turning::Axes;
     command.direction = machine::tool_vector(chain, joints);
     position_.base = end;
-    frame_changed();
+    channel_.frames.frame_changed();
     position_.programmed = position_.here;
 }
 
 // ------------------------------------------------------------------------------ what they carry
 
-void Executor::set_length_shift(const Vec3& shift) {
-    for (std::size_t i = 0; i < 3; ++i) length_shift_[i] = shift[static_cast<Eigen::Index>(i)];
-}
-
-/// What the linear axes stand beside the tip, for a tool with these lengths.
-Vec3 Executor::length_shift_of(const Vec3& lengths) const {
-    if (orienting_.is_on) return Vec3::Zero();
-    if (tilted_plane_.turns > 0) return frames_.tilt().direction(lengths);
-    if (!tilted_plane_.carries) return lengths;
-    return -machine::head_offset(machine_.kinematics->chain, tilted_plane_.joints, -lengths);
-}
-
 /// Frames lie on the tables as these joints have turned them, and the tool as the heads have; no
 /// axis moves. Under a transformation both are so anyway.
-void Executor::carry(const Block& block, const Vec3& joints) {
+void TiltedPlanes::carry(const Block& block, const Vec3& joints) {
     if (!machine_.kinematics || orienting_.is_on) return;
-    const AxisValues axes = machine_axes();
-    const bool had_carrier = leave_carrier();
+    const AxisValues axes = channel_.transformation.machine_axes();
+    const bool had_carrier = channel_.carriers.leave_carrier();
     const Vec3 before = tilted_plane_.carries ? tilted_plane_.joints : Vec3(Vec3::Zero());
     const machine::Chain& chain = machine_.kinematics->chain;
     const bool tool_turns = !machine::tool_in_base(chain, before)
@@ -442,35 +461,37 @@ void Executor::carry(const Block& block, const Vec3& joints) {
     stand_at(block, axes, tool_turns || had_carrier);
 }
 
-void Executor::drop_carry(const Block& block) {
+void TiltedPlanes::drop_carry(const Block& block) {
     if (!tilted_plane_.carries) return;
-    const AxisValues axes = machine_axes();
+    const AxisValues axes = channel_.transformation.machine_axes();
     const machine::Chain& chain = machine_.kinematics->chain;
     const bool tool_turned = !machine::tool_in_base(chain, tilted_plane_.joints)
                                   .isApprox(chain.tool_direction, kSameLength);
     tilted_plane_.carries = false;
     frames_.set_tables(
-        tilted_plane_.on_tables ? machine::table_frame(chain, joints_of(position_.base)) : Frame{});
+        tilted_plane_.on_tables
+            ? machine::table_frame(chain, channel_.transformation.joints_of(position_.base))
+            : Frame{});
     stand_at(block, axes, tool_turned);
 }
 
 /// The axes stand where they are; tip and tool have another place in the base system.
-void Executor::stand_at(const Block& block, const AxisValues& axes, bool tool_turns) {
-    const Vec3 shift = length_shift_of(tool_.lengths);
+void TiltedPlanes::stand_at(const Block& block, const AxisValues& axes, bool tool_turns) {
+    const Vec3 shift = channel_.tool.length_shift_of(tool_.lengths);
     if (tool_turns || (shift - linear(length_shift_)).norm() > kSameLength) {
-        set_length_shift(shift);
-        put_tool_length(block, tool_.axis).moved = kLinearXYZ;
+        channel_.tool.set_length_shift(shift);
+        channel_.tool.put_tool_length(block, tool_.axis).moved = kLinearXYZ;
     }
     for (std::size_t i = 0; i < 3; ++i) position_.base[i] = axes[i] - length_shift_[i];
-    frame_changed();
+    channel_.frames.frame_changed();
     position_.programmed = position_.here;
     came_from_ = linear(position_.base);
 }
 
 /// A rotary axis that the plane does not follow leads the tool out of it. F 4.8.
-void Executor::check_carried(const Block& block) {
+void TiltedPlanes::check_carried(const Block& block) {
     if (told_.has_reported(Once::TiltTurned) || !machine_.kinematics) return;
-    const nc::SlotMask turned = block.given & joint_axes();
+    const nc::SlotMask turned = block.given & channel_.transformation.joint_axes();
     if (turned == 0) return;
     const Vec3 now = tilted_plane_.joints;
     const machine::Chain& chain = machine_.kinematics->chain;

@@ -4,8 +4,16 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "interp/block_functions.h"
 #include "interp/block_words.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/cycle_shapes.h"
+#include "interp/danger_watch.h"
+#include "interp/feed_words.h"
+#include "interp/spindles.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
+#include "interp/transformation.h"
 #include "nc/parameters.h"
 
 namespace kadr::interp {
@@ -18,7 +26,31 @@ using nc::parameter_of_all;
 using path::Op;
 using path::SpindleMode;
 
-void Executor::set_length_source(Tool::Source source, Actions& actions) {
+ToolInUse::ToolInUse(Channel& channel)
+    : channel_(channel),
+      machine_(channel.state.machine),
+      tool_offsets_(channel.state.tool.tool_offsets),
+      tool_names_(channel.state.tool.tool_names),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      spindle_(channel.state.spindle.spindle),
+      tool_(channel.state.tool.tool),
+      extra_(channel.state.tool.extra),
+      carrier_(channel.state.tool.carrier),
+      orienting_(channel.state.tool.orienting),
+      tilted_plane_(channel.state.tool.tilted_plane),
+      next_orientation_(channel.state.tool.next_orientation),
+      comp_(channel.state.stage.comp),
+      units_(channel.state.motion.units),
+      told_(channel.state.told),
+      dangers_(channel.state.stage.dangers),
+      axes_(channel.state.axes),
+      length_shift_(channel.state.motion.length_shift) {}
+
+void ToolInUse::set_length_source(Tool::Source source, Actions& actions) {
     tool_.source = source;
     tool_.has_changed = true;
     actions.length_changed = true;
@@ -26,14 +58,14 @@ void Executor::set_length_source(Tool::Source source, Actions& actions) {
 
 /// The edge that was said last is of the tool that was selected last: of one that is not in the
 /// spindle yet it acts when it comes there.
-void Executor::take_edge(const Block& block) {
+void ToolInUse::take_edge(const Block& block) {
     if (tool_.selected != tool_.current) return;
     tool_.edge = std::exchange(tool_.edge_called, 0);
     check_edge(block);
 }
 
 /// A tool whose data are known has no others; of one that is not known only the edge is told.
-void Executor::check_edge(const Block& block) {
+void ToolInUse::check_edge(const Block& block) {
     const std::int64_t number = tool_.edge_number();
     if (tool_.current == 0 || tool_.edge == 1 || tool_offsets_.is_known(number)) return;
     const bool is_known_tool = tool_offsets_.edges(tool_.current) > 0;
@@ -50,8 +82,8 @@ void Executor::check_edge(const Block& block) {
 }
 
 /// DL. A new edge has none, and a tool that is changed; S 2.3 with MD20272 = 0 (unsure).
-void Executor::choose_sum_offset(const Block& block, const Invocation& invocation,
-                                 Actions& actions) {
+void ToolInUse::choose_sum_offset(const Block& block, const Invocation& invocation,
+                                  Actions& actions) {
     constexpr std::int64_t kMost = 6;  // MD18110
     tool_.sum = count_of(block, invocation, parameter_of<Function::SumOffset>("number"));
     if (tool_.sum > kMost) {
@@ -68,7 +100,7 @@ void Executor::choose_sum_offset(const Block& block, const Invocation& invocatio
 /// What the sum offset adds, mm: to length 1, 2 or 3 (part 1 to 3), or to the radius (4): wear by
 /// the place of use, and what was set up. As data of the edge they are $TC_SCP13 … and $TC_ECP13 …,
 /// ten further for each sum offset.
-double Executor::sum_offset(std::size_t part) const {
+double ToolInUse::sum_offset(std::size_t part) const {
     constexpr std::int64_t kWear = 300;
     constexpr std::int64_t kSetUp = 400;
     if (tool_.sum == 0 || tool_.source != Tool::Source::Edge) return 0;
@@ -77,7 +109,7 @@ double Executor::sum_offset(std::size_t part) const {
            tool_offsets_.datum(tool_.edge_number(), kSetUp + datum);
 }
 
-std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
+std::int64_t ToolInUse::tool_number(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kTool = parameter_of_all<"tool", Function::ToolSelect, Function::Tool>();
     if (!invocation.has(kTool) && !block.text.empty()) return named_tool(block);
     const std::int64_t number = count_of(block, invocation, kTool);
@@ -91,7 +123,7 @@ std::int64_t Executor::tool_number(const Block& block, const Invocation& invocat
 
 /// The tool that the block calls by its name. A name that neither the table nor the program has is
 /// a tool of its own.
-std::int64_t Executor::named_tool(const Block& block) {
+std::int64_t ToolInUse::named_tool(const Block& block) {
     const std::vector<std::int64_t> known = tool_names_.numbers(block.text);
     if (known.empty()) {
         const std::int64_t number = tool_names_.invent(block.text, tool_offsets_.last_tool());
@@ -104,24 +136,24 @@ std::int64_t Executor::named_tool(const Block& block) {
     return known[0];
 }
 
-void Executor::change_tool(const Block& block) {
+void ToolInUse::change_tool(const Block& block) {
     const bool is_other = tool_.selected != tool_.current;
     if (is_other && rules_.comp_keeps_tool && comp_.is_on()) {
         reporter_.report(diag::CompToolChange, block);
         return;
     }
     if (is_other) {
-        watch_change(block);
+        channel_.dangers.watch_change(block);
         tool_.current = tool_.selected;
         tool_.edge = 1;
         extra_ = {};
         if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
-        put(Op::Tool, block).tool = tool_.current;
+        channel_.stages.put(Op::Tool, block).tool = tool_.current;
     }
-    if (nc::stops_at_tool_change(rules_, changer())) {
+    if (nc::stops_at_tool_change(rules_, channel_.functions.changer())) {
         spindle_.mode = SpindleMode::Stop;
         told_.renew_spindle();
-        update_spindle(block);
+        channel_.spindles.update_spindle(block);
     }
     // What the block says of the edge itself is said.
     if (rules_.tool_change_activates_length && block.find(Function::ToolEdge) == nullptr)
@@ -129,7 +161,36 @@ void Executor::change_tool(const Block& block) {
     // A length by number stays that of its offset; that it is another tool's now is looked at.
     tool_.has_changed |=
         tool_.source == Tool::Source::Edge || (is_other && tool_.source == Tool::Source::Offset);
-    take_tooth_feed();
+    channel_.feed.take_tooth_feed();
+}
+
+void ToolInUse::select_tool(const Block& block, const Invocation& invocation, Actions& actions) {
+    constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
+    tool_.selected = tool_number(block, invocation);
+    if (invocation.function == Function::Tool)
+        return set_length_source(Tool::Source::Edge, actions);
+    if (!invocation.has(kOffset)) return;
+    // The offset of a turret's station has length, radius and tip.
+    tool_.offset = tool_.radius_offset = count_of(block, invocation, kOffset);
+    set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset, actions);
+}
+
+void ToolInUse::select_edge(const Block& block, const Invocation& invocation, Actions& actions) {
+    tool_.edge_called = count_of(block, invocation, parameter_of<Function::ToolEdge>("edge"));
+    if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
+    set_length_source(tool_.edge_called == 0 ? Tool::Source::None : Tool::Source::Edge, actions);
+    if (!channel_.shapes.keeps_shape()) actions.comp_changed |= comp_.is_on();
+}
+
+void ToolInUse::change_length(const Block& block, const Invocation& invocation, Actions& actions) {
+    constexpr std::size_t kOffset =
+        parameter_of_all<"offset", Function::LengthCompOn, Function::LengthCompMinus>();
+    if (orienting_.has_length) channel_.transformation.end_length_transformation(actions);
+    if (invocation.function == Function::LengthCompOff)
+        return set_length_source(Tool::Source::None, actions);
+    tool_.is_taken_off = invocation.function == Function::LengthCompMinus;
+    if (invocation.has(kOffset)) tool_.offset = count_of(block, invocation, kOffset);
+    set_length_source(Tool::Source::Offset, actions);
 }
 
 }  // namespace kadr::interp

@@ -2,7 +2,14 @@
 #include "base/diagnostics/iso.h"
 #include "base/diagnostics/orienting.h"
 #include "base/numbers.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/danger_watch.h"
+#include "interp/motions.h"
+#include "interp/path_smoothing.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "machine/kinematics.h"
 #include "machine/tilted_plane.h"
 
@@ -27,7 +34,7 @@ path::Plane plane_with_normal(Axis axis) {
 }  // namespace
 
 /// The axis along which the chief length of the tool lies.
-Axis Executor::wanted_length_axis() const {
+Axis ToolInUse::wanted_length_axis() const {
     const bool is_turned =
         tool_.source != Tool::Source::None && tool_offsets_.is_turning(tool_.length_number());
     if (is_turned || rules_.length_axis == nc::LengthAxis::Z) return Axis::Z;
@@ -35,7 +42,7 @@ Axis Executor::wanted_length_axis() const {
 }
 
 /// What should be added to X, Y, Z; S 5.1.
-Vec3 Executor::wanted_lengths() const {
+Vec3 ToolInUse::wanted_lengths() const {
     Vec3 lengths = Vec3::Zero();
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0) return lengths;
@@ -68,7 +75,7 @@ Vec3 Executor::wanted_lengths() const {
 }
 
 /// A machine without a tool table has no lengths; a table with a gap is likely a mistake.
-void Executor::check_length_known(const Block& block) {
+void ToolInUse::check_length_known(const Block& block) {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
     const std::int64_t tool = ToolOffsets::tool_of(number);
@@ -80,11 +87,11 @@ void Executor::check_length_known(const Block& block) {
 /// side is told just before it, and only if the length is another one than before.
 ///
 /// returns  how far the tip goes by it while the axes stand, in the base system, mm
-Vec3 Executor::activate_length(const Block& block, AxisMask moved) {
+Vec3 ToolInUse::activate_length(const Block& block, AxisMask moved) {
     const Axis axis = wanted_length_axis();
     if ((moved & bit(axis)) != 0) {
         check_length_known(block);
-        watch_length(block, axis);
+        channel_.dangers.watch_length(block, axis);
     }
     const Vec3 wanted = wanted_lengths();
     Vec3 lengths = tool_.lengths;
@@ -104,7 +111,8 @@ Vec3 Executor::activate_length(const Block& block, AxisMask moved) {
     const Vec3 shift = length_shift_of(lengths);
     Vec3 carried = shift - length_shift_of(tool_.lengths);
     if (orienting_.is_on)
-        carried = machine::rotation_of(machine_.kinematics->chain, joints_of(position_.base)) *
+        carried = machine::rotation_of(machine_.kinematics->chain,
+                                       channel_.transformation.joints_of(position_.base)) *
                   (lengths - tool_.lengths);
     tool_.lengths = lengths;
     tool_.axis = axis;
@@ -115,7 +123,7 @@ Vec3 Executor::activate_length(const Block& block, AxisMask moved) {
 
 /// … with an arc. On a line the tip comes from wherever the length has left it; an arc that begins
 /// beside its circle is none. Along its axis it rises.
-Done Executor::activate_length_on_arc(const Block& block, const Vec3& normal, AxisMask moved) {
+Done ToolInUse::activate_length_on_arc(const Block& block, const Vec3& normal, AxisMask moved) {
     const Vec3 way = activate_length(block, moved);
     const double aside = (way - way.dot(normal) * normal).norm();
     if (aside <= rules_.arc_tolerance) return kDone;
@@ -124,11 +132,11 @@ Done Executor::activate_length_on_arc(const Block& block, const Vec3& normal, Ax
 }
 
 /// Tells the motion side what lies between the tip and what the linear axes carry.
-Command& Executor::put_tool_length(const Block& block, Axis axis) {
+Command& ToolInUse::put_tool_length(const Block& block, Axis axis) {
     const bool is_turned = tilted_plane_.carries || tilted_plane_.turns > 0;
     const Vec3 carried = is_turned ? length_shift_of(tool_.lengths) : tool_.lengths;
     const auto chief = static_cast<Eigen::Index>(index(axis));
-    Command& command = put(Op::ToolLength, block);
+    Command& command = channel_.stages.put(Op::ToolLength, block);
     command.plane = plane_with_normal(axis);
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     command.tool = ToolOffsets::tool_of(number);
@@ -145,7 +153,7 @@ Command& Executor::put_tool_length(const Block& block, Axis axis) {
 
 /// `G43 H1` in a block without axis words: the programmed position stays, so the machine axis moves
 /// by the change of the length, in the active kind of motion.
-void Executor::move_length_alone(const Block& block) {
+void ToolInUse::move_length_alone(const Block& block) {
     if (!rules_.length_moves_alone) return;
     const Vec3 wanted = wanted_lengths();
     AxisMask changed = 0;
@@ -157,22 +165,37 @@ void Executor::move_length_alone(const Block& block) {
         check_length_known(block);
         return;
     }
-    line(block, {position_.here, position_.base, changed},
-         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, stops_exactly());
+    channel_.motions.line(block, {position_.here, position_.base, changed},
+                          modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
+                          channel_.smoothing.stops_exactly());
 }
 
 /// A transformation with a length was switched in a block without axis words: the place in the
 /// program stays, and so the axes move.
-void Executor::move_behind_switch(const Block& block) {
+void ToolInUse::move_behind_switch(const Block& block) {
     if (!rules_.length_moves_alone) return;
     const AxisMask moved =
-        orienting_.is_on ? static_cast<AxisMask>(kLinearXYZ | joint_axes()) : kLinearXYZ;
+        orienting_.is_on ? static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes())
+                         : kLinearXYZ;
     if (orienting_.is_on) {
         next_orientation_ = {};
-        settle_orientation({position_.here, position_.base, moved});
+        channel_.tool_motion.settle_orientation({position_.here, position_.base, moved});
     }
-    line(block, {position_.here, position_.base, moved},
-         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, stops_exactly());
+    channel_.motions.line(block, {position_.here, position_.base, moved},
+                          modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
+                          channel_.smoothing.stops_exactly());
+}
+
+void ToolInUse::set_length_shift(const Vec3& shift) {
+    for (std::size_t i = 0; i < 3; ++i) length_shift_[i] = shift[static_cast<Eigen::Index>(i)];
+}
+
+/// What the linear axes stand beside the tip, for a tool with these lengths.
+Vec3 ToolInUse::length_shift_of(const Vec3& lengths) const {
+    if (orienting_.is_on) return Vec3::Zero();
+    if (tilted_plane_.turns > 0) return frames_.tilt().direction(lengths);
+    if (!tilted_plane_.carries) return lengths;
+    return -machine::head_offset(machine_.kinematics->chain, tilted_plane_.joints, -lengths);
 }
 
 }  // namespace kadr::interp

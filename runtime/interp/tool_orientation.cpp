@@ -14,7 +14,13 @@
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/motion_checks.h"
+#include "interp/motions.h"
+#include "interp/radius_compensation.h"
+#include "interp/stages.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "machine/following.h"
 #include "machine/orientation.h"
 #include "path/linear.h"
@@ -92,20 +98,21 @@ Vec3 axis_between(const Vec3& axis, const Vec3& from, const Vec3& to) {
 }  // namespace
 
 /// What the block says of the tool, as rotary positions at its end and a way there.
-Done Executor::orient(const Block& block, const Actions& actions, Target& target) {
+Done ToolMotion::orient(const Block& block, const Actions& actions, Target& target) {
     // Every axis may move, whatever the block names.
     target.carried = static_cast<AxisMask>(kLinearXYZ & ~target.moved);
-    target.moved = static_cast<AxisMask>(target.moved | kLinearXYZ | joint_axes());
+    target.moved =
+        static_cast<AxisMask>(target.moved | kLinearXYZ | channel_.transformation.joint_axes());
     next_orientation_ = {};
     course_.reset();
     const ToolWords& tool = actions.tool;
-    check_offset_programmed(block);
+    channel_.transformation.check_offset_programmed(block);
     if (!require_one_turn(block, tool) || !require_no_idle_words(block, tool)) return kFailed;
     if (orienting_.takes_vectors && is_arc(modal_.motion)) {
         reporter_.report(diag::TcpArc, block, modal_.motion);
         return kFailed;
     }
-    if (!require_no_peripheral_arc(block)) return kFailed;
+    if (!channel_.compensation.require_no_peripheral_arc(block)) return kFailed;
     const Done is_laid = goes_straight(block, actions) ? lay_point_to_point(block, tool, target)
                                                        : lay_tool_words(block, tool, target);
     if (!is_laid) return kFailed;
@@ -115,8 +122,9 @@ Done Executor::orient(const Block& block, const Actions& actions, Target& target
 
 /// How the tool turns by what a block says; what depends on the block's path waits for it in
 /// `course_`.
-Done Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
-    if (tool.programs_direction() || tool.point.is_said() || (block.given & joint_axes()) != 0)
+Done ToolMotion::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
+    if (tool.programs_direction() || tool.point.is_said() ||
+        (block.given & channel_.transformation.joint_axes()) != 0)
         orienting_.leans = false;
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
     const bool waits = spins_with_path(tool);
@@ -136,25 +144,28 @@ Done Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target&
 }
 
 /// What the block's end says of the tool, for the command and for the blocks behind it.
-void Executor::settle_orientation(const Target& target) {
+void ToolMotion::settle_orientation(const Target& target) {
     const Chain& chain = machine_.kinematics->chain;
-    next_orientation_.direction = machine::tool_vector(chain, joints_of(target.base));
+    next_orientation_.direction =
+        machine::tool_vector(chain, channel_.transformation.joints_of(target.base));
     if (next_orientation_.turning == Turning::Cone)
         orienting_.rate =
             next_orientation_.axis.cross(next_orientation_.direction) * next_orientation_.angle;
 }
 
 /// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
-Done Executor::orient_by_axes(const Block& block, Target& target) {
-    if (orienting_.turning != OrientInterpolation::Plane || (block.given & joint_axes()) == 0)
+Done ToolMotion::orient_by_axes(const Block& block, Target& target) {
+    if (orienting_.turning != OrientInterpolation::Plane ||
+        (block.given & channel_.transformation.joint_axes()) == 0)
         return kDone;
     const Chain& chain = machine_.kinematics->chain;
     constexpr double kSameJoint = 1e-6;  // rad
-    const Vec3 wanted = joints_of(target.base);
-    if ((wanted - joints_of(position_.base)).norm() < kSameJoint) return kDone;
+    const Vec3 wanted = channel_.transformation.joints_of(target.base);
+    if ((wanted - channel_.transformation.joints_of(position_.base)).norm() < kSameJoint)
+        return kDone;
     Target end{position_.here, position_.base, target.moved};
     if (!lay_orientation(block, machine::tool_vector(chain, wanted), end)) return kFailed;
-    const Vec3 reached = joints_of(end.base);
+    const Vec3 reached = channel_.transformation.joints_of(end.base);
     if ((reached - wanted).norm() < kSameJoint) return kDone;
     const std::size_t joint =
         std::abs(reached[0] - wanted[0]) > kSameJoint ? machine::kR1 : machine::kR2;
@@ -165,8 +176,8 @@ Done Executor::orient_by_axes(const Block& block, Target& target) {
 }
 
 /// To a direction, on the way that the program has chosen.
-Done Executor::orient_to(const Block& block, const ToolWords& tool, const Vec3& to,
-                         Target& target) {
+Done ToolMotion::orient_to(const Block& block, const ToolWords& tool, const Vec3& to,
+                           Target& target) {
     switch (orienting_.turning) {
         case OrientInterpolation::ConeCw:
         case OrientInterpolation::ConeCcw:
@@ -180,7 +191,7 @@ Done Executor::orient_to(const Block& block, const ToolWords& tool, const Vec3& 
     return lay_orientation(block, to, target, tool.angles.is_said() ? &tool : nullptr);
 }
 
-machine::JointLimits Executor::joint_limits() const {
+machine::JointLimits ToolMotion::joint_limits() const {
     machine::JointLimits limits;
     const Chain& chain = machine_.kinematics->chain;
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
@@ -191,7 +202,7 @@ machine::JointLimits Executor::joint_limits() const {
     return limits;
 }
 
-void Executor::put_joints(const Vec3& joints, Target& target) const {
+void ToolMotion::put_joints(const Vec3& joints, Target& target) const {
     const Chain& chain = machine_.kinematics->chain;
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
@@ -201,7 +212,7 @@ void Executor::put_joints(const Vec3& joints, Target& target) const {
     }
 }
 
-void Executor::report_no_solution(const Block& block, const machine::PathRefusal& refusal) {
+void ToolMotion::report_no_solution(const Block& block, const machine::PathRefusal& refusal) {
     const Chain& chain = machine_.kinematics->chain;
     if (refusal.fault == machine::PathFault::Unreachable) {
         reporter_.report(diag::OrientationBeyond, block)
@@ -214,10 +225,10 @@ void Executor::report_no_solution(const Block& block, const machine::PathRefusal
 
 /// Along a great circle, or with the axes in proportion. With three rotary axes the block's angles
 /// say how the tool turns about itself, too.
-Done Executor::lay_orientation(const Block& block, const Vec3& to, Target& target,
-                               const ToolWords* angles) {
+Done ToolMotion::lay_orientation(const Block& block, const Vec3& to, Target& target,
+                                 const ToolWords* angles) {
     const Chain& chain = machine_.kinematics->chain;
-    const Vec3 joints = joints_of(position_.base);
+    const Vec3 joints = channel_.transformation.joints_of(position_.base);
     const Vec3 from = machine::tool_vector(chain, joints);
     const bool fixes_spin = angles != nullptr && chain.has(machine::kPsi);
     if ((to - from).norm() < kSameDirection && !fixes_spin) return kDone;
@@ -248,7 +259,7 @@ Done Executor::lay_orientation(const Block& block, const Vec3& to, Target& targe
 }
 
 /// From where the rotary axes stand to a direction, with three rotary axes to what angles say.
-machine::PathQuery Executor::query_to(const Vec3& to, const ToolWords* angles) const {
+machine::PathQuery ToolMotion::query_to(const Vec3& to, const ToolWords* angles) const {
     const Chain& chain = machine_.kinematics->chain;
     machine::PathQuery query = machine::query_for(chain, to);
     if (angles != nullptr && chain.has(machine::kPsi)) {
@@ -258,7 +269,7 @@ machine::PathQuery Executor::query_to(const Vec3& to, const ToolWords* angles) c
         query.rotation = said * base_rotation().transpose();
         query.fixes_spin = true;
     }
-    query.start = joints_of(position_.base);
+    query.start = channel_.transformation.joints_of(position_.base);
     query.rule = machine_.kinematics->rule;
     query.pole_tolerance = machine_.kinematics->pole_tolerance;
     query.limits = joint_limits();
@@ -266,7 +277,7 @@ machine::PathQuery Executor::query_to(const Vec3& to, const ToolWords* angles) c
 }
 
 /// The tool's base position as a rotation from Z: angles and spins are said of a tool along Z.
-machine::Mat3 Executor::base_rotation() const {
+machine::Mat3 ToolMotion::base_rotation() const {
     return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(),
                                               machine_.kinematics->chain.tool_direction)
         .toRotationMatrix();
@@ -275,8 +286,9 @@ machine::Mat3 Executor::base_rotation() const {
 // ------------------------------------------------------------------------------ cones
 
 /// The cone from where the tool stands to a direction; nothing if it was reported.
-std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, const ToolWords& tool,
-                                                         const Vec3& from, const Vec3& to) {
+std::optional<machine::OrientationArc> ToolMotion::cone_to(const Block& block,
+                                                           const ToolWords& tool, const Vec3& from,
+                                                           const Vec3& to) {
     using machine::ConeSense;
     const bool is_cw = (orienting_.turning == OrientInterpolation::ConeCw) != mirrors_words();
     const ConeSense sense = is_cw ? ConeSense::Cw : ConeSense::Ccw;
@@ -319,8 +331,10 @@ std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, con
     return refuse(diag::ConeUndefined);
 }
 
-Done Executor::lay_cone(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
-    const Vec3 from = machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+Done ToolMotion::lay_cone(const Block& block, const ToolWords& tool, const Vec3& to,
+                          Target& target) {
+    const Vec3 from = machine::tool_vector(machine_.kinematics->chain,
+                                           channel_.transformation.joints_of(position_.base));
     const auto arc = cone_to(block, tool, from, to);
     if (!arc) return kFailed;
     next_orientation_.turning = Turning::Cone;
@@ -331,10 +345,11 @@ Done Executor::lay_cone(const Block& block, const ToolWords& tool, const Vec3& t
 }
 
 /// The rotary positions at the end of a way of the tool.
-Done Executor::follow_directions(const Block& block, const path::Turn& turn,
-                                 const path::Curve& curve, Target& target) {
+Done ToolMotion::follow_directions(const Block& block, const path::Turn& turn,
+                                   const path::Curve& curve, Target& target) {
     const Chain& chain = machine_.kinematics->chain;
-    const machine::FollowQuery query{joints_of(position_.base), joint_limits()};
+    const machine::FollowQuery query{channel_.transformation.joints_of(position_.base),
+                                     joint_limits()};
     const auto end = machine::follow(chain, query, [&](double fraction) {
         return path::direction_at(turn, curve, fraction * turn.length);
     });
@@ -349,7 +364,7 @@ Done Executor::follow_directions(const Block& block, const path::Turn& turn,
 // ------------------------------------------------------------------------------ led by the path
 
 /// What waited for the path of the block: along it the tool is led, or its end says how it stands.
-Done Executor::lay_directions(const Block& block, const path::Curve& curve, Target& target) {
+Done ToolMotion::lay_directions(const Block& block, const path::Curve& curve, Target& target) {
     const ToolWords tool = *std::exchange(course_, std::nullopt);
     if (tool.point.is_said()) {
         if (!lead_by_point(block, tool, curve, target)) return kFailed;
@@ -364,8 +379,8 @@ Done Executor::lay_directions(const Block& block, const path::Curve& curve, Targ
 }
 
 /// The direction that the block says, leant towards the direction of travel at its end. F 4.7 Q.
-Done Executor::apply_lead_tilt_at_end(const Block& block, const ToolWords& tool,
-                                      const path::Curve& curve, Target& target) {
+Done ToolMotion::apply_lead_tilt_at_end(const Block& block, const ToolWords& tool,
+                                        const path::Curve& curve, Target& target) {
     const std::optional<Vec3> normal = wanted_direction(block, tool);
     if (!normal) return kFailed;
     const path::Lean lean{rad_from_deg(*tool.lead), 0, path::TiltAbout::Tangent};
@@ -376,8 +391,8 @@ Done Executor::apply_lead_tilt_at_end(const Block& block, const ToolWords& tool,
 }
 
 /// The tool as it leans on a surface; nothing if it was reported.
-std::optional<Vec3> Executor::direction_on_surface(const Block& block, const Vec3& normal,
-                                                   const Vec3& tangent, const path::Lean& lean) {
+std::optional<Vec3> ToolMotion::direction_on_surface(const Block& block, const Vec3& normal,
+                                                     const Vec3& tangent, const path::Lean& lean) {
     if (lean.lead == 0 && lean.tilt == 0) return normal;
     if (tangent.isZero(0)) {
         reporter_.report(diag::LeanWithoutTravel, block);
@@ -388,15 +403,15 @@ std::optional<Vec3> Executor::direction_on_surface(const Block& block, const Vec
 }
 
 /// The direction of travel leads out of the surface by no more than the control takes, rad. S 7.4.
-Done Executor::require_small_rise(const Block& block, double rise) {
+Done ToolMotion::require_small_rise(const Block& block, double rise) {
     if (std::abs(rise) <= rad_from_deg(rules_.surface_rise)) return kDone;
     reporter_.report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
     return kFailed;
 }
 
 /// … anywhere on the way along which the surface leads the tool.
-Done Executor::require_small_rise_along(const Block& block, const path::Turn& surface,
-                                        const path::Curve& curve) {
+Done ToolMotion::require_small_rise_along(const Block& block, const path::Turn& surface,
+                                          const path::Curve& curve) {
     // At the ends of the parts; between them the rise of a full circle differs by a tenth of a
     // degree.
     constexpr int kParts = 64;
@@ -412,7 +427,8 @@ Done Executor::require_small_rise_along(const Block& block, const path::Turn& su
 
 /// The surface normals at start and end of the block, in the base system: nothing said is +Z, one
 /// that is not said at the start goes on from the block before. S 7.3.
-std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, const ToolWords& tool) {
+std::optional<std::array<Vec3, 2>> ToolMotion::normals_of(const Block& block,
+                                                          const ToolWords& tool) {
     const auto said = [&](std::size_t i) {
         const Vec3 normal = tool.normals[i].vector();
         const bool is_none = comp_.takes_surface_normals() && normal.isZero(0);
@@ -432,8 +448,8 @@ std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, cons
     return std::array{*start, *end};
 }
 
-Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const path::Curve& curve,
-                               Target& target) {
+Done ToolMotion::lead_by_surface(const Block& block, const ToolWords& tool,
+                                 const path::Curve& curve, Target& target) {
     const auto normals = normals_of(block, tool);
     if (!normals) return kFailed;
     path::Lean lean = orienting_.lean;
@@ -475,11 +491,12 @@ Done Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
 
 /// A second point of the tool's axis goes straight to the place that the block says, S 7.4
 /// ORICURVE. Where none was said before it starts as far from the tip as it will end.
-Done Executor::lead_by_point(const Block& block, const ToolWords& tool, const path::Curve& curve,
-                             Target& target) {
+Done ToolMotion::lead_by_point(const Block& block, const ToolWords& tool, const path::Curve& curve,
+                               Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 tip = path::start(curve);
-    const Vec3 direction = machine::tool_vector(chain, joints_of(position_.base));
+    const Vec3 direction =
+        machine::tool_vector(chain, channel_.transformation.joints_of(position_.base));
     AxisValues place{};
     const AxisValues before =
         orienting_.point ? frames_.from_base({(*orienting_.point)[0], (*orienting_.point)[1],
@@ -510,11 +527,13 @@ Done Executor::lead_by_point(const Block& block, const ToolWords& tool, const pa
 
 /// Where a course begins with another direction than the tool has, the tool turns there first,
 /// along a great circle, while the tip stands.
-Done Executor::orient_first(const Block& block, const Vec3& to) {
+Done ToolMotion::orient_first(const Block& block, const Vec3& to) {
     const Chain& chain = machine_.kinematics->chain;
-    const Vec3 from = machine::tool_vector(chain, joints_of(position_.base));
+    const Vec3 from =
+        machine::tool_vector(chain, channel_.transformation.joints_of(position_.base));
     if (path::angle_between(from, to) < kSameStart) return kDone;
-    Target here{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
+    Target here{position_.here, position_.base,
+                static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
                 kLinearXYZ};
     const OrientInterpolation turning =
         std::exchange(orienting_.turning, OrientInterpolation::Plane);
@@ -522,11 +541,12 @@ Done Executor::orient_first(const Block& block, const Vec3& to) {
     orienting_.turning = turning;
     if (!is_laid) return kFailed;
     settle_orientation(here);
-    Command& command = put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block);
+    Command& command =
+        channel_.stages.put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block);
     command.to = here.base;
     command.moved = here.moved;
     command.feed = command.op == Op::Rapid ? 0 : modal_.feed;
-    arrive(here);
+    channel_.motions.arrive(here);
     next_orientation_ = {};
     return kDone;
 }
@@ -534,12 +554,12 @@ Done Executor::orient_first(const Block& block, const Vec3& to) {
 // ------------------------------------------------------------------------------ about itself
 
 /// Whether the tool's own angle counts from the direction of travel.
-bool Executor::spins_with_path(const ToolWords& tool) const {
+bool ToolMotion::spins_with_path(const ToolWords& tool) const {
     return orienting_.spin == SpinFrom::Path && (tool.spin || tool.spin_by);
 }
 
 /// The direction across the tool from which its own angle counts; nothing if there is none.
-std::optional<Vec3> Executor::spin_reference(const Vec3& tool, const path::Curve* curve) const {
+std::optional<Vec3> ToolMotion::spin_reference(const Vec3& tool, const path::Curve* curve) const {
     Vec3 reference = Vec3::Zero();
     switch (orienting_.spin) {
         case SpinFrom::Plane:
@@ -571,8 +591,8 @@ std::optional<Vec3> Executor::spin_reference(const Vec3& tool, const path::Curve
 }
 
 /// The angle about the tool that the block says, as the end of the joint Ψ.
-Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& target,
-                        const path::Curve* curve) {
+Done ToolMotion::lay_spin(const Block& block, const ToolWords& tool, Target& target,
+                          const path::Curve* curve) {
     if (!tool.spin && !tool.spin_by) return kDone;
     const Chain& chain = machine_.kinematics->chain;
     if (!chain.has(machine::kPsi)) {
@@ -580,7 +600,7 @@ Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
             reporter_.report(diag::SpinWithoutAxis, block, Function::ToolSpin);
         return kDone;
     }
-    Vec3 joints = joints_of(target.base);
+    Vec3 joints = channel_.transformation.joints_of(target.base);
     double& psi = joints[2];
     const double sign = chain.joints[machine::kPsi].sign;
     const double sense = mirrors_words() ? -1 : 1;
@@ -600,7 +620,7 @@ Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
             Eigen::AngleAxisd(sense * rad_from_deg(*tool.spin), direction) * *reference;
         const double angle =
             std::atan2(direction.dot(across.cross(wanted)), across.dot(wanted)) * sign;
-        const double before = joints_of(position_.base)[2];
+        const double before = channel_.transformation.joints_of(position_.base)[2];
         psi = before + std::remainder(angle - before, 2 * std::numbers::pi);
     }
     const machine::Limits limits = joint_limits()[machine::kPsi];
@@ -616,19 +636,20 @@ Done Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
 }
 
 /// The rotary axes of the transformation go to places of their own. S 7.4 ORIRESET.
-void Executor::reset_orientation(const Block& block, const nc::Invocation& invocation) {
+void ToolMotion::reset_orientation(const Block& block, const nc::Invocation& invocation) {
     if (!orienting_.is_on) {
         reporter_.report(diag::OrientationAlone, block, invocation.function)
             .arg(reporter_.word_of(block, invocation.function));
         return;
     }
     const Chain& chain = machine_.kinematics->chain;
-    Target target{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
+    Target target{position_.here, position_.base,
+                  static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
                   kLinearXYZ};
     Vec3 joints = Vec3::Zero();
     constexpr std::size_t kFirst = nc::parameter_of<Function::OrientReset>("first");
     std::size_t axes = 0;
-    const auto [first, second] = joints_in_order();
+    const auto [first, second] = channel_.transformation.joints_in_order();
     for (const std::size_t k : {first, second, machine::kPsi}) {
         if (!chain.has(k)) continue;
         joints[static_cast<Eigen::Index>(k)] =
@@ -639,14 +660,17 @@ void Executor::reset_orientation(const Block& block, const nc::Invocation& invoc
         return;
     }
     put_joints(joints, target);
-    if (!require_within_machine(block, target.base, joint_axes())) return;
+    if (!channel_.checks.require_within_machine(block, target.base,
+                                                channel_.transformation.joint_axes()))
+        return;
     next_orientation_ = {};
     settle_orientation(target);
-    line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, false);
+    channel_.motions.line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
+                          false);
 }
 
 /// A motion under the transformation: the turn that waits, or the axes as they are programmed.
-void Executor::put_orientation(Command& command) {
+void ToolMotion::put_orientation(Command& command) {
     if (!path::is_motion(command.op)) return;
     if (virtual_.axes.is_on()) {
         command.turning = Turning::Axes;

@@ -9,7 +9,9 @@
 #include "base/diagnostics/orienting.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "interp/executor.h"
+#include "interp/channel.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
 #include "machine/orientation.h"
 #include "nc/parameters.h"
 
@@ -40,8 +42,25 @@ std::size_t small_count(const Block& block, const nc::Invocation& invocation,
 
 }  // namespace
 
-void Executor::take_orientation(const Block& block, const nc::Invocation& invocation,
-                                Actions& actions) {
+ToolMotion::ToolMotion(Channel& channel)
+    : channel_(channel),
+      machine_(channel.state.machine),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      orienting_(channel.state.tool.orienting),
+      next_orientation_(channel.state.tool.next_orientation),
+      course_(channel.state.tool.course),
+      virtual_(channel.state.tool.virtual_axes),
+      comp_(channel.state.stage.comp),
+      spline_(channel.state.cycle.spline),
+      told_(channel.state.told),
+      axes_(channel.state.axes) {}
+
+void ToolMotion::take_orientation(const Block& block, const nc::Invocation& invocation,
+                                  Actions& actions) {
     const bool is_of_cutter =
         invocation.function == Function::SurfaceNormal && comp_.takes_surface_normals();
     if (!orienting_.is_on && !is_of_cutter) {
@@ -98,7 +117,8 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
     }
 }
 
-void Executor::take_opening(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
+void ToolMotion::take_opening(const Block& block, const nc::Invocation& invocation,
+                              ToolWords& tool) {
     const double opening = block.argument(invocation, parameter_of<Function::ConeOpening>("angle"));
     if (std::abs(opening) <= kMostOpening) {
         tool.opening = opening;
@@ -107,8 +127,8 @@ void Executor::take_opening(const Block& block, const nc::Invocation& invocation
     }
 }
 
-void Executor::take_lead_tilt(const Block& block, const nc::Invocation& invocation,
-                              ToolWords& tool) {
+void ToolMotion::take_lead_tilt(const Block& block, const nc::Invocation& invocation,
+                                ToolWords& tool) {
     const bool is_lead = invocation.function == Function::SurfaceLead;
     const double angle = block.argument(
         invocation, parameter_of_all<"angle", Function::SurfaceLead, Function::SurfaceTilt>());
@@ -124,8 +144,8 @@ void Executor::take_lead_tilt(const Block& block, const nc::Invocation& invocati
 }
 
 /// No words stand side by side that exclude each other.
-Done Executor::require_one_turn(const Block& block, const ToolWords& tool) {
-    const bool has_axes = (block.given & joint_axes()) != 0;
+Done ToolMotion::require_one_turn(const Block& block, const ToolWords& tool) {
+    const bool has_axes = (block.given & channel_.transformation.joint_axes()) != 0;
     const bool has_vector = tool.vector.is_said();
     const bool has_angles = tool.angles.is_said();
     const bool leads =
@@ -146,7 +166,7 @@ Done Executor::require_one_turn(const Block& block, const ToolWords& tool) {
 }
 
 /// For a direction of the tool some controls want two rotary axes. A 2.4.
-Done Executor::require_axes_for_direction(const Block& block) {
+Done ToolMotion::require_axes_for_direction(const Block& block) {
     const machine::Chain& chain = machine_.kinematics->chain;
     const bool has_both = chain.has(machine::kR1) && chain.has(machine::kR2);
     if (has_both || !rules_.direction_needs_two_axes) return kDone;
@@ -155,12 +175,12 @@ Done Executor::require_axes_for_direction(const Block& block) {
 }
 
 /// Whether the tool is led by a surface in every block.
-bool Executor::keeps_lead_tilt_to_surface() const {
+bool ToolMotion::keeps_lead_tilt_to_surface() const {
     return orienting_.turning == OrientInterpolation::Surface;
 }
 
 /// Whether a surface tells how the tool stands in this block: along it, or at its end.
-bool Executor::is_led_by_surface(const ToolWords& tool) const {
+bool ToolMotion::is_led_by_surface(const ToolWords& tool) const {
     if (keeps_lead_tilt_to_surface()) return true;
     return surface_leads_end() && (orienting_.leans || tool.programs_surface());
 }
@@ -168,7 +188,7 @@ bool Executor::is_led_by_surface(const ToolWords& tool) const {
 /// Whether surface words of a block say how the tool stands at its end. Where a cutter is
 /// compensated on the surface they are of the surface alone; a cone, or the second point of the
 /// tool, says itself where the tool goes.
-bool Executor::surface_leads_end() const {
+bool ToolMotion::surface_leads_end() const {
     const OrientInterpolation turning = orienting_.turning;
     const bool is_free =
         turning == OrientInterpolation::Plane || turning == OrientInterpolation::Axes;
@@ -176,7 +196,7 @@ bool Executor::surface_leads_end() const {
 }
 
 /// Words that the way on which the tool turns has no place for: nothing may be lost silently.
-Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) {
+Done ToolMotion::require_no_idle_words(const Block& block, const ToolWords& tool) {
     const OrientInterpolation turning = orienting_.turning;
     const bool is_about_axis =
         turning == OrientInterpolation::ConeCw || turning == OrientInterpolation::ConeCcw;
@@ -224,7 +244,7 @@ Done Executor::require_no_idle_words(const Block& block, const ToolWords& tool) 
 }
 
 /// The rotation that the block's angles say, in the system in which they are said.
-machine::Mat3 Executor::rotation_by_angles(const Vec3& angles_deg) const {
+machine::Mat3 ToolMotion::rotation_by_angles(const Vec3& angles_deg) const {
     const Vec3 angles = angles_deg * (std::numbers::pi / 180);
     switch (orienting_.angles) {
         case ToolAngles::Rpy: return machine::rpy_zyx(angles);
@@ -237,7 +257,7 @@ machine::Mat3 Executor::rotation_by_angles(const Vec3& angles_deg) const {
 
 /// How frames turn what is said of the tool into the base system. Scales stretch places, not
 /// directions. Under ORIMKS and its kin frames do nothing but where the table lies.
-machine::Mat3 Executor::turn_into_base() const {
+machine::Mat3 ToolMotion::turn_into_base() const {
     machine::Mat3 turn = machine::Mat3::Identity();
     if (orienting_.is_in_base || frames_.is_shift()) return turn;
     for (Eigen::Index i = 0; i < 3; ++i)
@@ -247,11 +267,11 @@ machine::Mat3 Executor::turn_into_base() const {
 
 /// Whether frames mirror what is said of the tool: what goes by the right-hand rule about something
 /// goes the other way round then.
-bool Executor::mirrors_words() const { return turn_into_base().determinant() < 0; }
+bool ToolMotion::mirrors_words() const { return turn_into_base().determinant() < 0; }
 
 /// A direction that words say, in the base system; nothing if it was reported.
-std::optional<Vec3> Executor::direction_in_base(const Block& block, const Vec3& said,
-                                                Function word) {
+std::optional<Vec3> ToolMotion::direction_in_base(const Block& block, const Vec3& said,
+                                                  Function word) {
     const auto direction = machine::unit_of(Vec3(turn_into_base() * said));
     if (direction) return *direction;
     reporter_.report(diag::OrientationZero, block, word);
@@ -259,7 +279,7 @@ std::optional<Vec3> Executor::direction_in_base(const Block& block, const Vec3& 
 }
 
 /// The direction that the block's words say, in the base system; nothing if it was reported.
-std::optional<Vec3> Executor::wanted_direction(const Block& block, const ToolWords& tool) {
+std::optional<Vec3> ToolMotion::wanted_direction(const Block& block, const ToolWords& tool) {
     const Vec3 said = tool.angles.is_said()
                           ? Vec3(rotation_by_angles(tool.angles.vector()) * Vec3::UnitZ())
                           : tool.vector.vector();

@@ -13,7 +13,14 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
 #include "interp/executor.h"
+#include "interp/radius_compensation.h"
+#include "interp/stages.h"
+#include "interp/tool_in_use.h"
+#include "interp/transformation.h"
+#include "interp/virtual_plane.h"
 #include "path/curve_of.h"
 #include "path/linear.h"
 #include "path/polar_passages.h"
@@ -107,7 +114,26 @@ Function ending_function(VirtualKind kind) {
 
 // ------------------------------------------------------------------------------ begin and end
 
-void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
+VirtualPlane::VirtualPlane(Channel& channel)
+    : channel_(channel),
+      dialect_(channel.state.dialect),
+      machine_(channel.state.machine),
+      reporter_(channel.state.reporter),
+      rules_(channel.state.rules),
+      output_(channel.state.stage.output),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      frames_(channel.state.frame.frames),
+      tool_(channel.state.tool.tool),
+      orienting_(channel.state.tool.orienting),
+      virtual_(channel.state.tool.virtual_axes),
+      came_from_(channel.state.motion.came_from),
+      comp_(channel.state.stage.comp),
+      compensation_(channel.state.stage.compensation),
+      units_(channel.state.motion.units),
+      axes_(channel.state.axes) {}
+
+void VirtualPlane::begin_virtual(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kRadius = parameter_of<Function::CylindricalInterpolationOn>("radius");
     const bool ends_cylinder = invocation.function == Function::CylindricalInterpolationOn &&
                                invocation.has(kRadius) && block.argument(invocation, kRadius) == 0;
@@ -124,14 +150,14 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
         reporter_.report(diag::VirtualComp, block, invocation.function);
         return;
     }
-    if (!require_no_spline(block, invocation.function)) return;
+    if (!channel_.transformation.require_no_spline(block, invocation.function)) return;
     end_virtual(block);
-    leave_corners(diag::CornerWithoutMotion);
-    if (has_ended()) return;
-    if (orienting_.is_on) switch_transformation(block, {Function::TcpOff});
-    if (has_ended()) return;
-    if (tool_.has_changed) activate_length(block, kLinearXYZ);
-    if (compensation_.is_on()) flush_comp();
+    channel_.cornering.leave_corners(diag::CornerWithoutMotion);
+    if (reporter_.has_ended()) return;
+    if (orienting_.is_on) channel_.transformation.switch_transformation(block, {Function::TcpOff});
+    if (reporter_.has_ended()) return;
+    if (tool_.has_changed) channel_.tool.activate_length(block, kLinearXYZ);
+    if (compensation_.is_on()) channel_.compensation.flush_comp();
     const std::optional<VirtualAxes> axes = wanted_virtual(block, invocation);
     if (!axes) return;
     virtual_.axes = *axes;
@@ -144,16 +170,16 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
     take_virtual_position(rotary_.tip);
 }
 
-void Executor::end_virtual(const Block& block) {
+void VirtualPlane::end_virtual(const Block& block) {
     if (!virtual_.axes.is_on()) return;
     if (comp_.is_on()) {
         reporter_.report(diag::VirtualComp, block, ending_function(virtual_.axes.kind));
         return;
     }
-    leave_corners(diag::CornerWithoutMotion);
-    if (!has_ended() && compensation_.is_on()) flush_comp();
-    if (!has_ended()) follow_rotary();
-    if (has_ended()) return;
+    channel_.cornering.leave_corners(diag::CornerWithoutMotion);
+    if (!reporter_.has_ended() && compensation_.is_on()) channel_.compensation.flush_comp();
+    if (!reporter_.has_ended()) follow_rotary();
+    if (reporter_.has_ended()) return;
     const Virtual was = std::exchange(virtual_, {});
     if (was.by_rotary) {
         modal_.plane = was.plane_before;
@@ -163,19 +189,19 @@ void Executor::end_virtual(const Block& block) {
 }
 
 /// The axes stand; their places get other coordinates.
-void Executor::take_virtual_position(const Vec3& place) {
+void VirtualPlane::take_virtual_position(const Vec3& place) {
     set_linear(position_.base, place);
     position_.here = position_.programmed = frames_.from_base(position_.base);
     came_from_ = place;
 }
 
 /// Where the rotary axis stands, rad.
-double Executor::virtual_angle() const {
+double VirtualPlane::virtual_angle() const {
     return rad_from_deg(position_.base[index(virtual_.axes.rotary)]);
 }
 
-std::optional<VirtualAxes> Executor::wanted_virtual(const Block& block,
-                                                    const Invocation& invocation) {
+std::optional<VirtualAxes> VirtualPlane::wanted_virtual(const Block& block,
+                                                        const Invocation& invocation) {
     switch (invocation.function) {
         case Function::PolarInterpolationOn: return wanted_polar_interpolation(block);
         case Function::CylindricalInterpolationOn: return wanted_cylinder(block, invocation);
@@ -183,7 +209,7 @@ std::optional<VirtualAxes> Executor::wanted_virtual(const Block& block,
     }
 }
 
-std::optional<VirtualAxes> Executor::wanted_polar_interpolation(const Block& block) {
+std::optional<VirtualAxes> VirtualPlane::wanted_polar_interpolation(const Block& block) {
     const auto refuse = [&](std::string_view why) {
         reporter_.report(diag::FaceUnavailable, block, Function::PolarInterpolationOn)
             .arg(machine_.name)
@@ -227,8 +253,8 @@ std::optional<VirtualAxes> Executor::wanted_polar_interpolation(const Block& blo
     return axes;
 }
 
-std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
-                                                     const Invocation& invocation) {
+std::optional<VirtualAxes> VirtualPlane::wanted_cylinder(const Block& block,
+                                                         const Invocation& invocation) {
     constexpr std::size_t kRadius = parameter_of<Function::CylindricalInterpolationOn>("radius");
     constexpr std::size_t kDiameter =
         parameter_of<Function::CylindricalInterpolationOn>("diameter");
@@ -272,8 +298,8 @@ std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
     return axes;
 }
 
-std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
-                                                     const Invocation& invocation) {
+std::optional<VirtualAxes> VirtualPlane::wanted_inclined(const Block& block,
+                                                         const Invocation& invocation) {
     constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z);
     if ((axes_.present & kNeeded) != kNeeded) {
         reporter_.report(diag::InclinedUnavailable, block, Function::InclinedAxisOn)
@@ -296,20 +322,20 @@ std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
 
 // ------------------------------------------------------------------------------ words
 
-void Executor::refuse_virtual(const Block& block, Function function) {
+void VirtualPlane::refuse_virtual(const Block& block, Function function) {
     const bool is_face = virtual_.axes.kind == VirtualKind::Face;
     reporter_.report(is_face ? diag::FaceWord : diag::CylinderWord, block, function)
         .arg('`' + reporter_.word_of(block, function) + '`');
 }
 
-void Executor::refuse_virtual(const Block& block, Slot slot) {
+void VirtualPlane::refuse_virtual(const Block& block, Slot slot) {
     const bool is_face = virtual_.axes.kind == VirtualKind::Face;
     reporter_.report(is_face ? diag::FaceWord : diag::CylinderWord, block, slot)
         .arg("the word " + std::string(nc::slot_name(slot)));
 }
 
 /// The control takes the block there.
-Done Executor::require_virtual_words(const Block& block) {
+Done VirtualPlane::require_virtual_words(const Block& block) {
     if (!rules_.virtual_is_narrow) return kDone;
     const VirtualKind kind = virtual_.axes.kind;
     for (std::size_t i = 0; i < block.function_count; ++i) {
@@ -339,7 +365,7 @@ Done Executor::require_virtual_words(const Block& block) {
 }
 
 /// The word of the rotary axis as the one of the coordinate around.
-Done Executor::take_rotary_word(const Block& block) {
+Done VirtualPlane::take_rotary_word(const Block& block) {
     const Slot word = nc::slot_of(virtual_.axes.rotary);
     const Slot around = nc::slot_of(virtual_.axes.virtual_axis());
     if (block.has(around)) {
@@ -364,8 +390,8 @@ Done Executor::take_rotary_word(const Block& block) {
 }
 
 /// A block whose words are those of the virtual coordinates; null if it was reported.
-const Block* Executor::in_virtual(const Block& block) {
-    if (!acts(block)) return &block;
+const Block* VirtualPlane::in_virtual(const Block& block) {
+    if (!channel_.executor.acts(block)) return &block;
     if (!require_virtual_words(block)) return nullptr;
     if (!virtual_.by_rotary) return &block;
     around_ = block;
@@ -386,7 +412,7 @@ const Block* Executor::in_virtual(const Block& block) {
 }
 
 /// The plane is that of the face or of the developed cylinder, however the program says it.
-void Executor::say_virtual_plane(Plane said) {
+void VirtualPlane::say_virtual_plane(Plane said) {
     const bool is_over = is_turned_over(virtual_.axes, said);
     if (is_over != virtual_.is_turned_over) modal_.motion = turned_over(modal_.motion);
     virtual_.is_turned_over = is_over;
@@ -397,12 +423,12 @@ void Executor::say_virtual_plane(Plane said) {
 // ------------------------------------------------------------------------------ the rotary axis
 
 /// From here on the rotary axis is followed through the commands that are put out.
-void Executor::follow_from_here() {
+void VirtualPlane::follow_from_here() {
     rotary_.followed = output_.written() + output_.waiting().size();
 }
 
 /// Says in the commands that came out since it was last asked where the rotary axis is behind them.
-void Executor::follow_rotary() {
+void VirtualPlane::follow_rotary() {
     if (!virtual_.axes.turns()) return;
     const std::size_t count = output_.written() + output_.waiting().size();
     const std::size_t axis = index(virtual_.axes.rotary);
@@ -421,13 +447,13 @@ void Executor::follow_rotary() {
 }
 
 /// Where the control does not go through the pole the command is taken back.
-Done Executor::follow_leg_by_leg(const Command& command, const path::Curve& curve) {
+Done VirtualPlane::follow_leg_by_leg(const Command& command, const path::Curve& curve) {
     if (std::holds_alternative<path::Point>(curve)) return kDone;
     for (const path::Curve& leg : path::legs_between_poles(virtual_.axes, curve)) {
         const double leaves_at = path::rotary_to_leave(virtual_.axes, leg, rotary_.at);
         const double by = leaves_at - rotary_.at;
         if (rules_.pole_passage == nc::PolePassage::Alarm && std::abs(by) > kSameTurn) {
-            const Block at = block_at(command.source, command.line);
+            const Block at = channel_.stages.block_at(command.source, command.line);
             output_.drop_from(rotary_.followed);
             reporter_.report(diag::PoleOnPath, at)
                 .arg(kAxisNames[index(virtual_.axes.rotary)])

@@ -1,0 +1,97 @@
+// cycles.h — machining cycles: calls, the blocks of the one that runs, and the positions of a
+// pattern.
+#pragma once
+
+#include "interp/channel_state.h"
+
+namespace kadr::interp {
+
+struct Channel;
+
+/// Machining cycles: calls, the blocks of the one that runs, and the positions of a pattern.
+class Cycles {
+  public:
+    explicit Cycles(Channel& channel);
+    Cycles(const Cycles&) = delete;
+    Cycles& operator=(const Cycles&) = delete;
+
+    bool is_at_pattern_position() const;
+    void leave_pattern_position();
+    void leave_pattern();
+    void call_cycle(const nc::Block& block, const Actions& actions);
+    void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
+    void call_defined(const nc::Block& block);
+    void repeat_cycle(const nc::Block& block, const Actions& actions);
+    void call_behind_motion(const nc::Block& block);
+    void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
+    void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
+    const nc::Block& with_depth_apart(const nc::Block& block);
+    void finish_cycle();
+    void go_to_next_position();
+    void forget_ends();
+    bool is_among_positions() const;
+    Done require_no_cycle(const nc::Block& block, const Actions& actions);
+    const nc::Block& in_plane_of_cycle(const nc::Block& block);
+
+  private:
+    void complete_call(ModalCycle& call) const;
+    void take_letter(const nc::Block& block, ModalCycle& call) const;
+    bool is_modal(nc::CycleId cycle) const;
+    bool count_times(const CycleWords& words);
+    void keep_words(const CycleWords& words);
+    void keep_call(const ModalCycle& call);
+    void keep_levels(const nc::Block& block);
+    void warn_levels(const nc::Block& block);
+    control::CycleLevel depth_now(double value) const;
+    control::CycleLevel retract_now(double value) const;
+    void complete_words(ModalCycle& call);
+    void go_straight(ModalCycle& call);
+    Done time_turns(const nc::Block& block, ModalCycle& call);
+    void take_off_scale(ModalCycle& call);
+    Done complete_tap(const nc::Block& block, ModalCycle& call);
+    Done complete_thread(const nc::Block& block, ModalCycle& call);
+    void open_cycle(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> blocks);
+    Done require_no_refusal(const nc::Block& block);
+    void refuse_cycle(const nc::Block& block, std::string_view words);
+    Done require_surroundings(const nc::Block& block, const ModalCycle& call);
+    Done require_whole_counts(const nc::Block& block, const ModalCycle& call);
+    Done require_words_of_cycle(const nc::Block& block, const Actions& actions);
+    void complete_surroundings(ModalCycle& call, bool calls_program) const;
+    void begin_pattern(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> places);
+    void finish_pattern();
+    bool calls_program_at(const nc::Block& block) const;
+    void return_to_level();
+    void take_ends(const nc::Block& block, ModalCycle& call) const;
+    void complete_ends(ModalCycle& call) const;
+    void end_where_tool_stands(ModalCycle& call) const;
+    path::Plane cycle_plane() const;
+    AxisValues position_in_cycle() const;
+
+    Channel& channel_;
+    const nc::Dialect& dialect_;
+    const bool is_lathe_;
+    const ToolOffsets& tool_offsets_;
+    CycleExpander* cycles_;
+    Reporter& reporter_;
+    const nc::Rules& rules_;
+    Modal& modal_;
+    Position& position_;
+    control::Frames& frames_;
+    const Spindle& spindle_;
+    const Tool& tool_;
+    PositionWords& position_words_;
+    const Corners& corners_;
+    RadiusCompState& comp_;
+    const Compensation& compensation_;
+    const Compensation3d& comp_3d_;
+    const bool& taps_rigidly_;
+    AxisData& axes_;
+    ModalCycles& modal_cycles_;
+    CycleRun& cycle_;
+    const std::optional<ShapeRun>& shape_;
+    std::vector<PatternRun>& patterns_;
+    nc::Block place_{};   // of the pattern, at its caller's place in the text
+    nc::Block called_{};  // a call whose word of Z is a place, in another plane than X-Y
+};
+
+}  // namespace kadr::interp

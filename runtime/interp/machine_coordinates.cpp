@@ -1,0 +1,69 @@
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "interp/block_words.h"
+#include "interp/channel.h"
+#include "interp/programmed_frames.h"
+#include "interp/transformation.h"
+#include "nc/parameters.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::parameter_of;
+using nc::parameter_of_all;
+using nc::SlotMask;
+using path::Command;
+using path::Op;
+
+// ------------------------------------------------------------------------------ without frames
+
+/// Whether the block is one like any other, to places of the tip in machine coordinates: it is
+/// compensated and rounded, and it may be an arc or a thread. S 6.3.
+bool ProgrammedFrames::is_without_frames(const Actions& actions) const {
+    return actions.machine_coordinates && rules_.machine_coordinates_keep_length &&
+           !rules_.machine_coordinates_rapid;
+}
+
+/// For this block no frame acts.
+Done ProgrammedFrames::take_frames_off(const Block& block) {
+    constexpr SlotMask kPlaces = nc::kTargetSlots | nc::kPolarSlots | nc::kArcSlots;
+    if ((block.given & kPlaces) == 0) return kDone;
+    if (channel_.transformation.is_transformed()) {
+        reporter_.report(diag::TransformationMotion, block, Function::MachineCoordinates)
+            .arg("a place in machine coordinates");
+        return kFailed;
+    }
+    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
+    if (nc::has_fact(motion, nc::Fact::SplineMotion)) {
+        reporter_.report(diag::IsoNotSupported, block, Function::MachineCoordinates)
+            .arg("a spline in machine coordinates");
+        return kFailed;
+    }
+    const nc::Invocation* said = block.find(Function::MachineCoordinates);
+    frames_off_.emplace(FramesOff{frames_, position_});
+    frames_ = frames_.machine_frames(
+        said != nullptr
+            ? count_of(block, *said, parameter_of<Function::MachineCoordinates>("keeps"))
+            : 0);
+    frame_changed();
+    position_.programmed = position_.here;
+    return kDone;
+}
+
+void ProgrammedFrames::put_frames_back(const Block& block) {
+    const FramesOff off = *std::exchange(frames_off_, std::nullopt);
+    frames_ = off.frames;
+    frame_changed();
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const bool has_moved =
+            (block.given >> i & 1u) != 0 || position_.base[i] != off.before.base[i];
+        position_.programmed[i] = has_moved ? position_.here[i] : off.before.programmed[i];
+    }
+}
+
+}  // namespace kadr::interp

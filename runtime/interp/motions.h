@@ -1,0 +1,101 @@
+// motions.h — the motions of a block: lines, arcs, involutes, threads, probing, ways to the
+// reference point.
+#pragma once
+
+#include "interp/channel_state.h"
+
+namespace kadr::interp {
+
+struct Channel;
+
+/// The motions of a block: lines, arcs, involutes, threads, probing, ways to the reference point.
+class Motions {
+  public:
+    explicit Motions(Channel& channel);
+    Motions(const Motions&) = delete;
+    Motions& operator=(const Motions&) = delete;
+
+    void move(const nc::Block& block, const Actions& actions);
+    void arrive(const Target& target);
+    void use_probed(const nc::Block& block, const nc::Invocation& invocation);
+    void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
+    void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
+    void preset_axes(const nc::Block& block, const nc::Invocation& invocation);
+    void move_along_curve(const nc::Block& block, const nc::Invocation& call);
+    void warn_arc_word(const nc::Block& block, nc::SlotMask words);
+    AxisMask plane_mask() const;
+    MotionView motion_view() const;
+    MotionWords motion_words();
+
+  private:
+    void check_place(const nc::Block& block, nc::SlotMask targets);
+    Target part_of_move(const Target& target, double part) const;
+    Probing probe_along(const nc::Block& block, const Target& target, const ProgrammedMove& way);
+    std::optional<double> touch_of_scene(const Target& target, bool springs_back);
+    void note_probed(const Probing& probing);
+    void move_in_machine_coordinates(const nc::Block& block);
+    void refer(const nc::Block& block, const nc::Invocation& invocation);
+    void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
+    void check_reference(const nc::Block& block);
+    void leave_reference(const nc::Block& block);
+    Done increase_by_tool_offset(const nc::Block& block, double times, Target& target);
+    void tap(const nc::Block& block, const Target& target);
+    void thread(const nc::Block& block, const Target& target, const Actions& actions);
+    Done require_thread_spindle(const nc::Block& block);
+    std::optional<double> thread_change(const nc::Block& block, double pitch, double way);
+    std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
+    void arc(const nc::Block& block, const Target& target, bool exact_stop);
+    void put_arc(const nc::Block& block, const path::Arc& programmed, const Target& target,
+                 bool exact_stop);
+    void put_base_arc(const nc::Block& block, const path::Arc& arc, const Target& programmed,
+                      bool exact_stop);
+    void stretched_arc_about_center(const nc::Block& block, const Target& target, bool exact_stop);
+    void stretched_arc(const nc::Block& block, const Target& target, bool exact_stop);
+    void arc_over_point(const nc::Block& block, const Target& target, bool exact_stop);
+    void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
+    void thread_along_arc(const nc::Block& block, const Target& target, const Actions& actions);
+    std::optional<path::Arc> arc_of_thread(const nc::Block& block, const Target& target);
+    std::optional<Lead> pitch_of_arc(const nc::Block& block, const path::Vec3& way);
+    void move_without_length(const nc::Block& block, const Target& target, bool exact_stop);
+    void measure_length(const nc::Block& block, const nc::Invocation& invocation);
+    void involute(const nc::Block& block, const Target& programmed, bool exact_stop);
+    void put_involute(const nc::Block& block, const path::InvoluteWords& words, double radius,
+                      const Target& target, bool exact_stop);
+
+    Channel& channel_;
+    const nc::Dialect& dialect_;
+    const machine::Machine& machine_;
+    const bool is_lathe_;
+    const ToolOffsets& tool_offsets_;
+    Reporter& reporter_;
+    const nc::Rules& rules_;
+    Probe& probe_;
+    Modal& modal_;
+    Position& position_;
+    control::Frames& frames_;
+    Spindle& spindle_;
+    Tool& tool_;
+    ExtraTool& extra_;
+    const Orienting& orienting_;
+    const Tilting& tilted_plane_;
+    const std::optional<ToolWords>& course_;
+    const Virtual& virtual_;
+    path::Vec3& came_from_;
+    const bool& diameter_is_absolute_;
+    const Corners& corners_;
+    const RadiusCompState& comp_;
+    const Compensation3d& comp_3d_;
+    bool& has_moved_;
+    const Units& units_;
+    bool& taps_rigidly_;
+    const ProgrammedDynamics& dynamics_;
+    AxisMask& unplaced_;
+    ReportedInRun& told_;
+    AxisData& axes_;
+    const AxisValues& length_shift_;
+    AxisValues& preset_;
+    ModalCycles& modal_cycles_;
+    const std::optional<ShapeRun>& shape_;
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,94 @@
+// programmed_frames.h — work offsets and the frames of the program, and the position as they
+// change.
+#pragma once
+
+#include "interp/channel_state.h"
+
+namespace kadr::interp {
+
+struct Channel;
+
+/// Work offsets and the frames of the program, and the position as they change.
+class ProgrammedFrames {
+  public:
+    explicit ProgrammedFrames(Channel& channel);
+    ProgrammedFrames(const ProgrammedFrames&) = delete;
+    ProgrammedFrames& operator=(const ProgrammedFrames&) = delete;
+
+    control::ControlFrame total_frame() const;
+    std::optional<control::ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
+    ControlAccess::Write set_frame(nc::Quantity quantity, std::int64_t number,
+                                   const control::ControlFrame& frame, bool acts_at_once);
+    void restore_frames(bool is_wanted);
+    ControlAccess::Write set_base_mask(nc::Quantity quantity, double mask);
+    void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
+    control::ControlFrame& work_offset_at(std::int64_t number);
+    ControlAccess::Write set_work_offset(std::int64_t number, Axis axis, double value,
+                                         bool acts_at_once);
+    void select_work_offset(const nc::Block& block, std::int64_t number);
+    void change_frame(const nc::Block& block, const nc::Invocation& invocation,
+                      void (control::Frames::*change)(const control::FrameWords&));
+    void set_position(const nc::Block& block, const nc::Invocation& invocation);
+    void reset_position(const nc::Block& block, const nc::Invocation& invocation);
+    void rotate(const nc::Block& block, const nc::Invocation& invocation);
+    void end_rotation();
+    void end_scaling();
+    void end_mirroring(const nc::Block& block, const nc::Invocation& invocation);
+    void scale(const nc::Block& block, const nc::Invocation& invocation);
+    void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
+    bool is_without_frames(const Actions& actions) const;
+    Done take_frames_off(const nc::Block& block);
+    void put_frames_back(const nc::Block& block);
+    void frame_changed();
+    void begin();
+    void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
+    /// A block in machine coordinates has taken the frames off for its motion.
+    bool are_off() const { return frames_off_.has_value(); }
+
+  private:
+    struct KeptFrames {
+        control::Frames frames;
+        std::int64_t work_offset;
+    };
+    /// Base frames that were written and act when a work offset is called next.
+    struct StoredBases {
+        control::BaseFrames frames;
+        std::uint16_t new_global = 0;  // a bit for each number
+        std::uint16_t new_channel = 0;
+    };
+    /// What a block in machine coordinates goes back to behind it.
+    struct FramesOff {
+        control::Frames frames;
+        Position before;
+    };
+    bool set_plain_frame(nc::Quantity quantity, const control::ControlFrame& frame);
+    void select_stored_bases();
+    control::ControlFrame work_offset_frame(std::int64_t number) const;
+    void work_offset_changed(std::int64_t number, bool acts_at_once);
+    void let_comp_go(const nc::Block& block, const nc::Invocation& invocation);
+    control::FrameWords words_of_frame(const nc::Block& block,
+                                       const nc::Invocation& invocation) const;
+    Done require_no_places(const nc::Block& block, const nc::Invocation& invocation);
+    void name_position(const control::FrameWords& words);
+    Done require_named_axes(const nc::Block& block, const nc::Invocation& invocation,
+                            AxisMask named);
+    control::FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
+
+    Channel& channel_;
+    std::vector<control::ControlFrame>& work_offsets_;
+    std::int64_t& work_offset_;
+    Reporter& reporter_;
+    const nc::Rules& rules_;
+    const Modal& modal_;
+    Position& position_;
+    control::Frames& frames_;
+    const RadiusCompState& comp_;
+    AxisMask& unplaced_;
+    const AxisData& axes_;
+    const ModalCycles& modal_cycles_;
+    std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
+    StoredBases stored_bases_;
+    std::optional<FramesOff> frames_off_;
+};
+
+}  // namespace kadr::interp

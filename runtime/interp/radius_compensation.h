@@ -1,0 +1,82 @@
+// radius_compensation.h — cutter radius compensation: what blocks choose of it, given to the stages
+// that make it.
+#pragma once
+
+#include "interp/channel_state.h"
+
+namespace kadr::interp {
+
+struct Channel;
+
+/// Cutter radius compensation: what blocks choose of it, given to the stages that make it.
+class RadiusCompensation {
+  public:
+    explicit RadiusCompensation(Channel& channel);
+    RadiusCompensation(const RadiusCompensation&) = delete;
+    RadiusCompensation& operator=(const RadiusCompensation&) = delete;
+
+    /// Another member of one of its groups. Roughing works along the programmed shape and takes no
+    /// choice; where the shape is followed, it is compensated.
+    void choose(const nc::Block& block, nc::Function member, Actions& actions);
+    /// CompCornerPointed, CompOpenEnd, CompAllowance, CompDepth; likewise.
+    void choose_by_words(const nc::Block& block, const nc::Invocation& invocation,
+                         Actions& actions);
+    bool needs_comp_off(const nc::Block& block, nc::Function function) const;
+    void act_on_comp(const nc::Block& block, const Actions& actions);
+    void send_comp(const CompChange& change);
+    Done require_comp_in_plane(const nc::Block& block, nc::Function function);
+    path::Mat3 comp_lie() const;
+    path::Mat3 plane_lie() const;
+    void change_comp(const CompChange& change);
+    void settle_comp(const nc::Block& block, const AxisValues& here, bool is_last = true);
+    void flush_comp();
+    void stop_comp();
+    void round_comp_corner(const nc::Block& block, const nc::Invocation& invocation);
+    std::optional<path::Vec2> leave_direction(const nc::Block& block) const;
+    CompChange comp_change(const nc::Block& block, CompChange::Kind kind);
+    Done lay_surface(const nc::Block& block, const ToolWords& tool);
+    Done require_no_peripheral_arc(const nc::Block& block);
+    bool is_any_comp_on() const { return compensation_.is_on() || comp_3d_.is_on(); }
+
+  private:
+    void choose_pointed_corners(const nc::Block& block, const nc::Invocation& invocation);
+    void choose_comp_side(const nc::Block& block, nc::Function function, Actions& actions);
+    void begin_comp(const nc::Block& block, CompSide side);
+    void change_comp_3d(const CompChange& change);
+    bool is_in_space(CompChange::Kind kind) const;
+    Comp3dSettings comp_3d_settings() const;
+    path::Vec3 tool_direction() const;
+    void take_comp(const std::optional<CompAlarm>& alarm);
+    CompSettings comp_settings() const;
+    std::optional<path::Vec2> direction_in_base(const path::Vec3& programmed) const;
+    std::optional<std::int64_t> comp_offset() const;
+    void take_comp_tool(const nc::Block& block, std::int64_t number, CompChange& change);
+    void report_comp(const CompAlarm& alarm);
+    std::optional<Cutter3d> mill_shape_now(const nc::Block& block);
+    Done require_constant_tool(const nc::Block& block);
+    Done require_tcp_for_peripheral_comp(const nc::Block& block, nc::Function function);
+
+    Channel& channel_;
+    const nc::Dialect& dialect_;
+    const machine::Machine& machine_;
+    const bool is_lathe_;
+    const ToolOffsets& tool_offsets_;
+    Reporter& reporter_;
+    const nc::Rules& rules_;
+    Output& output_;
+    const Modal& modal_;
+    const Position& position_;
+    const control::Frames& frames_;
+    const Tool& tool_;
+    const ExtraTool& extra_;
+    Orienting& orienting_;
+    const Tilting& tilted_plane_;
+    path::Contact& face_;
+    Corners& corners_;
+    RadiusCompState& comp_;
+    Compensation& compensation_;
+    Compensation3d& comp_3d_;
+    ReportedInRun& told_;
+};
+
+}  // namespace kadr::interp

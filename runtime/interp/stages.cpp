@@ -1,0 +1,144 @@
+#include "interp/stages.h"
+
+#include <cmath>
+
+#include "base/diagnostics/doubtful.h"
+#include "base/diagnostics/iso.h"
+#include "base/diagnostics/orienting.h"
+#include "interp/channel.h"
+#include "interp/cornering.h"
+#include "interp/cycle_shapes.h"
+#include "interp/path_smoothing.h"
+#include "interp/programmed_frames.h"
+#include "interp/radius_compensation.h"
+#include "interp/smooth_approaches.h"
+#include "interp/splines.h"
+#include "interp/tool_motion.h"
+#include "interp/transformation.h"
+#include "interp/word_hints.h"
+#include "nc/parameters.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::parameter_of;
+using nc::parameter_of_all;
+using nc::Slot;
+using nc::SlotMask;
+using path::Command;
+using path::Op;
+
+Stages::Stages(Channel& channel)
+    : channel_(channel),
+      reporter_(channel.state.reporter),
+      output_(channel.state.stage.output),
+      block_count_(channel.state.motion.block_count),
+      modal_(channel.state.motion.modal),
+      position_(channel.state.motion.position),
+      face_(channel.state.stage.face),
+      corners_(channel.state.stage.corners),
+      comp_(channel.state.stage.comp),
+      smooth_approach_(channel.state.stage.smooth_approach),
+      compensation_(channel.state.stage.compensation),
+      comp_3d_(channel.state.stage.comp_3d),
+      spline_commands_(channel.state.cycle.spline_commands),
+      puts_span_(channel.state.cycle.puts_span),
+      dynamics_(channel.state.motion.dynamics),
+      dangers_(channel.state.stage.dangers),
+      cycle_(channel.state.cycle.cycle),
+      shape_(channel.state.cycle.shape),
+      contour_(channel.state.cycle.contour) {}
+
+/// What a block has put goes through the corners and the compensation; what is settled goes out.
+void Stages::settle(const Block& block) {
+    if (!corners_.is_active()) return settle_stages(block, position_.base, true);
+    std::optional<CornerMessage> message;
+    if (reporter_.has_alarm()) {
+        message = corners_.leave(diag::CornerWithoutMotion);
+        message.reset();  // the block has said what is wrong
+    } else {
+        message = corners_.end_block(position_.base, {block.source, block.line});
+        if (!message && reporter_.has_ended()) message = corners_.leave(diag::CornerWithoutMotion);
+    }
+    channel_.cornering.pass_corners();
+    if (message) channel_.cornering.report_corner(*message);
+    if (!reporter_.has_alarm() && reporter_.has_ended() && channel_.compensation.is_any_comp_on())
+        channel_.compensation.flush_comp();
+}
+
+void Stages::settle_stages(const Block& block, const AxisValues& here, bool is_last) {
+    if (smooth_approach_.is_active()) channel_.approaches.settle_approach(block);
+    if (channel_.compensation.is_any_comp_on())
+        channel_.compensation.settle_comp(block, here, is_last);
+}
+
+/// Whether commands pass through something that keeps them back; nearly never.
+bool Stages::has_stages() const {
+    return corners_.is_active() || channel_.compensation.is_any_comp_on() ||
+           smooth_approach_.is_active();
+}
+
+/// Where a command goes that no corner waits for.
+Command& Stages::behind_corners() {
+    if (channel_.shapes.keeps_shape()) return shape_->commands.emplace_back();
+    if (contour_) return contour_->commands.emplace_back();
+    if (smooth_approach_.is_active()) return smooth_approach_.next();
+    if (comp_3d_.is_on()) return comp_3d_.next();
+    return compensation_.is_on() ? compensation_.next() : output_.next();
+}
+
+Command& Stages::put(Op op, const Block& block) {
+    if (path::is_motion(op)) dangers_.begin_motion(op, position_.base);
+    const bool waits = channel_.splines.is_in_spline() && op != Op::Spline && !puts_span_;
+    Command& command = waits                  ? spline_commands_.next()
+                       : corners_.is_active() ? corners_.next()
+                                              : behind_corners();
+    command.op = op;
+    fill_in(command, block);
+    return command;
+}
+
+/// What the modal state says of a command.
+void Stages::fill_in(Command& command, const Block& block) {
+    const Op op = command.op;
+    command.feed_mode = modal_.feed_mode;
+    command.plane = modal_.plane;
+    command.exact_stop = false;
+    command.blending = channel_.smoothing.blending(op);
+    command.compress = block.is_of_cycle() ? 0 : channel_.smoothing.compressing(op);
+    command.machine_coordinates = false;
+    command.is_unshifted = channel_.frames.are_off();
+    dynamics_.put_panel(command, block,
+                        {modal_.taps, modal_.feed_mode, static_cast<std::uint32_t>(block_count_)});
+    command.is_swivelled = false;
+    command.moved = 0;
+    command.source = block.source;
+    command.line = block.line;
+    command.cycle = block.is_of_cycle() ? block.context->number : 0;
+    command.to = position_.base;
+    command.turning = path::Turning::None;
+    command.contact.clear();
+    const bool reaches_comp = comp_3d_.is_on() || corners_.is_active();
+    if (comp_.is_face_milling_acting() && reaches_comp && path::is_motion(op))
+        command.contact.push_back({face_, path::Vec3::Zero(), path::Vec3::Zero()});
+    command.virtual_axes = {};
+    if (channel_.transformation.is_transformed()) channel_.tool_motion.put_orientation(command);
+    command.text.clear();
+}
+
+Block Stages::block_at(SourceId source, std::uint32_t line) const {
+    Block at{};
+    locate(at, source, line);
+    return at;
+}
+
+void Stages::locate(Block& at, SourceId source, std::uint32_t line) const {
+    at.source = source;
+    at.line = line;
+    const bool is_call = cycle_.blocks && cycle_.caller.line == line;
+    at.context = is_call ? &cycle_.context : nullptr;
+}
+
+}  // namespace kadr::interp

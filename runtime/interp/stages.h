@@ -1,0 +1,50 @@
+// stages.h — where commands go: through the stages that are on, in their one order.
+#pragma once
+
+#include "interp/channel_state.h"
+
+namespace kadr::interp {
+
+struct Channel;
+
+/// Where commands go: through the stages that are on, in their one order.
+class Stages {
+  public:
+    explicit Stages(Channel& channel);
+    Stages(const Stages&) = delete;
+    Stages& operator=(const Stages&) = delete;
+
+    bool has_stages() const;
+    void settle(const nc::Block& block);
+    void settle_stages(const nc::Block& block, const AxisValues& here, bool is_last);
+    path::Command& behind_corners();
+    path::Command& put(path::Op op, const nc::Block& block);
+    void fill_in(path::Command& command, const nc::Block& block);
+    /// A block for messages, at the place of a command. Where that is the call of the cycle that
+    /// runs, it is one of the cycle's.
+    nc::Block block_at(SourceId source, std::uint32_t line) const;
+    void locate(nc::Block& at, SourceId source, std::uint32_t line) const;
+
+  private:
+    Channel& channel_;
+    Reporter& reporter_;
+    Output& output_;
+    const std::uint64_t& block_count_;
+    const Modal& modal_;
+    const Position& position_;
+    const path::Contact& face_;
+    Corners& corners_;
+    const RadiusCompState& comp_;
+    SmoothApproach& smooth_approach_;
+    Compensation& compensation_;
+    Compensation3d& comp_3d_;
+    SplineCommands& spline_commands_;
+    const bool& puts_span_;
+    const ProgrammedDynamics& dynamics_;
+    Dangers& dangers_;
+    CycleRun& cycle_;
+    std::optional<ShapeRun>& shape_;
+    std::optional<ContourRun>& contour_;
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,116 @@
+// tool_motion.h — how the tool turns in a motion: the words of a block that orient it, and the
+// rotary axes for them.
+#pragma once
+
+#include "interp/channel_state.h"
+
+namespace kadr::interp {
+
+struct Channel;
+
+/// How the tool turns in a motion: the words of a block that orient it, and the rotary axes for
+/// them.
+class ToolMotion {
+  public:
+    explicit ToolMotion(Channel& channel);
+    ToolMotion(const ToolMotion&) = delete;
+    ToolMotion& operator=(const ToolMotion&) = delete;
+
+    void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
+                          Actions& actions);
+    bool keeps_lead_tilt_to_surface() const;
+    std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
+                                                nc::Function word);
+    Done orient(const nc::Block& block, const Actions& actions, Target& target);
+    void settle_orientation(const Target& target);
+    Done lay_directions(const nc::Block& block, const path::Curve& curve, Target& target);
+    std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
+                                                        const ToolWords& tool);
+    void reset_orientation(const nc::Block& block, const nc::Invocation& invocation);
+    machine::JointLimits joint_limits() const;
+    void put_joints(const path::Vec3& joints, Target& target) const;
+    void put_orientation(path::Command& command);
+    bool goes_straight(path::Op op) const;
+    bool goes_straight(const nc::Block& block, const Actions& actions) const;
+    Done require_point_to_point_way(const nc::Block& block, const Actions& actions);
+    void choose_axes(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    Done require_orientation_along(const nc::Block& block, const ToolWords& tool);
+    Done orient_control_point(const nc::Block& block, const ToolWords& tool,
+                              ControlPointBlock& pole);
+    Done turn_along(const nc::Block& at, const ControlPointBlock& said, const path::Curve& span,
+                    AxisValues& to);
+    Done share_orientation(const nc::Block& block, const ToolWords& tool,
+                           const std::vector<double>& shares,
+                           const std::vector<ControlPointBlock*>& pieces);
+
+  private:
+    Done require_axes_for_direction(const nc::Block& block);
+    void take_lead_tilt(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    void take_opening(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    Done require_one_turn(const nc::Block& block, const ToolWords& tool);
+    Done require_no_idle_words(const nc::Block& block, const ToolWords& tool);
+    bool is_led_by_surface(const ToolWords& tool) const;
+    machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
+    machine::Mat3 turn_into_base() const;
+    bool mirrors_words() const;
+    std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
+    Done lay_tool_words(const nc::Block& block, const ToolWords& tool, Target& target);
+    Done orient_by_axes(const nc::Block& block, Target& target);
+    Done orient_to(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+                   Target& target);
+    Done lay_orientation(const nc::Block& block, const path::Vec3& to, Target& target,
+                         const ToolWords* angles = nullptr);
+    Done lay_cone(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+                  Target& target);
+    std::optional<machine::OrientationArc> cone_to(const nc::Block& block, const ToolWords& tool,
+                                                   const path::Vec3& from, const path::Vec3& to);
+    Done follow_directions(const nc::Block& block, const path::Turn& turn, const path::Curve& curve,
+                           Target& target);
+    Done apply_lead_tilt_at_end(const nc::Block& block, const ToolWords& tool,
+                                const path::Curve& curve, Target& target);
+    std::optional<path::Vec3> direction_on_surface(const nc::Block& block, const path::Vec3& normal,
+                                                   const path::Vec3& tangent,
+                                                   const path::Lean& lean);
+    Done require_small_rise(const nc::Block& block, double rise);
+    Done require_small_rise_along(const nc::Block& block, const path::Turn& surface,
+                                  const path::Curve& curve);
+    bool surface_leads_end() const;
+    Done lead_by_surface(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
+                         Target& target);
+    Done lead_by_point(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
+                       Target& target);
+    Done orient_first(const nc::Block& block, const path::Vec3& to);
+    bool spins_with_path(const ToolWords& tool) const;
+    std::optional<path::Vec3> spin_reference(const path::Vec3& tool,
+                                             const path::Curve* curve) const;
+    Done lay_spin(const nc::Block& block, const ToolWords& tool, Target& target,
+                  const path::Curve* curve = nullptr);
+    machine::Mat3 base_rotation() const;
+    void report_no_solution(const nc::Block& block, const machine::PathRefusal& refusal);
+    machine::PathQuery query_to(const path::Vec3& to, const ToolWords* angles) const;
+    machine::JointLimits signed_limits(const ToolWords& tool) const;
+    Done lay_point_to_point(const nc::Block& block, const ToolWords& tool, Target& target);
+    Done stand_along(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+                     Target& target);
+    Done turn_by_signs(const nc::Block& block, const ToolWords& tool, Target& target);
+    Done lay_span_orientation(const nc::Block& at, const ControlPointBlock& said,
+                              const path::Curve& span, Target& target);
+
+    Channel& channel_;
+    const machine::Machine& machine_;
+    Reporter& reporter_;
+    const nc::Rules& rules_;
+    Modal& modal_;
+    Position& position_;
+    const control::Frames& frames_;
+    Orienting& orienting_;
+    NextOrientation& next_orientation_;
+    std::optional<ToolWords>& course_;
+    const Virtual& virtual_;
+    const RadiusCompState& comp_;
+    const std::optional<SplineRun>& spline_;
+    ReportedInRun& told_;
+    const AxisData& axes_;
+};
+
+}  // namespace kadr::interp
