@@ -73,8 +73,8 @@ struct ChannelState {
     ProgramClocks clocks;
 
     struct Motion {
-        Modal modal;
-        Position position;
+        Modal modal{};
+        Position position{};
         path::Vec3 came_from = path::Vec3::Zero();  // base system: a place on the way to here
         AxisValues length_shift{};  // machine position − base position: the tool length in force
         AxisValues preset{};        // real position − the one that the program has set
@@ -84,7 +84,7 @@ struct ChannelState {
         bool has_moved = false;
         bool is_scanning = false;  // motions are a scanner's
         std::uint64_t block_count = 0;
-        PositionWords position_words;
+        PositionWords position_words{};
         ProgrammedDynamics dynamics;
         Probe probe;
     };
@@ -93,61 +93,61 @@ struct ChannelState {
     struct Frame {
         control::Frames frames;
         std::vector<control::ControlFrame>
-            work_offsets;              // as the machine has them, until the program sets one
+            work_offsets{};            // as the machine has them, until the program sets one
         std::int64_t work_offset = 0;  // that acts
     };
     Frame frame;
 
     struct ToolGroup {
-        Tool tool;
-        ExtraTool extra;
+        Tool tool{};
+        ExtraTool extra{};
         ToolOffsets tool_offsets;
         ToolNames tool_names;
         ToolCarriers carriers;
-        ActiveCarrier carrier;
-        Orienting orienting;
-        Tilting tilted_plane;
-        NextOrientation next_orientation;
-        std::optional<ToolWords> course;  // of the block: waits until its path is known
-        Virtual virtual_axes;
+        ActiveCarrier carrier{};
+        Orienting orienting{};
+        Tilting tilted_plane{};
+        NextOrientation next_orientation{};
+        std::optional<ToolWords> course{};  // of the block: waits until its path is known
+        Virtual virtual_axes{};
     };
     ToolGroup tool;
 
     struct SpindleGroup {
-        Spindle spindle;                      // the master
-        std::vector<Spindle> other_spindles;  // of machines with several
-        bool owes_speed = false;              // the motion side was not told of a new speed
+        Spindle spindle{};                      // the master
+        std::vector<Spindle> other_spindles{};  // of machines with several
+        bool owes_speed = false;                // the motion side was not told of a new speed
         path::CoolantMode coolant = path::CoolantMode::Off;
     };
     SpindleGroup spindle;
 
     struct StageGroup {
-        Output output;
+        Output output{};
         Corners corners;
-        RadiusCompState comp;
-        Compensation compensation;
-        Compensation3d comp_3d;  // in place of it under CompPeripheral
-        path::Contact face;      // normals of the surface along the block, of a Face
-        ApproachChoice approach_choice;
-        SmoothApproach smooth_approach;
-        std::optional<Approached> approached;
-        WorkArea area;
-        Dangers dangers;
+        RadiusCompState comp{};
+        Compensation compensation{};
+        Compensation3d comp_3d{};  // in place of it under CompPeripheral
+        path::Contact face{};      // normals of the surface along the block, of a Face
+        ApproachChoice approach_choice{};
+        SmoothApproach smooth_approach{};
+        std::optional<Approached> approached{};
+        WorkArea area{};
+        Dangers dangers{};
     };
     StageGroup stage;
 
     struct CycleGroup {
         CycleExpander* cycles;
-        ModalCycles modal_cycles;
-        CycleRun cycle;
-        std::vector<PatternRun> patterns;   // a program called at places may hold another one
-        std::optional<ShapeRun> shape;      // whose blocks are coming
-        std::optional<ContourRun> contour;  // likewise, for a table of the program
-        std::optional<SplineRun> spline;    // that is being read
-        std::optional<ThroughRun> through;  // … through points
-        SplineCommands spline_commands;     // beside the points of the one that is being read
-        bool puts_span = false;             // what is put stands in front of it
-        bool taps_rigidly = false;          // of the tapping cycles that follow
+        ModalCycles modal_cycles{};
+        CycleRun cycle{};
+        std::vector<PatternRun> patterns{};   // a program called at places may hold another one
+        std::optional<ShapeRun> shape{};      // whose blocks are coming
+        std::optional<ContourRun> contour{};  // likewise, for a table of the program
+        std::optional<SplineRun> spline{};    // that is being read
+        std::optional<ThroughRun> through{};  // … through points
+        SplineCommands spline_commands{};     // beside the points of the one that is being read
+        bool puts_span = false;               // what is put stands in front of it
+        bool taps_rigidly = false;            // of the tapping cycles that follow
     };
     CycleGroup cycle;
 };

@@ -94,6 +94,7 @@ void Executor::start() {
 std::size_t Executor::pull(std::span<Command> out) {
     output_.open(out);
     clocks_.timed = 0;
+    look_again();
     channel_.virtual_plane.follow_from_here();
     while (output_.has_room() && !reporter_.has_ended()) execute_next();
     if (virtual_.axes.is_on()) channel_.virtual_plane.follow_rotary();
@@ -103,6 +104,7 @@ std::size_t Executor::pull(std::span<Command> out) {
 
 void Executor::execute_next() {
     if (cycle_.blocks) {
+        look_again();
         const Block* block = cycle_.blocks->next();
         if (block == nullptr) {
             channel_.cycles.finish_cycle();
@@ -114,8 +116,10 @@ void Executor::execute_next() {
         }
         return;
     }
-    if (!patterns_.empty() && !patterns_.back().is_held)
+    if (!patterns_.empty() && !patterns_.back().is_held) {
+        look_again();
         return channel_.cycles.go_to_next_position();
+    }
     const Block* block = program_.next();
     if (block == nullptr) return end_of_blocks();
     if (reporter_.locations() != nullptr && reporter_.locations()->is_behind_fault(*block)) {
@@ -123,6 +127,7 @@ void Executor::execute_next() {
         return;
     }
     if (move_plainly(*block) == Plainly::Executed) return;
+    look_again();
     if (virtual_.axes.is_on()) {
         block = channel_.virtual_plane.in_virtual(*block);
         if (block == nullptr) return;

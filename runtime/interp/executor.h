@@ -21,6 +21,8 @@ class Executor {
     path::Plane plane_in(const nc::Block& block) const;
     void start();
     bool has_open_line() const { return open_line_.has_value(); }
+    /// A program has asked or set something: what plain moves take for given may have changed.
+    void look_again() { is_plain_.reset(); }
 
   private:
     void execute_next();
@@ -71,6 +73,7 @@ class Executor {
     const std::optional<ContourRun>& contour_;
     const std::vector<PatternRun>& patterns_;
     BlockQueue program_;
+    std::optional<bool> is_plain_;        // is_plain_state; nothing: to be looked at again
     std::optional<nc::Block> open_line_;  // waits for the one that tells its end
 };
 

@@ -46,11 +46,17 @@ class Executed final : public Stream<path::Command> {
 /// One channel of a control: its state, its parts, and the road of the blocks through them.
 struct Interpreter::State {
     State(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
-          const nc::BlockLocations* places, CycleExpander* cycles,
+          const nc::BlockLocations* places, CycleExpander* expander,
           const InterpreterOptions& options, DiagnosticSink& sink)
-        : channel_state(dialect, machine, places, cycles, options, sink),
+        : channel_state(dialect, machine, places, expander, options, sink),
           executor(channel, blocks) {
         executor.start();
+    }
+
+    /// For what may change something outside of the blocks.
+    State& asked() {
+        executor.look_again();
+        return *this;
     }
 
     ChannelState channel_state;
@@ -112,39 +118,43 @@ std::vector<ProbeTouch> Interpreter::touches_ahead() const {
 
 std::uint64_t Interpreter::blocks() const { return state_->channel_state.motion.block_count; }
 
-double Interpreter::elapsed() { return state_->answers.run_time(); }
+double Interpreter::elapsed() { return state_->asked().answers.run_time(); }
 std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t first,
                                             std::int64_t second) {
-    return state_->answers.quantity(quantity, first, second);
+    return state_->asked().answers.quantity(quantity, first, second);
 }
 ControlAccess::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_t first,
                                                std::int64_t second, double value,
                                                bool acts_at_once) {
-    return state_->answers.set_quantity(quantity, first, second, value, acts_at_once);
+    return state_->asked().answers.set_quantity(quantity, first, second, value, acts_at_once);
 }
 std::optional<control::ControlFrame> Interpreter::frame(nc::Quantity quantity,
                                                         std::int64_t number) {
-    return state_->frames.frame(quantity, number);
+    return state_->asked().frames.frame(quantity, number);
 }
 ControlAccess::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t number,
                                             const control::ControlFrame& frame, bool acts_at_once) {
-    return state_->frames.set_frame(quantity, number, frame, acts_at_once);
+    return state_->asked().frames.set_frame(quantity, number, frame, acts_at_once);
 }
 bool Interpreter::is_length(std::int64_t axis) const { return state_->answers.is_length(axis); }
 bool Interpreter::is_compensated() const { return state_->answers.is_compensated(); }
-std::string_view Interpreter::begin_contour() { return state_->contours.begin_contour(); }
-std::optional<ContourElements> Interpreter::end_contour() { return state_->contours.end_contour(); }
+std::string_view Interpreter::begin_contour() { return state_->asked().contours.begin_contour(); }
+std::optional<ContourElements> Interpreter::end_contour() {
+    return state_->asked().contours.end_contour();
+}
 bool Interpreter::is_at_pattern_position() const { return state_->cycles.is_at_pattern_position(); }
-void Interpreter::leave_pattern_position() { state_->cycles.leave_pattern_position(); }
-void Interpreter::leave_pattern() { state_->cycles.leave_pattern(); }
-void Interpreter::keep_frames() { state_->frames.keep_frames(); }
-void Interpreter::restore_frames(bool is_wanted) { state_->frames.restore_frames(is_wanted); }
+void Interpreter::leave_pattern_position() { state_->asked().cycles.leave_pattern_position(); }
+void Interpreter::leave_pattern() { state_->asked().cycles.leave_pattern(); }
+void Interpreter::keep_frames() { state_->asked().frames.keep_frames(); }
+void Interpreter::restore_frames(bool is_wanted) {
+    state_->asked().frames.restore_frames(is_wanted);
+}
 std::optional<std::string> Interpreter::text(nc::Quantity quantity, std::int64_t index) {
     return state_->answers.text(quantity, index);
 }
 ControlAccess::Write Interpreter::set_text(nc::Quantity quantity, std::int64_t index,
                                            std::string_view text) {
-    return state_->answers.set_text(quantity, index, text);
+    return state_->asked().answers.set_text(quantity, index, text);
 }
 std::optional<std::int64_t> Interpreter::axis_number(Axis axis) const {
     return state_->answers.axis_number(axis);

@@ -48,7 +48,9 @@ bool Executor::is_plain_block(const Block& block) const {
 
 /// A block that is not a plain one is left alone.
 Executor::Plainly Executor::move_plainly(const Block& block) {
-    if (!is_plain_block(block) || !is_plain_state()) return Plainly::NotPlain;
+    if (!is_plain_block(block)) return Plainly::NotPlain;
+    if (!is_plain_) is_plain_ = is_plain_state();  // a plain move does not change it
+    if (!*is_plain_) return Plainly::NotPlain;
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_rapid = motion == Function::Rapid;
     if (is_rapid ? !told_.has_reported(Once::Rapid) && spindle_.mode == path::SpindleMode::Stop
