@@ -1,12 +1,12 @@
-// active_codes.cpp — the code that acts of each modal group, as variables tell it.
+#include "macro/active_codes.h"
+
 #include <algorithm>
 
-#include "macro/control_variables.h"
 #include "macro/whole_number.h"
 
 namespace kadr::macro {
 
-const nc::Form* ControlVariables::active_form(std::size_t group) const {
+const nc::Form* ActiveCodes::form(std::size_t group) const {
     const auto acts = [&](const nc::Form& form) {
         const nc::Group of = info(form.function).group;
         if (of == nc::Group::Once || form.function == nc::Function::Cycle) return false;
@@ -51,45 +51,50 @@ const nc::Form* ControlVariables::active_form(std::size_t group) const {
     return nullptr;
 }
 
-std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_place) const {
-    const auto place = std::ranges::find_if(
-        tables_.groups, [&](const auto& group) { return whole_number(group.name) == number; });
-    if (by_place) {
-        const auto list = std::ranges::find_if(
-            language_.code_lists, [&](const auto& of) { return whole_number(of.group) == number; });
-        if (list == language_.code_lists.end()) return std::nullopt;
-        if (list->standard == 0 || place == tables_.groups.end())
-            return static_cast<double>(list->standard);
-        return code_in_list(*list, static_cast<std::size_t>(place - tables_.groups.begin()));
-    }
-    if (place == tables_.groups.end()) return std::nullopt;
-    const auto group = static_cast<std::size_t>(place - tables_.groups.begin());
-    const nc::Form* form = active_form(group);
-    if (form == nullptr) {
+std::optional<std::size_t> ActiveCodes::group_of(std::int64_t group_number) const {
+    const auto found = std::ranges::find_if(tables_.groups, [&](const auto& group) {
+        return whole_number(group.name) == group_number;
+    });
+    if (found == tables_.groups.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - tables_.groups.begin());
+}
+
+std::optional<double> ActiveCodes::number(std::int64_t group_number) const {
+    const auto group = group_of(group_number);
+    if (!group) return std::nullopt;
+    const nc::Form* acting = form(*group);
+    if (acting == nullptr) {
         // Of codes on which nothing depends the first one acts before any was said.
         const auto first = std::ranges::find_if(tables_.forms, [&](const nc::Form& other) {
-            return other.group == static_cast<int>(group) && other.is_read;
+            return other.group == static_cast<int>(*group) && other.is_read;
         });
         const bool is_passed =
             first != tables_.forms.end() && first->function == nc::Function::None;
-        if (is_passed) form = &*first;
+        if (is_passed) acting = &*first;
     }
-    if (form == nullptr) return std::nullopt;
-    return form->words[0].number;
+    if (acting == nullptr) return std::nullopt;
+    return acting->words[0].number;
 }
 
-/// The place of the code that acts; one that is no modal function of the vocabulary acts since it
-/// was said.
-std::optional<double> ControlVariables::code_in_list(const nc::CodeList& list,
-                                                     std::size_t group) const {
+std::optional<std::int64_t> ActiveCodes::place(std::int64_t group_number) const {
+    const auto list = std::ranges::find_if(tables_.language.code_lists, [&](const auto& of) {
+        return whole_number(of.group) == group_number;
+    });
+    if (list == tables_.language.code_lists.end()) return std::nullopt;
+    const auto group = group_of(group_number);
+    return list->standard == 0 || !group ? list->standard : place_in(*list, *group);
+}
+
+std::int64_t ActiveCodes::place_in(const nc::CodeList& list, std::size_t group) const {
+    // A code that is no modal function of the vocabulary acts since it was said.
     const nc::FormId last = reader_.last_form(group);
     const bool is_said =
         last != nc::kNoForm && info(tables_.forms[last].function).group == nc::Group::Once;
-    const nc::Form* form = is_said ? &tables_.forms[last] : active_form(group);
-    if (form == nullptr) return static_cast<double>(list.standard);
-    const auto found = std::ranges::find(list.codes, form->words[0].text);
-    if (found == list.codes.end()) return static_cast<double>(list.standard);
-    return static_cast<double>(found - list.codes.begin() + 1);
+    const nc::Form* acting = is_said ? &tables_.forms[last] : form(group);
+    if (acting == nullptr) return list.standard;
+    const auto found = std::ranges::find(list.codes, acting->words[0].text);
+    if (found == list.codes.end()) return list.standard;
+    return found - list.codes.begin() + 1;
 }
 
 }  // namespace kadr::macro

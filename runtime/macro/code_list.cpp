@@ -21,7 +21,7 @@ const std::vector<ActiveCode>& CodeList::now() {
     codes_.clear();
     const auto& groups = reader_.tables().groups;
     for (std::size_t group = 0; group < groups.size(); ++group) {
-        const nc::Form* form = variables_.active_form(group);
+        const nc::Form* form = active_.form(group);
         if (form == nullptr || form->words.empty()) continue;
         codes_.push_back({groups[group].name, form->words[0].text});
     }

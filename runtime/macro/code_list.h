@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "macro/control_variables.h"
+#include "macro/active_codes.h"
 
 namespace kadr::macro {
 
@@ -18,8 +18,8 @@ struct ActiveCode {
 class CodeList {
   public:
     /// References outlive the list.
-    CodeList(const ControlVariables& variables, const nc::LineReader& reader)
-        : variables_(variables), reader_(reader) {}
+    CodeList(const ActiveCodes& active, const nc::LineReader& reader)
+        : active_(active), reader_(reader) {}
 
     /// The groups of which a code acts, in the order of the dialect. Looked up anew only if a line
     /// that was read since has changed something.
@@ -28,7 +28,7 @@ class CodeList {
   private:
     bool catch_up();
 
-    const ControlVariables& variables_;
+    const ActiveCodes& active_;
     const nc::LineReader& reader_;
     bool is_filled_ = false;
     nc::ModalFunctions modal_{};

@@ -120,7 +120,7 @@ Outcome ContourStatements::end(CompiledLine& line, const ControlStatement& state
         run_.end();
         return Outcome::Nothing;
     }
-    run_.variables.say_units(*said);
+    run_.variables.system_variables().say_units(*said);
     const std::size_t rows = open.table.symbol->sizes[0];
     const auto fail_for = [&](ContourFault fault) {
         switch (fault) {

@@ -12,7 +12,11 @@ using nc::Instruction;
 using nc::VariableRange;
 
 ControlVariables::ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader)
-    : dialect_(dialect), tables_(dialect.tables()), language_(tables_.language), reader_(reader) {
+    : tables_(dialect.tables()),
+      language_(tables_.language),
+      names_(language_),
+      system_variables_(dialect, reader),
+      machine_values_(language_) {
     globals_.grow(language_.global_slots);
     for (const nc::VariableForm& form : language_.variables) {
         for (const VariableRange& range : form.ranges) {
@@ -98,6 +102,16 @@ bool ControlVariables::set_global(std::string_view name, double value) {
     return false;
 }
 
+Variables::Answer ControlVariables::system(nc::Quantity quantity, std::int64_t first,
+                                           std::int64_t second, double& out) {
+    if (quantity != nc::Quantity::ArgumentGiven)
+        return system_variables_.number(quantity, first, second, out);
+    if (first < 1 || first > static_cast<std::int64_t>(level_->given.size()))
+        return Answer::Missing;
+    out = level_->given[static_cast<std::size_t>(first) - 1] ? 1 : 0;
+    return Answer::Value;
+}
+
 Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t number, Value& out) {
     const VariableRange* range = find_range(language_.variables[form], number);
     if (range == nullptr) return Answer::Missing;
@@ -110,13 +124,15 @@ Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t numb
             return Answer::Value;
         case VariableRange::Kind::Input: {
             std::string text;
-            return read_input(form, *range, name_of(language_.variables[form], number), out, text);
+            machine_values_.read(*range, names_.in_family(language_.variables[form], number), out,
+                                 text);
+            return Answer::Value;
         }
         case VariableRange::Kind::Bits: return read_bits(form, *range, number, out);
         case VariableRange::Kind::Same:
         case VariableRange::Kind::Unsupported: return Answer::Unsupported;
         case VariableRange::Kind::System: {
-            const Indices indices = indices_of(*range, number);
+            const QuantityIndices indices = indices_of(*range, number);
             double value = 0;
             const Answer answer = system(range->quantity, indices.first, indices.second, value);
             out = Value::of(value, range->type);
@@ -142,13 +158,6 @@ bool ControlVariables::load(const Instruction& from, std::span<const std::int64_
     }
 }
 
-ControlVariables::Indices ControlVariables::indices_of(const VariableRange& range,
-                                                       std::int64_t number) {
-    const std::int64_t place = number - range.first;
-    if (range.stride == 0) return {place + range.start, 0};
-    return {place / range.stride + range.start, place % range.stride + range.second};
-}
-
 std::optional<nc::ValueType> ControlVariables::type_of(std::string_view name) const {
     const nc::ControlWords words(tables_, name);
     const std::size_t bracket = std::min(name.find(language_.index_open), name.size());
@@ -172,14 +181,12 @@ std::optional<nc::ValueType> ControlVariables::type_of(std::string_view name) co
     return std::nullopt;
 }
 
-std::string ControlVariables::word_of(nc::Operation operation) const {
-    const auto form =
-        std::ranges::find(language_.functions, operation, &nc::FunctionForm::operation);
-    return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
+std::string ControlVariables::named(std::uint32_t form, std::int64_t number) const {
+    return names_.with_meaning(language_.variables[form], number);
 }
 
-bool ControlVariables::find_program(std::string_view name) {
-    return is_program_ && is_program_(name);
+std::string ControlVariables::word_of(nc::Operation operation) const {
+    return names_.of_operation(operation);
 }
 
 bool ControlVariables::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
@@ -193,6 +200,29 @@ const nc::Symbol* declared_at(const Level& level, std::uint32_t slot) {
     return found == all.end() ? nullptr : &*found;
 }
 
+ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
+                                           const nc::Symbol* symbol) const {
+    const Value& value = store.values[slot];
+    const auto kind =
+        &store == &globals_ ? VariableRange::Kind::Global : VariableRange::Kind::Local;
+    std::string name =
+        symbol == nullptr
+            ? names_.at_slot(kind, slot)
+            : names_.of_element(*symbol, static_cast<std::uint32_t>(slot) - symbol->slot);
+    // Where nothing is vacant, what was declared begins with the zero of its type.
+    const bool begins_with_zero =
+        symbol != nullptr && value.is_vacant() && !language_.rules.has_vacant &&
+        symbol->type != nc::ValueType::Frame && symbol->type != nc::ValueType::Axis;
+    if (begins_with_zero) return shown(std::move(name), Value::of(0, symbol->type), {});
+    if (value.is_frame())
+        return shown(std::move(name), value, names_.written(store.frames[value.text]));
+    if (const auto axis = value.axis())
+        return shown(std::move(name), value, kAxisNames[index(*axis)]);
+    if (const auto spindle = value.spindle())
+        return shown(std::move(name), value, "S" + std::to_string(*spindle));
+    return shown(std::move(name), value, store.content(value).text);
+}
+
 void ControlVariables::list_family(const nc::VariableForm& form,
                                    std::vector<ControlVariable>& out) const {
     for (const VariableRange& range : form.ranges) {
@@ -204,7 +234,7 @@ void ControlVariables::list_family(const nc::VariableForm& form,
             const Value& value = store.values[slot];
             const bool is_untouched = range.has_initial && value.number == range.value;
             if (value.is_vacant() || is_untouched) continue;
-            out.push_back(shown(name_of(form, number), value, {}));
+            out.push_back(shown(names_.in_family(form, number), value, {}));
         }
     }
 }
@@ -213,7 +243,7 @@ std::vector<ControlVariable> ControlVariables::list() const {
     std::vector<ControlVariable> out;
     for (std::uint32_t i = 0; i < language_.variables.size(); ++i) {
         list_family(language_.variables[i], out);
-        list_inputs(i, out);
+        machine_values_.list(i, out);
     }
     for (const nc::Symbol& symbol : level_->symbols.all()) {
         const Store& store = *level_->stores[level_->symbols.index_of(symbol)];

@@ -82,13 +82,13 @@ void InputEvents::act_event(const InputEvent& event) {
     run_.lines.begin(event.file_line);
     DiagnosticList heard;
     run_.ear.listen(&heard);
-    run_.variables.let_machine_write(true);
-    run_.variables.set_in_step(true);
+    run_.variables.machine_values().let_machine_write(true);
+    run_.variables.system_variables().set_in_step(true);
     Block none;
     none.reset();
     if (run_.machine_inputs.run(line, none) == Outcome::Block)
         run_.fail(line, diag::InputNoValue, {0, 1});
-    run_.variables.let_machine_write(false);
+    run_.variables.machine_values().let_machine_write(false);
     run_.ear.listen(nullptr);
     if (run_.lines.failed()) {
         run_.lines.forget_fault();

@@ -100,7 +100,7 @@ ControlVariable ControlVariables::shown_state(const Instruction& target,
     if (target.type == nc::ValueType::Frame) {
         if (frame(quantity, indices[0], whole) != Answer::Value) return out;
         out.kind = ControlVariable::Kind::Text;
-        out.text = written(whole);
+        out.text = names_.written(whole);
         return out;
     }
     if (target.type == nc::ValueType::Text) {
@@ -125,7 +125,7 @@ std::vector<ControlVariable> ControlVariables::shown_data(bool is_of_tool, std::
                                               : range.quantity == Quantity::WorkOffset;
             if (range.kind != VariableRange::Kind::System || !is_wanted) continue;
             for (std::int64_t at = range.first; at <= range.last; ++at) {
-                const Indices indices = indices_of(range, at);
+                const QuantityIndices indices = indices_of(range, at);
                 const std::pair place(range.quantity, indices.second);
                 if (indices.first != number || std::ranges::find(known, place) != known.end())
                     continue;
@@ -134,7 +134,7 @@ std::vector<ControlVariable> ControlVariables::shown_data(bool is_of_tool, std::
                 load.kind = Instruction::Kind::Family;
                 load.index = static_cast<std::uint32_t>(form);
                 const std::array one = {at};
-                out.push_back(shown_state(load, one, name_of(family, at)));
+                out.push_back(shown_state(load, one, names_.in_family(family, at)));
             }
         }
     }
@@ -182,9 +182,8 @@ void NotedWrites::tell_data() {
 }
 
 /// Writes a variable; what it is of the control's own state is noted if somebody looks on.
-ControlVariables::Fault NotedWrites::store(const CompiledLine& line, const nc::Reference& reference,
-                                           std::span<const std::int64_t> indices,
-                                           const Value& value) {
+VariableFault NotedWrites::store(const CompiledLine& line, const nc::Reference& reference,
+                                 std::span<const std::int64_t> indices, const Value& value) {
     const Content content = evaluator_.content(value);
     if (!variables_.notes_changes() || !variables_.is_state(reference.load, indices))
         return variables_.store(reference.load, indices, value, content);
@@ -192,7 +191,7 @@ ControlVariables::Fault NotedWrites::store(const CompiledLine& line, const nc::R
         reference.span.begin, reference.span.end - reference.span.begin);
     std::string name = with_indices(written, indices, language_.index_open, language_.index_close);
     ControlVariable before = variables_.shown_state(reference.load, indices, name);
-    ControlVariables::Fault fault = variables_.store(reference.load, indices, value, content);
+    VariableFault fault = variables_.store(reference.load, indices, value, content);
     if (fault.row == nullptr) {
         variables_.note_change(std::move(before),
                                variables_.shown_state(reference.load, indices, std::move(name)));

@@ -22,8 +22,8 @@ class NotedWrites {
     /// What has become of them.
     void tell_data();
     /// Writes a variable.
-    ControlVariables::Fault store(const CompiledLine& line, const nc::Reference& reference,
-                                  std::span<const std::int64_t> indices, const Value& value);
+    VariableFault store(const CompiledLine& line, const nc::Reference& reference,
+                        std::span<const std::int64_t> indices, const Value& value);
 
   private:
     struct WrittenOffset {

@@ -20,7 +20,7 @@ void Program::check_only() { state_->phase.is_only_checking = true; }
 bool Program::check_passed_text() { return state_->check_passed_text(); }
 void Program::follow(ControlAccess& state) {
     state_->interpreter = &state;
-    state_->variables.follow(state);
+    state_->variables.system_variables().follow(state);
 }
 void Program::print_to(Printer& printer) { state_->options.printer = &printer; }
 void Program::show_to(LineWatch* watch, std::vector<VariableChange>* changes) {

@@ -25,7 +25,7 @@ ProgramBase::ProgramBase(const nc::Dialect& dialect_, nc::TextSource& main, std:
       units(dialect_, main, name, options.kept_text, options.files),
       variables(dialect_, lines),
       evaluator(language.rules, variables.globals(), variables.level(), variables),
-      codes(variables, lines),
+      codes(variables.system_variables().codes(), lines),
       writes(variables, evaluator, language) {
     kept.keep_earlier(options.kept_lines);
     auto first = std::make_unique<Frame>();
@@ -34,9 +34,10 @@ ProgramBase::ProgramBase(const nc::Dialect& dialect_, nc::TextSource& main, std:
     first->level = &variables.main_level();
     add_frame(std::move(first));
     resume_frame(*frames[0]);
-    variables.ask_missing([this](const std::string& missing, const std::string& meaning) {
-        missing_inputs_.push_back({missing, meaning, evaluator.place()});
-    });
+    variables.machine_values().tell_missing_to(
+        [this](const std::string& missing, const std::string& meaning) {
+            missing_inputs_.push_back({missing, meaning, evaluator.place()});
+        });
     lines.add_notes([this](DiagnosticBuilder& message) {
         for (TextLocation& call : nc::places_of(frame->site.get()))
             message.note(std::move(call), "called here");
@@ -114,7 +115,7 @@ Outcome ProgramBase::store(CompiledLine& line, const nc::Reference& reference, c
         }
     }
     if (variables.must_wait(reference.load, indices)) return Outcome::Wait;
-    ControlVariables::Fault fault = writes.store(line, reference, indices, value);
+    VariableFault fault = writes.store(line, reference, indices, value);
     if (fault.row == nullptr) return Outcome::Nothing;
     // The control's own state has the name that the program says.
     const bool is_family = reference.load.kind == nc::Instruction::Kind::Family;
@@ -146,7 +147,7 @@ void ProgramBase::resume_frame(Frame& next) {
     frame = &next;
     variables.enter(*next.level);
     evaluator.enter(*next.level);
-    variables.set_program_level(frames.size() - 1);
+    variables.system_variables().set_program_level(frames.size() - 1);
     lines.enter(next.text);
 }
 

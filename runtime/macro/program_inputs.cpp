@@ -100,9 +100,9 @@ Outcome MachineInputs::step(Block& out) {
     run_.lines.begin(run_.frame->here.line);
     DiagnosticList heard;
     run_.ear.listen(&heard);
-    run_.variables.let_machine_write(true);
+    run_.variables.machine_values().let_machine_write(true);
     Outcome done = run(run_.scratch, out);
-    run_.variables.let_machine_write(false);
+    run_.variables.machine_values().let_machine_write(false);
     run_.ear.listen(nullptr);
     if (done == Outcome::Wait) return done;
     if (run_.lines.failed()) {

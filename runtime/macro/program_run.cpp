@@ -24,9 +24,10 @@ constexpr std::size_t kMostCompiled = 20'000;
 ProgramRun::ProgramRun(const nc::Dialect& dialect_, nc::TextSource& main, std::string name,
                        const ProgramOptions& options_, DiagnosticSink& sink_)
     : ProgramBase(dialect_, main, std::move(name), options_, sink_) {
-    variables.ask_modal_call([this] { return modal_calls.code(); });
-    variables.ask_programs([this](std::int64_t level) { return calls.name_at(level); },
-                           [this](std::string_view asked) { return calls.find_program(asked); });
+    variables.system_variables().ask_modal_call([this] { return modal_calls.code(); });
+    variables.system_variables().ask_programs(
+        [this](std::int64_t level) { return calls.name_at(level); },
+        [this](std::string_view asked) { return calls.find_program(asked); });
     events.begin(options.events);
 }
 
@@ -37,7 +38,7 @@ std::size_t ProgramRun::pull(std::span<Block> out) {
     kept.clear();
     counts.given = 0;
     phase.has_visible_fault = lines.failed();
-    variables.begin_batch();
+    variables.system_variables().set_in_step(true);
     while (counts.given < out.size() && !phase.has_ended && take_step()) {
         Block& block = out[counts.given];
         block.reset();
@@ -61,7 +62,7 @@ std::size_t ProgramRun::pull(std::span<Block> out) {
         if (done == Outcome::Block) ++counts.given;
         // The interpreter goes to a place before the program does there what it does.
         if (frame->at_positions && counts.given > 0) return counts.given;
-        variables.set_in_step(counts.given == 0);
+        variables.system_variables().set_in_step(counts.given == 0);
         if (done == Outcome::Wait) return counts.given;
         if (lines.failed() && !had_fault) {
             phase.is_only_checking = true;
@@ -111,7 +112,7 @@ void ProgramRun::take_flat(std::span<Block> out) {
         if (!lines.read_plain(ahead.line, block)) return;
         from.pass(ahead);
         ++counts.given;
-        variables.set_in_step(false);
+        variables.system_variables().set_in_step(false);
         counts.most_line = std::max(counts.most_line, number);
         const LinePosition next{from.offset(), number + 1};
         if (block.function_count != 0) {  // it may end the program, or call a cycle
@@ -335,7 +336,7 @@ void ProgramRun::deliver(Block& block, std::string_view text_of_line, std::uint6
     frame->has_executed = true;
     counts.turns = 0;
     if (block.kind == Block::Kind::Nc && !is_left_out(block)) ++counts.blocks;
-    if (block.number >= 0) variables.set_block_number(block.number);
+    if (block.number >= 0) variables.system_variables().set_block_number(block.number);
     if (again && ++counts.repeated > options.max_repeated) {
         lines.report_event(
             text_of_line,
@@ -427,7 +428,7 @@ void ProgramRun::advance() {
 }
 
 nc::LineContext ProgramRun::context() const {
-    return {variables.names(),
+    return {variables.names().numbers(),
             frame->is_in_code_call,
             !modal_calls.is_empty() && modal_calls.takes_blocks(),
             options.skip_levels,
@@ -516,7 +517,8 @@ Outcome ProgramRun::run(CompiledLine& line, Block& out) {
     }
     // A number, a label or a comment alone is no block: nothing is executed, and nothing counts it.
     if (!has_words) {
-        if (words.number >= 0 && statements.empty()) variables.set_block_number(words.number);
+        if (words.number >= 0 && statements.empty())
+            variables.system_variables().set_block_number(words.number);
         return Outcome::Nothing;
     }
     return computed_words.read(line, out);

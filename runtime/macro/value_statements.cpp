@@ -141,8 +141,8 @@ Outcome ValueStatements::list_place(CompiledLine& line, const nc::Reference& ref
     return Outcome::Nothing;
 }
 
-ControlVariables::Fault ValueStatements::store_at(const ListTarget& place, std::uint32_t i,
-                                                  const Value& value) {
+VariableFault ValueStatements::store_at(const ListTarget& place, std::uint32_t i,
+                                        const Value& value) {
     const Content content = run_.evaluator.content(value);
     if (place.load.kind == nc::Instruction::Kind::Element) {
         return run_.variables.store_element(run_.variables.level().symbols.at(place.load.index),

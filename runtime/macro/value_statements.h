@@ -39,7 +39,7 @@ class ValueStatements {
     Outcome fill_count(CompiledLine& line, std::span<const nc::Expression> said, std::size_t most,
                        std::size_t& out);
     Outcome list_place(CompiledLine& line, const nc::Reference& reference, ListTarget& out);
-    ControlVariables::Fault store_at(const ListTarget& place, std::uint32_t i, const Value& value);
+    VariableFault store_at(const ListTarget& place, std::uint32_t i, const Value& value);
     Outcome limit(CompiledLine& line, const nc::ControlStatement& statement);
     Outcome stop_with_message(std::string_view text, nc::Block& out);
 

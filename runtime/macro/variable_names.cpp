@@ -1,8 +1,10 @@
-// variable_names.cpp — how programs write their variables, for lists and for who looks on.
+#include "macro/variable_names.h"
+
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/numbers.h"
-#include "macro/control_variables.h"
 
 namespace kadr::macro {
 
@@ -26,28 +28,8 @@ ControlVariable shown(std::string name, const Value& value, std::string_view tex
     return variable;
 }
 
-namespace {
-
-std::string element_name(const nc::Symbol& symbol, std::uint32_t place, char open, char close) {
-    if (symbol.dimensions == 0) return symbol.name;
-    std::array<std::uint32_t, 3> indices{};
-    for (std::size_t i = symbol.dimensions; i-- > 0;) {
-        indices[i] = place % symbol.sizes[i];
-        place /= symbol.sizes[i];
-    }
-    std::string name = symbol.name + open;
-    for (std::size_t i = 0; i < symbol.dimensions; ++i) {
-        if (i > 0) name += ',';
-        name += std::to_string(indices[i]);
-    }
-    return name + close;
-}
-
-}  // namespace
-
-/// As the program writes it: `R1`, `#100`.
-std::string ControlVariables::name_of(const nc::VariableForm& form, std::int64_t number) const {
-    if (!form.closing.empty()) return std::string(names_->name_of(number)) + form.closing;
+std::string VariableNames::in_family(const nc::VariableForm& form, std::int64_t number) const {
+    if (!form.closing.empty()) return std::string(numbers_->name_of(number)) + form.closing;
     std::string name = form.name;
     const std::string digits = std::to_string(number);
     if (form.is_family) name += digits;
@@ -55,41 +37,59 @@ std::string ControlVariables::name_of(const nc::VariableForm& form, std::int64_t
     return name;
 }
 
-std::string ControlVariables::name_in(const Store& store, std::size_t slot) const {
-    const auto wanted =
-        &store == &globals_ ? VariableRange::Kind::Global : VariableRange::Kind::Local;
+std::string VariableNames::with_meaning(const nc::VariableForm& form, std::int64_t number) const {
+    const std::string name = '`' + in_family(form, number) + '`';
+    const VariableRange* range = find_range(form, number);
+    const bool is_explained = range != nullptr && !range->meaning.empty();
+    return is_explained ? name + " (" + range->meaning + ')' : name;
+}
+
+std::string VariableNames::of_machine_value(std::span<const std::int64_t> indices) const {
+    std::string name(numbers_->name_of(indices[0]));
+    for (std::size_t i = 1; i < indices.size(); ++i) {
+        name += i == 1 ? language_.index_open : ',';
+        const std::int64_t index = indices[i];
+        const bool is_axis = index < 0 && index >= -static_cast<std::int64_t>(kAxes);
+        name += is_axis ? std::string(kAxisNames[static_cast<std::size_t>(-index - 1)])
+                        : std::to_string(index);
+    }
+    if (indices.size() > 1) name += language_.index_close;
+    return name;
+}
+
+std::string VariableNames::at_slot(VariableRange::Kind kind, std::size_t slot) const {
     for (const nc::VariableForm& form : language_.variables) {
         for (const VariableRange& range : form.ranges) {
             const std::int64_t number = range.first + static_cast<std::int64_t>(slot) - range.slot;
-            if (range.kind == wanted && number >= range.first && number <= range.last)
-                return name_of(form, number);
+            if (range.kind == kind && number >= range.first && number <= range.last)
+                return in_family(form, number);
         }
     }
     return {};
 }
 
-ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
-                                           const nc::Symbol* symbol) const {
-    const Value& value = store.values[slot];
-    std::string name = symbol == nullptr
-                           ? name_in(store, slot)
-                           : element_name(*symbol, static_cast<std::uint32_t>(slot) - symbol->slot,
-                                          language_.index_open, language_.index_close);
-    // Where nothing is vacant, what was declared begins with the zero of its type.
-    const bool begins_with_zero =
-        symbol != nullptr && value.is_vacant() && !language_.rules.has_vacant &&
-        symbol->type != nc::ValueType::Frame && symbol->type != nc::ValueType::Axis;
-    if (begins_with_zero) return shown(std::move(name), Value::of(0, symbol->type), {});
-    if (value.is_frame()) return shown(std::move(name), value, written(store.frames[value.text]));
-    if (const auto axis = value.axis())
-        return shown(std::move(name), value, kAxisNames[index(*axis)]);
-    if (const auto spindle = value.spindle())
-        return shown(std::move(name), value, "S" + std::to_string(*spindle));
-    return shown(std::move(name), value, store.content(value).text);
+std::string VariableNames::of_element(const nc::Symbol& symbol, std::uint32_t element) const {
+    if (symbol.dimensions == 0) return symbol.name;
+    std::array<std::uint32_t, 3> indices{};
+    for (std::size_t i = symbol.dimensions; i-- > 0;) {
+        indices[i] = element % symbol.sizes[i];
+        element /= symbol.sizes[i];
+    }
+    std::string name = symbol.name + language_.index_open;
+    for (std::size_t i = 0; i < symbol.dimensions; ++i) {
+        if (i > 0) name += ',';
+        name += std::to_string(indices[i]);
+    }
+    return name + language_.index_close;
 }
 
-/// A frame by its constants, as a program would write it: `CTRANS(X,10):CROT(Z,30)`.
-std::string ControlVariables::written(const control::ControlFrame& frame) const {
+std::string VariableNames::of_operation(nc::Operation operation) const {
+    const auto form =
+        std::ranges::find(language_.functions, operation, &nc::FunctionForm::operation);
+    return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
+}
+
+std::string VariableNames::written(const control::ControlFrame& frame) const {
     std::string out;
     const auto add = [&](nc::Operation operation, nc::FramePart part, double neutral) {
         std::string pairs;
@@ -102,7 +102,7 @@ std::string ControlVariables::written(const control::ControlFrame& frame) const 
             append_shortest(pairs, round_to(value, 9));
         }
         if (pairs.empty()) return;
-        out += (out.empty() ? "" : ":") + word_of(operation) + language_.open + pairs +
+        out += (out.empty() ? "" : ":") + of_operation(operation) + language_.open + pairs +
                language_.close;
     };
     add(nc::Operation::FrameShift, nc::FramePart::Shift, 0);
@@ -110,7 +110,8 @@ std::string ControlVariables::written(const control::ControlFrame& frame) const 
     add(nc::Operation::FrameRotation, nc::FramePart::Rotation, 0);
     add(nc::Operation::FrameScale, nc::FramePart::Scale, 1);
     add(nc::Operation::FrameMirror, nc::FramePart::Mirror, 0);
-    if (out.empty()) out = word_of(nc::Operation::FrameShift) + language_.open + language_.close;
+    if (out.empty())
+        out = of_operation(nc::Operation::FrameShift) + language_.open + language_.close;
     return out;
 }
 

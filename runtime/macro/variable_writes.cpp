@@ -14,23 +14,6 @@ using nc::Instruction;
 using nc::Quantity;
 using nc::VariableRange;
 
-namespace {
-
-std::string_view type_name(nc::ValueType type) {
-    switch (type) {
-        case nc::ValueType::Real: return "a real";
-        case nc::ValueType::Int: return "a whole number";
-        case nc::ValueType::Bool: return "a truth value";
-        case nc::ValueType::Char: return "a character";
-        case nc::ValueType::Text: return "a text";
-        case nc::ValueType::Axis: return "an axis";
-        case nc::ValueType::Frame: return "a frame";
-    }
-    return "";
-}
-
-}  // namespace
-
 template <typename Set>
 void ControlVariables::change(Store& store, std::size_t slot, const nc::Symbol* symbol, Set set) {
     if (changes_ == nullptr) return set();
@@ -62,50 +45,6 @@ void ControlVariables::set_number(const VariableRef& place, std::uint32_t elemen
            [&] { place.store->values[slot] = Value::of(number, place.type); });
 }
 
-ControlVariables::Fault ControlVariables::convert(nc::ValueType type, Value& value,
-                                                  std::string_view text) {
-    if (value.is_vacant()) return {};
-    const bool is_own_kind = type == nc::ValueType::Axis || type == nc::ValueType::Frame;
-    if (is_own_kind || value.kind == Value::Kind::Axis || value.is_frame()) {
-        if (value.kind == Value::of(0, type).kind) return {};
-        return {&diag::TypesDiffer, {std::string(type_name(type)), std::string(kind_name(value))}};
-    }
-    if (type == nc::ValueType::Text) {
-        if (value.kind == Value::Kind::Real || value.kind == Value::Kind::Int)
-            return {&diag::TypesDiffer, {"a text", "a number"}};
-        return {};
-    }
-    if (value.is_text()) {
-        if (type == nc::ValueType::Bool) {
-            value = Value::of(text.empty() ? 0 : 1, type);
-            return {};
-        }
-        if (type != nc::ValueType::Char || count_code_points(text) != 1)
-            return {&diag::TypesDiffer, {std::string(type_name(type)), "a text"}};
-        value = Value::of(first_code_point(text), type);
-    }
-    double number = value.number;
-    const auto range_fault = [&] {
-        std::string shown;
-        append_shortest(shown, value.number);
-        return Fault{&diag::ValueForType, {shown, std::string(type_name(type))}};
-    };
-    switch (type) {
-        case nc::ValueType::Int:
-            number = std::floor(number + 0.5);
-            if (!(number >= -2147483648.0 && number <= 2147483647.0)) return range_fault();
-            break;
-        case nc::ValueType::Char:
-            number = std::floor(number + 0.5);
-            if (!(number >= 0 && number <= 255)) return range_fault();
-            break;
-        case nc::ValueType::Bool: number = number != 0 ? 1 : 0; break;
-        default: break;
-    }
-    value = Value::of(number, type);
-    return {};
-}
-
 Quantity ControlVariables::quantity_of(std::uint32_t form, std::int64_t number) const {
     const VariableRange* range = find_range(language_.variables[form], number);
     const bool is_system = range != nullptr && range->kind == VariableRange::Kind::System;
@@ -114,22 +53,22 @@ Quantity ControlVariables::quantity_of(std::uint32_t form, std::int64_t number) 
 
 bool ControlVariables::must_wait(const Instruction& target,
                                  std::span<const std::int64_t> indices) const {
-    if (in_step_) return false;
+    if (system_variables_.is_in_step()) return false;
     if (target.kind == Instruction::Kind::System || target.kind == Instruction::Kind::SystemPart)
         return true;
     return target.kind == Instruction::Kind::Family &&
            quantity_of(target.index, indices[0]) != Quantity::None;
 }
 
-ControlVariables::Fault ControlVariables::store(const Instruction& target,
-                                                std::span<const std::int64_t> indices,
-                                                const Value& value, const Content& content) {
+VariableFault ControlVariables::store(const Instruction& target,
+                                      std::span<const std::int64_t> indices, const Value& value,
+                                      const Content& content) {
     const std::string_view text = content.text;
     Value converted = value;
     switch (target.kind) {
         case Instruction::Kind::Global:
         case Instruction::Kind::Local: {
-            if (Fault fault = convert(target.type, converted, text); fault.row != nullptr)
+            if (VariableFault fault = convert(target.type, converted, text); fault.row != nullptr)
                 return fault;
             Store& store = target.kind == Instruction::Kind::Global ? globals_ : level_->locals;
             const nc::Symbol* symbol = &store == &globals_ || changes_ == nullptr
@@ -142,18 +81,18 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
         case Instruction::Kind::Input: {
             const VariableRange& range = language_.variables[target.index].ranges[0];
             return store_input(target.index, range,
-                               input_name(target.index, indices.first(target.count)), value, text);
+                               names_.of_machine_value(indices.first(target.count)), value, text);
         }
         case Instruction::Kind::System: {
             const auto quantity = static_cast<Quantity>(target.index);
             if (target.type == nc::ValueType::Frame) {
                 if (content.frame == nullptr)
                     return {&diag::TypesDiffer, {"a frame", std::string(kind_name(value))}};
-                return store_frame(quantity, indices[0], *content.frame);
+                return system_variables_.set_frame(quantity, indices[0], *content.frame);
             }
             if (target.type == nc::ValueType::Text)
-                return store_text(quantity, indices[0], value, text);
-            return store_system(quantity, {indices[0], indices[1]}, value);
+                return system_variables_.set_text(quantity, indices[0], value, text);
+            return system_variables_.set_number(quantity, {indices[0], indices[1]}, value);
         }
         case Instruction::Kind::SystemPart:
         case Instruction::Kind::ElementPart: return store_part(target, indices, value);
@@ -165,7 +104,8 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
                 return store_element(symbol, *slot, value, content);
             // One character of a text; the code 0 cuts it there.
             const std::int64_t place = indices[symbol.dimensions];
-            if (Fault fault = convert(nc::ValueType::Char, converted, text); fault.row != nullptr)
+            if (VariableFault fault = convert(nc::ValueType::Char, converted, text);
+                fault.row != nullptr)
                 return fault;
             Store& texts = *level_->stores[target.index];
             const Value& old = texts.values[*slot];
@@ -193,8 +133,7 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
 }
 
 /// Programs keep the limits of what is defined for all of them.
-ControlVariables::Fault ControlVariables::check_limits(const nc::Symbol& symbol,
-                                                       const Value& value) const {
+VariableFault ControlVariables::check_limits(const nc::Symbol& symbol, const Value& value) const {
     if (!symbol.is_shared || limits_.empty() || !value.is_number()) return {};
     const auto known = limits_.find(symbol.name);
     if (known == limits_.end()) return {};
@@ -207,13 +146,13 @@ ControlVariables::Fault ControlVariables::check_limits(const nc::Symbol& symbol,
             {symbol.name, shown[0], shown[1]}};
 }
 
-ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol,
-                                                        std::uint32_t slot, const Value& value,
-                                                        const Content& content) {
+VariableFault ControlVariables::store_element(const nc::Symbol& symbol, std::uint32_t slot,
+                                              const Value& value, const Content& content) {
     const std::string_view text = content.text;
     Value converted = value;
-    if (Fault fault = convert(symbol.type, converted, text); fault.row != nullptr) return fault;
-    if (Fault fault = check_limits(symbol, converted); fault.row != nullptr) return fault;
+    if (VariableFault fault = convert(symbol.type, converted, text); fault.row != nullptr)
+        return fault;
+    if (VariableFault fault = check_limits(symbol, converted); fault.row != nullptr) return fault;
     Store& store = *level_->stores[level_->symbols.index_of(symbol)];
     if (symbol.type == nc::ValueType::Frame) {
         change(store, slot, &symbol, [&] { store.set_frame(slot, *content.frame); });
@@ -231,11 +170,11 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
     return {};
 }
 
-ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::int64_t number,
-                                                       const Value& value) {
+VariableFault ControlVariables::store_family(std::uint32_t form, std::int64_t number,
+                                             const Value& value) {
     const nc::VariableForm& family = language_.variables[form];
     const VariableRange* range = find_range(family, number);
-    const std::string name = name_of(family, number);
+    const std::string name = names_.in_family(family, number);
     if (range == nullptr) return {&diag::VariableNumber, {name}};
     if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
@@ -243,7 +182,7 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
     switch (range->kind) {
         case VariableRange::Kind::Global:
         case VariableRange::Kind::Local: {
-            if (Fault fault = convert(range->type, converted, {}); fault.row != nullptr)
+            if (VariableFault fault = convert(range->type, converted, {}); fault.row != nullptr)
                 return fault;
             const bool is_global = range->kind == VariableRange::Kind::Global;
             Store& store = is_global ? globals_ : level_->locals;
@@ -258,20 +197,20 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
             return {&diag::IsoNotSupported, {'`' + name + "` (" + range->meaning + ')'}};
         case VariableRange::Kind::System: break;
     }
-    return store_system(range->quantity, indices_of(*range, number), value);
+    return system_variables_.set_number(range->quantity, indices_of(*range, number), value);
 }
 
 /// A component: the frame is read, changed and written again. The axis is the last index.
-ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
-                                                     std::span<const std::int64_t> indices,
-                                                     const Value& value) {
+VariableFault ControlVariables::store_part(const Instruction& target,
+                                           std::span<const std::int64_t> indices,
+                                           const Value& value) {
     if (!value.is_number())
         return {&diag::TypesDiffer, {"a component of a frame", std::string(kind_name(value))}};
     const auto axis = static_cast<Axis>(-indices[target.count - 1u] - 1);
     const nc::FramePart part = target.part();
     const bool is_way = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
     const double wanted = is_way ? value.number * axis_unit(axis) : value.number;
-    const auto set = [&](control::ControlFrame& frame) -> Fault {
+    const auto set = [&](control::ControlFrame& frame) -> VariableFault {
         if (set_part(frame, part, axis, wanted)) return {};
         if (part == nc::FramePart::Scale && wanted == 0) return {&diag::ScaleInvalid, {"0"}};
         return {&diag::IsoNotSupported, {"such a component of this frame"}};
@@ -282,8 +221,8 @@ ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
         control::ControlFrame whole;
         if (frame(quantity, number, whole) != Answer::Value)
             return {&diag::VariableNumber, {"of this offset"}};
-        if (Fault fault = set(whole); fault.row != nullptr) return fault;
-        return store_frame(quantity, number, whole);
+        if (VariableFault fault = set(whole); fault.row != nullptr) return fault;
+        return system_variables_.set_frame(quantity, number, whole);
     }
     const nc::Symbol& symbol = level_->symbols.at(target.index);
     const auto slot = Evaluator::element(symbol, indices);
@@ -291,7 +230,7 @@ ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
     Store& store = *level_->stores[target.index];
     const Value& old = store.values[*slot];
     control::ControlFrame whole = old.is_frame() ? store.frames[old.text] : control::ControlFrame();
-    if (Fault fault = set(whole); fault.row != nullptr) return fault;
+    if (VariableFault fault = set(whole); fault.row != nullptr) return fault;
     change(store, *slot, &symbol, [&] { store.set_frame(*slot, whole); });
     return {};
 }

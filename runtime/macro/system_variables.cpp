@@ -1,5 +1,5 @@
-// control_quantities.cpp — variables that show the state of the control, or set it, in the units
-// of the text.
+#include "macro/system_variables.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,6 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "macro/control_variables.h"
 #include "macro/whole_number.h"
 
 namespace kadr::macro {
@@ -69,33 +68,38 @@ bool is_of_tool_data(Quantity quantity) {
 
 }  // namespace
 
-Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first,
-                                           std::int64_t second, double& out) {
+QuantityIndices indices_of(const nc::VariableRange& range, std::int64_t number) {
+    const std::int64_t place = number - range.first;
+    if (range.stride == 0) return {place + range.start, 0};
+    return {place / range.stride + range.start, place % range.stride + range.second};
+}
+
+Variables::Answer SystemVariables::number(Quantity quantity, std::int64_t first,
+                                          std::int64_t second, double& out) {
     if (info(quantity).access == nc::QuantityInfo::Access::Write) return Answer::NotReadable;
-    if (quantity == Quantity::ModalCode || quantity == Quantity::ModalNumber) {
-        const auto code = modal_code(first, quantity == Quantity::ModalNumber);
+    if (quantity == Quantity::ModalCode) {
+        const auto code = codes_.number(first);
         if (!code) return Answer::Missing;
         out = *code;
+        return Answer::Value;
+    }
+    if (quantity == Quantity::ModalNumber) {
+        const auto place = codes_.place(first);
+        if (!place) return Answer::Missing;
+        out = static_cast<double>(*place);
         return Answer::Value;
     }
     switch (quantity) {
         case Quantity::BlockNumber: out = static_cast<double>(block_number_); return Answer::Value;
         case Quantity::MachineCode: out = reader_.machine_code(); return Answer::Value;
         case Quantity::ModalCall: out = modal_call_ ? modal_call_() : 0; return Answer::Value;
+        case Quantity::ProgramLevel:
+            out = static_cast<double>(program_level_);
+            return Answer::Value;
         case Quantity::ProgramNumber:
             out = static_cast<double>(whole_number(reader_.text().program).value_or(0));
             return Answer::Value;
         default: break;
-    }
-    if (quantity == Quantity::ProgramLevel) {
-        out = static_cast<double>(program_level_);
-        return Answer::Value;
-    }
-    if (quantity == Quantity::ArgumentGiven) {
-        if (first < 1 || first > static_cast<std::int64_t>(level_->given.size()))
-            return Answer::Missing;
-        out = level_->given[static_cast<std::size_t>(first) - 1] ? 1 : 0;
-        return Answer::Value;
     }
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;
@@ -110,14 +114,14 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
     return Answer::Value;
 }
 
-bool ControlVariables::set_system(Quantity quantity, std::int64_t first, std::int64_t second,
-                                  double value) {
+bool SystemVariables::set_whole_number(Quantity quantity, std::int64_t first, std::int64_t second,
+                                       double value) {
     if (state_ == nullptr) return false;
     return state_->set_quantity(quantity, first, second, value, true) == ControlAccess::Write::Done;
 }
 
-Variables::Answer ControlVariables::frame(Quantity quantity, std::int64_t index,
-                                          control::ControlFrame& out) {
+Variables::Answer SystemVariables::frame(Quantity quantity, std::int64_t index,
+                                         control::ControlFrame& out) {
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;
     const auto frame = state_->frame(quantity, index);
@@ -126,7 +130,7 @@ Variables::Answer ControlVariables::frame(Quantity quantity, std::int64_t index,
     return Answer::Value;
 }
 
-Variables::Answer ControlVariables::text(Quantity quantity, std::int64_t index, std::string& out) {
+Variables::Answer SystemVariables::text(Quantity quantity, std::int64_t index, std::string& out) {
     if (quantity == Quantity::ProgramName) {
         const auto name = name_at_ ? name_at_(index) : std::nullopt;
         if (!name) return Answer::Missing;
@@ -141,15 +145,15 @@ Variables::Answer ControlVariables::text(Quantity quantity, std::int64_t index, 
     return Answer::Value;
 }
 
-std::optional<std::int64_t> ControlVariables::axis_number(Axis axis) const {
+std::optional<std::int64_t> SystemVariables::axis_number(Axis axis) const {
     return state_ == nullptr ? std::nullopt : state_->axis_number(axis);
 }
 
-bool ControlVariables::has_spindle(std::int64_t number) const {
+bool SystemVariables::has_spindle(std::int64_t number) const {
     return state_ == nullptr ? number <= 1 : state_->has_spindle(number);
 }
 
-void ControlVariables::say_units(ContourElements& contour) const {
+void SystemVariables::say_units(ContourElements& contour) const {
     const double unit = axis_unit(Axis::X);
     const double feed = text_scale(nc::Dimension::Feed, reader_.units(), true);
     const nc::Function function = reader_.units().inch ? nc::Function::Inch : nc::Function::Metric;
@@ -161,7 +165,7 @@ void ControlVariables::say_units(ContourElements& contour) const {
         const auto list = std::ranges::find(language_.code_lists, tables_.groups[group].name,
                                             &nc::CodeList::group);
         if (list == language_.code_lists.end()) break;
-        place = static_cast<int>(code_in_list(*list, group).value_or(place + 1)) - 1;
+        place = static_cast<int>(codes_.place_in(*list, group)) - 1;
         break;
     }
     for (ContourElement& element : contour) {
@@ -174,22 +178,21 @@ void ControlVariables::say_units(ContourElements& contour) const {
     }
 }
 
-double ControlVariables::axis_unit(Axis axis) const {
+double SystemVariables::axis_unit(Axis axis) const {
     return reader_.units().inch && !is_rotary(axis) ? kMmPerInch : 1;
 }
 
 /// How many units of the text 1 mm, or 1 degree, of the axis is.
-double ControlVariables::text_factor(const Indices& indices, std::int64_t axis) const {
-    static_cast<void>(indices);
+double SystemVariables::text_factor(std::int64_t axis) const {
     const bool is_inch = reader_.units().inch && state_->is_length(axis);
     return state_->word_factor(axis) / (is_inch ? kMmPerInch : 1);
 }
 
-double ControlVariables::to_text_units(Quantity quantity, const Indices& indices,
-                                       double value) const {
+double SystemVariables::to_text_units(Quantity quantity, const QuantityIndices& indices,
+                                      double value) const {
     if (is_of_axis(quantity)) {
         const std::int64_t axis = quantity == Quantity::WorkOffset ? indices.second : indices.first;
-        return on_increment(value * text_factor(indices, axis), state_->is_length(axis));
+        return on_increment(value * text_factor(axis), state_->is_length(axis));
     }
     if (quantity == Quantity::Feed)
         return value * text_scale(nc::Dimension::Feed, reader_.units(), true);
@@ -199,15 +202,15 @@ double ControlVariables::to_text_units(Quantity quantity, const Indices& indices
 }
 
 /// Where words are rounded to the increment, the control keeps positions and offsets in increments.
-double ControlVariables::on_increment(double value, bool is_length) const {
+double SystemVariables::on_increment(double value, bool is_length) const {
     if (!language_.rules.rounds_values) return value;
     const nc::Dimension dimension = is_length ? nc::Dimension::Length : nc::Dimension::Angle;
     const double power = std::round(1 / increment_size(tables_, dimension, reader_.units()));
     return std::round(value * power) / power + 0.0;
 }
 
-ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const Indices& indices,
-                                                       const Value& value) {
+VariableFault SystemVariables::set_number(Quantity quantity, const QuantityIndices& indices,
+                                          const Value& value) {
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
         return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
     const std::string name(info(quantity).name);
@@ -219,8 +222,8 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
         return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     double number = value.number;
     if (quantity == Quantity::WorkOffset) {
-        number = on_increment(number, state_->is_length(indices.second)) /
-                 text_factor(indices, indices.second);
+        number =
+            on_increment(number, state_->is_length(indices.second)) / text_factor(indices.second);
     }
     if (is_of_tool_data(quantity)) {
         number =
@@ -242,8 +245,8 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
     return {&diag::IsoNotSupported, {name}};
 }
 
-ControlVariables::Fault ControlVariables::store_frame(Quantity quantity, std::int64_t number,
-                                                      const control::ControlFrame& frame) {
+VariableFault SystemVariables::set_frame(Quantity quantity, std::int64_t number,
+                                         const control::ControlFrame& frame) {
     const std::string name(info(quantity).name);
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
         return {&diag::VariableReadOnly, {name}};
@@ -251,6 +254,29 @@ ControlVariables::Fault ControlVariables::store_frame(Quantity quantity, std::in
     switch (state_->set_frame(quantity, number, frame, language_.rules.offsets_act_at_once)) {
         case ControlAccess::Write::Done: return {};
         case ControlAccess::Write::NoSuchEntry: return {&diag::VariableNumber, {"of this offset"}};
+        case ControlAccess::Write::TooLarge:
+        case ControlAccess::Write::Refused: break;
+    }
+    return {&diag::IsoNotSupported, {name}};
+}
+
+VariableFault SystemVariables::set_text(Quantity quantity, std::int64_t index, const Value& value,
+                                        std::string_view text) {
+    const std::string name(info(quantity).name);
+    if (info(quantity).access == nc::QuantityInfo::Access::Read)
+        return {&diag::VariableReadOnly, {name}};
+    if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
+    Value converted = value;
+    if (VariableFault fault = convert(nc::ValueType::Text, converted, text); fault.row != nullptr)
+        return fault;
+    const std::string written = written_text(value, text);
+    const auto most = static_cast<std::size_t>(language_.rules.most_tool_name);
+    if (const std::size_t length = count_code_points(written); length > most)
+        return {&diag::TextTooLong, {std::to_string(length), std::to_string(most)}};
+    if (written.empty() && quantity == Quantity::ToolNameOf) return {&diag::ToolNameEmpty, {}};
+    switch (state_->set_text(quantity, index, written)) {
+        case ControlAccess::Write::Done: return {};
+        case ControlAccess::Write::NoSuchEntry: return {&diag::VariableNumber, {"of this tool"}};
         case ControlAccess::Write::TooLarge:
         case ControlAccess::Write::Refused: break;
     }
