@@ -10,7 +10,7 @@ const nc::Form* ActiveCodes::form(std::size_t group) const {
     const auto acts = [&](const nc::Form& form) {
         const nc::Group of = info(form.function).group;
         if (of == nc::Group::Once || form.function == nc::Function::Cycle) return false;
-        nc::Function active = reader_.modal()[static_cast<std::size_t>(of)];
+        nc::Function active = modes_.active(of);
         if (of == nc::Group::Motion && active == nc::Function::None)
             active = dialect_.first_motion();
         return active == form.function;
@@ -18,14 +18,14 @@ const nc::Form* ActiveCodes::form(std::size_t group) const {
     const auto& defaults = tables_.groups[group].power_on;
     // A modal cycle is of its own group, or of the one whose default ends cycles.
     const bool is_of_cycles = std::ranges::find(defaults, nc::Function::CycleOff) != defaults.end();
-    if (reader_.last_cycle() != nc::kNoForm &&
-        reader_.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle) {
-        const nc::Form& cycle = tables_.forms[reader_.last_cycle()];
+    if (modes_.last_cycle() != nc::kNoForm &&
+        modes_.active(nc::Group::CycleMode) == nc::Function::Cycle) {
+        const nc::Form& cycle = tables_.forms[modes_.last_cycle()];
         const bool is_here =
             cycle.group >= 0 ? cycle.group == static_cast<int>(group) : is_of_cycles;
         if (is_here) return &cycle;
     }
-    const nc::FormId last = reader_.last_form(group);
+    const nc::FormId last = modes_.last_form(group);
     if (last != nc::kNoForm) {
         const nc::Form& form = tables_.forms[last];
         // Functions that act once, as frames do, are a group where one of them is the default.
@@ -87,7 +87,7 @@ std::optional<std::int64_t> ActiveCodes::place(std::int64_t group_number) const 
 
 std::int64_t ActiveCodes::place_in(const nc::CodeList& list, std::size_t group) const {
     // A code that is no modal function of the vocabulary acts since it was said.
-    const nc::FormId last = reader_.last_form(group);
+    const nc::FormId last = modes_.last_form(group);
     const bool is_said =
         last != nc::kNoForm && info(tables_.forms[last].function).group == nc::Group::Once;
     const nc::Form* acting = is_said ? &tables_.forms[last] : form(group);

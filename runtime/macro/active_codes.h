@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "nc/dialect.h"
-#include "nc/line_reader.h"
+#include "nc/reading_modes.h"
 
 namespace kadr::macro {
 
@@ -15,8 +15,8 @@ namespace kadr::macro {
 class ActiveCodes {
   public:
     /// References outlive it.
-    ActiveCodes(const nc::Dialect& dialect, const nc::LineReader& reader)
-        : dialect_(dialect), tables_(dialect.tables()), reader_(reader) {}
+    ActiveCodes(const nc::Dialect& dialect, const nc::ReadingModes& modes)
+        : dialect_(dialect), tables_(dialect.tables()), modes_(modes) {}
 
     /// The form of the code that acts: the one programmed last, if it is still in force;
     /// null: none.
@@ -35,7 +35,7 @@ class ActiveCodes {
 
     const nc::Dialect& dialect_;
     const nc::DialectTables& tables_;
-    const nc::LineReader& reader_;
+    const nc::ReadingModes& modes_;
 };
 
 }  // namespace kadr::macro

@@ -133,7 +133,7 @@ void CallPreparation::check_call(CompiledLine& line, const ControlStatement& sta
     const nc::Call& words = line.line.calls[statement.call];
     std::string name = words.name;
     // A number that is computed is not known here.
-    if (name.empty() && words.program.is_plain && !run_.lines.failed()) {
+    if (name.empty() && words.program.is_plain && !run_.lines.faults().failed()) {
         PreparedCall ignored;
         ProgramName wanted;
         const CallForm* const form =
@@ -225,7 +225,7 @@ Outcome CallPreparation::prepare_letters(CompiledLine& line, const nc::Call& wor
             if (argument.like != nc::kNoAddress && !argument.decimal.has_point) {
                 const nc::Address& address = run_.tables.addresses[argument.like];
                 number = read_meaning(argument.decimal, address.format, address.dimension,
-                                      run_.lines.units());
+                                      run_.lines.modes().units());
             }
             run_.variables.set_argument(*out.level, argument.slot, Value::real(number));
             continue;

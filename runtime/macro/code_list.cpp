@@ -4,14 +4,14 @@ namespace kadr::macro {
 
 /// Keeps what the list depends on. True: it is as it was when the list was made.
 bool CodeList::catch_up() {
-    const std::size_t groups = reader_.tables().groups.size();
+    const std::size_t groups = tables_.groups.size();
     forms_.resize(groups, nc::kNoForm);
-    bool is_same = is_filled_ && modal_ == reader_.modal();
+    bool is_same = is_filled_ && modal_ == modes_.modal();
     for (std::size_t group = 0; group < groups; ++group) {
-        is_same = is_same && forms_[group] == reader_.last_form(group);
-        forms_[group] = reader_.last_form(group);
+        is_same = is_same && forms_[group] == modes_.last_form(group);
+        forms_[group] = modes_.last_form(group);
     }
-    modal_ = reader_.modal();
+    modal_ = modes_.modal();
     return is_same;
 }
 
@@ -19,7 +19,7 @@ const std::vector<ActiveCode>& CodeList::now() {
     if (catch_up()) return codes_;
     is_filled_ = true;
     codes_.clear();
-    const auto& groups = reader_.tables().groups;
+    const auto& groups = tables_.groups;
     for (std::size_t group = 0; group < groups.size(); ++group) {
         const nc::Form* form = active_.form(group);
         if (form == nullptr || form->words.empty()) continue;

@@ -18,8 +18,9 @@ struct ActiveCode {
 class CodeList {
   public:
     /// References outlive the list.
-    CodeList(const ActiveCodes& active, const nc::LineReader& reader)
-        : active_(active), reader_(reader) {}
+    CodeList(const ActiveCodes& active, const nc::DialectTables& tables,
+             const nc::ReadingModes& modes)
+        : active_(active), tables_(tables), modes_(modes) {}
 
     /// The groups of which a code acts, in the order of the dialect. Looked up anew only if a line
     /// that was read since has changed something.
@@ -29,7 +30,8 @@ class CodeList {
     bool catch_up();
 
     const ActiveCodes& active_;
-    const nc::LineReader& reader_;
+    const nc::DialectTables& tables_;
+    const nc::ReadingModes& modes_;
     bool is_filled_ = false;
     nc::ModalFunctions modal_{};
     std::vector<nc::FormId> forms_;

@@ -53,8 +53,10 @@ Outcome ComputedWords::read(CompiledLine& line, Block& out) {
         const bool is_fine_round =
             run_.language.rules.round_in_word && code.computed[i].argument < 0;
         Value value;
-        const Outcome done = run_.evaluate(line, code.computed[i].value, value,
-                                           is_fine_round ? run_.lines.value_decimals(code, i) : -1);
+        const Outcome done = run_.evaluate(
+            line, code.computed[i].value, value,
+            is_fine_round ? nc::value_decimals(run_.tables, run_.lines.modes().units(), code, i)
+                          : -1);
         if (!goes_on(done)) return done;
         // An axis among the arguments of a call is said by its number, X by -1.
         const bool is_axis_argument = value.axis() && code.computed[i].argument >= 0;

@@ -78,7 +78,7 @@ void InputEvents::act_event(const InputEvent& event) {
     const LinePosition goes_on = std::exchange(run_.frame->goes_on, line.place.next);
     const std::size_t resume = std::exchange(run_.frame->resume, 0);
     const bool has_executed = run_.frame->has_executed;
-    run_.lines.enter(apart);
+    run_.lines.bounds().enter(apart);
     run_.lines.begin(event.file_line);
     DiagnosticList heard;
     run_.ear.listen(&heard);
@@ -90,13 +90,13 @@ void InputEvents::act_event(const InputEvent& event) {
         run_.fail(line, diag::InputNoValue, {0, 1});
     run_.variables.machine_values().let_machine_write(false);
     run_.ear.listen(nullptr);
-    if (run_.lines.failed()) {
-        run_.lines.forget_fault();
+    if (run_.lines.faults().failed()) {
+        run_.lines.faults().forget_fault();
         run_.machine_inputs.tell_wrong(event.text, heard.all(), true);
-        run_.lines.note_fault();
+        run_.lines.faults().note_fault();
         run_.end();
     }
-    run_.lines.enter(run_.frame->text);
+    run_.lines.bounds().enter(run_.frame->text);
     run_.lines.begin(run_.frame->here.line);
     run_.frame->goes_on = goes_on;
     run_.frame->resume = resume;

@@ -19,7 +19,7 @@ void LineCompiler::compile(CompiledLine& line, Block& out) {
     line.kind = CompiledLine::Kind::Nothing;
     line.context = run_.context();
     if (run_.lines.check_kind(line.text) != nc::LineReader::LineKind::Words) {
-        if (run_.lines.has_ended()) line.kind = CompiledLine::Kind::End;
+        if (run_.lines.bounds().has_ended()) line.kind = CompiledLine::Kind::End;
         return;
     }
     // Of anybody else's line only what it says counts: `#100=#5061` is an assignment.
@@ -44,7 +44,7 @@ void LineCompiler::compile_language(CompiledLine& line) {
     if (!fault) return;
     note_lost_names(line);
     // A name that a line with a mistake should have declared is no second mistake.
-    if (is_lost(line, *fault)) run_.lines.note_fault();
+    if (is_lost(line, *fault)) run_.lines.faults().note_fault();
     else run_.lines.report_fault(line.text, *fault);
 }
 

@@ -66,7 +66,7 @@ bool Program::is_behind_fault(const Block& block) const {
     return state_->phase.has_visible_fault;
 }
 std::uint64_t Program::lines() const { return state_->counts.most_line; }
-bool Program::has_fault() const { return state_->lines.failed(); }
+bool Program::has_fault() const { return state_->lines.faults().failed(); }
 std::vector<Program::EventAhead> Program::events_ahead() const {
     std::vector<EventAhead> ahead;
     for (const InputEvents::PendingEvent& each : state_->events.pending())

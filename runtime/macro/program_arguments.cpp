@@ -49,7 +49,7 @@ Outcome prepare_arguments(ProgramRun& run, CompiledLine& line) {
     if (line.text.empty()) return Outcome::Nothing;
     line.context = run.context();
     run.line_compiler.compile_language(line);
-    if (run.lines.failed()) return Outcome::Failed;
+    if (run.lines.faults().failed()) return Outcome::Failed;
     if (line.line.calls.size() != 1)
         return run.fail(line, diag::CallIncomplete, {0, 1}, {*run.options.call});
     const nc::Call& words = line.line.calls[0];
@@ -84,24 +84,24 @@ Outcome begin_with_arguments(ProgramRun& run) {
     line.place = {run.frame->here, run.frame->here};
     nc::TextState apart;
     apart.name = "--call";
-    run.lines.enter(apart);
+    run.lines.bounds().enter(apart);
     run.lines.begin(1);
     DiagnosticList heard;
     run.ear.listen(&heard);
     const Outcome done = prepare_arguments(run, line);
     run.ear.listen(nullptr);
-    if (run.lines.failed() || line.text.empty()) {
-        run.lines.forget_fault();
+    if (run.lines.faults().failed() || line.text.empty()) {
+        run.lines.faults().forget_fault();
         const auto place =
             run.lines.place(line.text.empty() ? *run.options.call : line.text, 1, {0, 1});
         const bool is_told = !heard.all().empty();
         run.sink.report(diag::CallWrong, is_told ? heard.all()[0].line.value_or(place) : place)
             .arg(is_told ? heard.all()[0].message()
                          : std::string("`" + *run.options.call + "` is no list of arguments here"));
-        run.lines.note_fault();
+        run.lines.faults().note_fault();
         run.end();
     }
-    run.lines.enter(run.frame->text);
+    run.lines.bounds().enter(run.frame->text);
     if (done != Outcome::Wait) run.frames[0]->is_called = true;
     return done;
 }

@@ -25,7 +25,7 @@ ProgramBase::ProgramBase(const nc::Dialect& dialect_, nc::TextSource& main, std:
       units(dialect_, main, name, options.kept_text, options.files),
       variables(dialect_, lines),
       evaluator(language.rules, variables.globals(), variables.level(), variables),
-      codes(variables.system_variables().codes(), lines),
+      codes(variables.system_variables().codes(), tables, lines.modes()),
       writes(variables, evaluator, language) {
     kept.keep_earlier(options.kept_lines);
     auto first = std::make_unique<Frame>();
@@ -38,7 +38,7 @@ ProgramBase::ProgramBase(const nc::Dialect& dialect_, nc::TextSource& main, std:
         [this](const std::string& missing, const std::string& meaning) {
             missing_inputs_.push_back({missing, meaning, evaluator.place()});
         });
-    lines.add_notes([this](DiagnosticBuilder& message) {
+    lines.faults().add_notes([this](DiagnosticBuilder& message) {
         for (TextLocation& call : nc::places_of(frame->site.get()))
             message.note(std::move(call), "called here");
     });
@@ -148,7 +148,7 @@ void ProgramBase::resume_frame(Frame& next) {
     variables.enter(*next.level);
     evaluator.enter(*next.level);
     variables.system_variables().set_program_level(frames.size() - 1);
-    lines.enter(next.text);
+    lines.bounds().enter(next.text);
 }
 
 }  // namespace kadr::macro

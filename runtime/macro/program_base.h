@@ -98,7 +98,7 @@ class ProgramBase {
 
     /// Of a declaration: behind a mistake in any line names are declared, and their values are not
     /// worked out.
-    bool is_sound(Outcome done) const { return goes_on(done) && !lines.failed(); }
+    bool is_sound(Outcome done) const { return goes_on(done) && !lines.faults().failed(); }
     /// decimals  as Evaluator::run has them
     Outcome evaluate(CompiledLine& line, const nc::Expression& expression, Value& out,
                      int decimals = -1);

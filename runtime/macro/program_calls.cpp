@@ -135,7 +135,7 @@ Outcome Calls::begin(CompiledLine& line, const PreparedCall& call) {
         callee->here = found.line;
     }
     if (call.from) callee->here = call.from->line;
-    if (saves || call.is_shape) callee->modal_before = run_.lines.modal();
+    if (saves || call.is_shape) callee->modal_before = run_.lines.modes().modal();
     if (saves) run_.interpreter->keep_frames();
     begins_ = std::move(callee);
     return Outcome::Nothing;
@@ -152,10 +152,10 @@ Outcome Calls::declare_procedure(CompiledLine& line, const ControlStatement& sta
         return run_.fail(line, diag::DeclarationMisplaced, statement.span);
     const bool was_called =
         (run_.frames.size() > 1 || run_.frame->is_called) && !run_.phase.is_only_checking;
-    const bool had_failed = run_.lines.failed();
+    const bool had_failed = run_.lines.faults().failed();
     Outcome done = Outcome::Nothing;
     for (const nc::ProcedureParameter& parameter : statement.parameters) {
-        if (was_called || done == Outcome::Wait || (run_.lines.failed() && !had_failed))
+        if (was_called || done == Outcome::Wait || (run_.lines.faults().failed() && !had_failed))
             return done;
         std::uint32_t characters = 0;
         done = run_.value_statements.text_size(line, parameter.type_size, characters);

@@ -81,7 +81,7 @@ void MachineInputs::begin() {
 void MachineInputs::leave() {
     run_.variables.note_changes(onlooker_changes_);
     if (!has_wrong_) return;
-    run_.lines.note_fault();
+    run_.lines.faults().note_fault();
     run_.end();
 }
 
@@ -105,9 +105,9 @@ Outcome MachineInputs::step(Block& out) {
     run_.variables.machine_values().let_machine_write(false);
     run_.ear.listen(nullptr);
     if (done == Outcome::Wait) return done;
-    if (run_.lines.failed()) {
+    if (run_.lines.faults().failed()) {
         tell_wrong(run_.scratch.text, heard.all(), run_.frame->inputs->is_said);
-        run_.lines.forget_fault();
+        run_.lines.faults().forget_fault();
         out.reset();
         done = Outcome::Nothing;
     }
@@ -125,7 +125,7 @@ Outcome MachineInputs::run(CompiledLine& line, Block& out) {
     if (!run_.lines.read_plain(line.text, out)) {
         line.context = run_.context();
         run_.line_compiler.compile_language(line);
-        if (run_.lines.failed()) return Outcome::Failed;
+        if (run_.lines.faults().failed()) return Outcome::Failed;
         for (const nc::ControlStatement& statement : line.line.statements) {
             const bool is_assignment =
                 statement.kind == Statement::Assign || statement.kind == Statement::NameVariables;
@@ -141,7 +141,7 @@ Outcome MachineInputs::run(CompiledLine& line, Block& out) {
         if (!line.line.calls.empty()) return run_.fail(line, diag::InputNoValue, whole);
         done = run_.run(line, out);
     }
-    if (done != Outcome::Block || run_.lines.failed()) return done;
+    if (done != Outcome::Block || run_.lines.faults().failed()) return done;
     return writes_data(out) ? done : run_.fail(line, diag::InputNoValue, whole);
 }
 

@@ -96,7 +96,8 @@ void Jumps::check(CompiledLine& line, const std::vector<ControlStatement>& state
         const bool is_jump = statement.kind == Statement::Jump ||
                              statement.kind == Statement::JumpForward ||
                              statement.kind == Statement::JumpBackward;
-        if (run_.lines.failed() || !is_jump || !is_fixed(line.line, statement.target)) continue;
+        if (run_.lines.faults().failed() || !is_jump || !is_fixed(line.line, statement.target))
+            continue;
         LineTarget target;
         std::optional<Place> found;
         find_target(line, statement, target, found);
@@ -245,7 +246,7 @@ Outcome Jumps::pass_end(const CompiledLine& line, const ControlStatement& statem
     DiagnosticBuilder message = run_.sink.report(
         diag::EndOfNothing, run_.lines.place(line.text, line.place.line.line, statement.span));
     message.arg(line.text.substr(statement.span.begin, statement.span.end - statement.span.begin));
-    run_.lines.write_notes(message);
+    run_.lines.faults().write_notes(message);
     return Outcome::Nothing;
 }
 

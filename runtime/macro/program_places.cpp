@@ -34,9 +34,9 @@ void ModalCalls::call_at_positions(const Block& block, const PreparedCall& activ
         nc::CallSite{run_.lines.place(text_of_line, number, {0, 1}), run_.frame->site});
     calls.line = block.line;
     calls.number = number;
-    calls.modal_before = run_.lines.modal();
+    calls.modal_before = run_.lines.modes().modal();
     Block ignored{};
-    run_.lines.restore(modal_between_places(calls), ignored);
+    run_.lines.modes().restore(modal_between_places(calls), ignored);
 }
 
 /// The tool stands at a place: the call; behind it on to the next one, which the interpreter does
@@ -51,8 +51,8 @@ Outcome ModalCalls::go_on_at_places(Block& out) {
         due_ = calls.call;
         return begin_due();
     }
-    run_.lines.restore(is_at_pattern_position ? modal_between_places(calls) : calls.modal_before,
-                       out);
+    run_.lines.modes().restore(
+        is_at_pattern_position ? modal_between_places(calls) : calls.modal_before, out);
     const bool says_something = out.function_count > 0 || out.motion != Function::None;
     out.line = calls.line;
     run_.kept.add(out.line, calls.number, calls.call.site->place.text, &run_.text().name,

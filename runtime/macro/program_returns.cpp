@@ -192,7 +192,7 @@ Outcome Returns::finish(Block& out) {
             run_.machine_inputs.leave();
         if (left->saves) run_.interpreter->restore_frames(true);
         if (left->call.is_shape) out.add(Function::CycleCall);
-        if (left->saves || left->call.is_shape) run_.lines.restore(left->modal_before, out);
+        if (left->saves || left->call.is_shape) run_.lines.modes().restore(left->modal_before, out);
     }
     if (out.function_count > 0 || out.motion != Function::None) {
         out.line = run_.units.line_id(left_text, std::max<std::uint64_t>(from.line, 2) - 1);

@@ -37,12 +37,12 @@ std::size_t ProgramRun::pull(std::span<Block> out) {
     if (!phase.has_begun) begin_main();
     kept.clear();
     counts.given = 0;
-    phase.has_visible_fault = lines.failed();
+    phase.has_visible_fault = lines.faults().failed();
     variables.system_variables().set_in_step(true);
     while (counts.given < out.size() && !phase.has_ended && take_step()) {
         Block& block = out[counts.given];
         block.reset();
-        const bool had_fault = lines.failed();
+        const bool had_fault = lines.faults().failed();
         const bool is_program = frame->inputs == nullptr && !frame->is_definition;
         if (options.call && is_program && !frames[0]->is_called) [[unlikely]] {
             if (counts.given > 0 || begin_with_arguments(*this) == Outcome::Wait)
@@ -64,7 +64,7 @@ std::size_t ProgramRun::pull(std::span<Block> out) {
         if (frame->at_positions && counts.given > 0) return counts.given;
         variables.system_variables().set_in_step(counts.given == 0);
         if (done == Outcome::Wait) return counts.given;
-        if (lines.failed() && !had_fault) {
+        if (lines.faults().failed() && !had_fault) {
             phase.is_only_checking = true;
             if (counts.given > 0) return counts.given;
             phase.has_visible_fault = true;
@@ -93,7 +93,7 @@ bool ProgramRun::runs_flat() {
     const bool is_called = modal_calls.has_due() || shape_calls.has_modal() || frame->call.to ||
                            frame->is_returning || !modal_calls.is_empty() ||
                            !frame->macros.is_empty();
-    const bool is_at_end = phase.is_only_checking || phase.has_ended || lines.has_ended();
+    const bool is_at_end = phase.is_only_checking || phase.has_ended || lines.bounds().has_ended();
     const bool is_told = frame->inputs != nullptr || events.waits_for_block();
     return !is_called && !is_at_end && !phase.is_waiting && !is_told && watch == nullptr &&
            frame->repeats.empty();
@@ -162,7 +162,7 @@ Outcome ProgramRun::step(Block& out) {
         end();
         return Outcome::Nothing;
     }
-    if (lines.has_ended()) return end_of_text();
+    if (lines.bounds().has_ended()) return end_of_text();
     if (frame->here.offset >= frontier().offset) return first_time(out);
     CompiledLine* const line =
         frame->next_line != nullptr ? frame->next_line : line_at(frame->here);
@@ -207,7 +207,7 @@ Outcome ProgramRun::first_time(Block& out) {
         scratch.text.clear();
         scratch.place = {frame->here, frame->here};
         end();
-        if (lines.failed()) return Outcome::Nothing;  // said at the jump
+        if (lines.faults().failed()) return Outcome::Nothing;  // said at the jump
         return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(frame->here.line)});
     }
     if (frame->here.offset != frontier().offset) note_passed_text();
@@ -251,7 +251,7 @@ Outcome ProgramRun::finish_first(Outcome done, std::string_view text, LinePositi
     if (frame->goes_on != next) frame->here = frame->goes_on;
     if (!frame->repeats.empty()) advance();
     if (done == Outcome::Block) {
-        deliver(out, lines.shown(text, number), number, false);
+        deliver(out, lines.bounds().shown(text, number), number, false);
         if (out.function_count != 0) shape_calls.follow(out, text, {{offset, number}, next});
         if (shape_calls.has_modal()) shape_calls.follow_modal(out);
     }
@@ -273,7 +273,7 @@ Outcome ProgramRun::end_of_text() {
         return fail(scratch, diag::ReturnMissing, {});
     }
     // Programs that stand behind are read for their mistakes.
-    const bool is_at_head = lines.has_ended() && !language.calls.headers.empty();
+    const bool is_at_head = lines.bounds().has_ended() && !language.calls.headers.empty();
     if (!phase.is_only_checking || !is_at_head || !source().seek(frame->here.offset)) {
         end();
         return Outcome::Nothing;
@@ -369,7 +369,7 @@ void ProgramRun::end_after(Block& block) {
         return;
     }
     phase.is_only_checking = true;
-    lines.finish_points();
+    lines.finish();
     modal_calls.drop_due();
     if (frames.size() == 1) return;
     // The main program knows what is defined, whatever is wrong beside it.
@@ -464,8 +464,8 @@ Outcome ProgramRun::run(CompiledLine& line, Block& out) {
     const nc::LexedLine& words = line.line.words;
     if (words.skip >= 0 && (options.skip_levels >> words.skip & 1u) != 0) return Outcome::Nothing;
     if (!words.passed.empty()) {
-        lines.note_content();
-        lines.say_passed(words, line.text);
+        lines.bounds().note_content();
+        lines.tell_passed(words, line.text);
     }
     const std::vector<ControlStatement>& statements = line.line.statements;
     // A subprogram is called behind the words of its block.
@@ -492,7 +492,7 @@ Outcome ProgramRun::run(CompiledLine& line, Block& out) {
         !statements.empty() &&
         (statements[0].kind == Statement::Declare || statements[0].kind == Statement::DefineMacro ||
          statements[0].kind == Statement::Procedure);
-    if (!statements.empty()) lines.note_content();
+    if (!statements.empty()) lines.bounds().note_content();
     if (!statements.empty() && (!phase.is_only_checking || is_declaration)) {
         const bool is_head = is_declaration || statements[0].kind == Statement::External;
         if (!is_head) frame->has_executed = true;
@@ -505,7 +505,8 @@ Outcome ProgramRun::run(CompiledLine& line, Block& out) {
             ++counts.executed;
             const Outcome done = execute(line, statements[frame->resume], out);
             if (done != Outcome::Nothing || phase.has_ended) return done;
-            if (lines.failed() || frame->goes_on != line.place.next) return Outcome::Nothing;
+            if (lines.faults().failed() || frame->goes_on != line.place.next)
+                return Outcome::Nothing;
             ++frame->resume;
         }
     }

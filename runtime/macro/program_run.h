@@ -85,7 +85,7 @@ class ProgramRun : public ProgramBase {
     void begin_main();
     bool take_step();
     bool is_in_cycle_mode() const {
-        return lines.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle;
+        return lines.modes().active(nc::Group::CycleMode) == nc::Function::Cycle;
     }
     bool is_at_limit() const {
         return options.max_blocks != 0 && counts.executed + counts.blocks >= options.max_blocks;

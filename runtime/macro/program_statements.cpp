@@ -127,7 +127,7 @@ Outcome ProgramRun::pass_synchronous(CompiledLine& line, const ControlStatement&
     DiagnosticBuilder message =
         sink.report(diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
     message.arg(line.text.substr(whole.begin, whole.end - whole.begin));
-    lines.write_notes(message);
+    lines.faults().write_notes(message);
     return Outcome::Nothing;
 }
 

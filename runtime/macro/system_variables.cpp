@@ -91,13 +91,13 @@ Variables::Answer SystemVariables::number(Quantity quantity, std::int64_t first,
     }
     switch (quantity) {
         case Quantity::BlockNumber: out = static_cast<double>(block_number_); return Answer::Value;
-        case Quantity::MachineCode: out = reader_.machine_code(); return Answer::Value;
+        case Quantity::MachineCode: out = reader_.modes().machine_code(); return Answer::Value;
         case Quantity::ModalCall: out = modal_call_ ? modal_call_() : 0; return Answer::Value;
         case Quantity::ProgramLevel:
             out = static_cast<double>(program_level_);
             return Answer::Value;
         case Quantity::ProgramNumber:
-            out = static_cast<double>(whole_number(reader_.text().program).value_or(0));
+            out = static_cast<double>(whole_number(reader_.bounds().text().program).value_or(0));
             return Answer::Value;
         default: break;
     }
@@ -155,10 +155,11 @@ bool SystemVariables::has_spindle(std::int64_t number) const {
 
 void SystemVariables::say_units(ContourElements& contour) const {
     const double unit = axis_unit(Axis::X);
-    const double feed = text_scale(nc::Dimension::Feed, reader_.units(), true);
-    const nc::Function function = reader_.units().inch ? nc::Function::Inch : nc::Function::Metric;
+    const double feed = text_scale(nc::Dimension::Feed, reader_.modes().units(), true);
+    const nc::Function function =
+        reader_.modes().units().inch ? nc::Function::Inch : nc::Function::Metric;
     // The code that acts by its place in the list of its group.
-    int place = reader_.units().inch ? 0 : 1;
+    int place = reader_.modes().units().inch ? 0 : 1;
     for (const nc::Form& form : tables_.forms) {
         if (form.function != function || form.group < 0) continue;
         const auto group = static_cast<std::size_t>(form.group);
@@ -173,18 +174,18 @@ void SystemVariables::say_units(ContourElements& contour) const {
         element.shape.to /= unit;
         element.shape.center /= unit;
         element.feed *= feed;
-        element.modes.is_metric = !reader_.units().inch;
+        element.modes.is_metric = !reader_.modes().units().inch;
         element.modes.units = place;
     }
 }
 
 double SystemVariables::axis_unit(Axis axis) const {
-    return reader_.units().inch && !is_rotary(axis) ? kMmPerInch : 1;
+    return reader_.modes().units().inch && !is_rotary(axis) ? kMmPerInch : 1;
 }
 
 /// How many units of the text 1 mm, or 1 degree, of the axis is.
 double SystemVariables::text_factor(std::int64_t axis) const {
-    const bool is_inch = reader_.units().inch && state_->is_length(axis);
+    const bool is_inch = reader_.modes().units().inch && state_->is_length(axis);
     return state_->word_factor(axis) / (is_inch ? kMmPerInch : 1);
 }
 
@@ -195,9 +196,10 @@ double SystemVariables::to_text_units(Quantity quantity, const QuantityIndices& 
         return on_increment(value * text_factor(axis), state_->is_length(axis));
     }
     if (quantity == Quantity::Feed)
-        return value * text_scale(nc::Dimension::Feed, reader_.units(), true);
+        return value * text_scale(nc::Dimension::Feed, reader_.modes().units(), true);
     if (is_of_tool_data(quantity))
-        return on_increment(value * text_scale(nc::Dimension::Length, reader_.units(), true), true);
+        return on_increment(
+            value * text_scale(nc::Dimension::Length, reader_.modes().units(), true), true);
     return value;
 }
 
@@ -205,7 +207,8 @@ double SystemVariables::to_text_units(Quantity quantity, const QuantityIndices& 
 double SystemVariables::on_increment(double value, bool is_length) const {
     if (!language_.rules.rounds_values) return value;
     const nc::Dimension dimension = is_length ? nc::Dimension::Length : nc::Dimension::Angle;
-    const double power = std::round(1 / increment_size(tables_, dimension, reader_.units()));
+    const double power =
+        std::round(1 / increment_size(tables_, dimension, reader_.modes().units()));
     return std::round(value * power) / power + 0.0;
 }
 
@@ -226,8 +229,8 @@ VariableFault SystemVariables::set_number(Quantity quantity, const QuantityIndic
             on_increment(number, state_->is_length(indices.second)) / text_factor(indices.second);
     }
     if (is_of_tool_data(quantity)) {
-        number =
-            on_increment(number, true) / text_scale(nc::Dimension::Length, reader_.units(), true);
+        number = on_increment(number, true) /
+                 text_scale(nc::Dimension::Length, reader_.modes().units(), true);
     }
     switch (state_->set_quantity(quantity, indices.first, indices.second, number,
                                  language_.rules.offsets_act_at_once)) {

@@ -13,6 +13,7 @@
 #include "macro/control_access.h"
 #include "macro/evaluator.h"
 #include "macro/value_types.h"
+#include "nc/line_reader.h"
 
 namespace kadr::macro {
 
@@ -34,7 +35,7 @@ class SystemVariables {
         : tables_(dialect.tables()),
           language_(tables_.language),
           reader_(reader),
-          codes_(dialect, reader) {}
+          codes_(dialect, reader.modes()) {}
 
     /// Whose state it is. Without a control what it would know is not supported.
     void follow(ControlAccess& state) { state_ = &state; }

@@ -159,12 +159,12 @@ Outcome ValueStatements::declare(CompiledLine& line, const ControlStatement& sta
     if (run_.frame->has_executed)
         return run_.fail(line, diag::DeclarationMisplaced, statement.span);
     // Behind a mistake names are declared for the sake of the lines that are only read.
-    const bool had_failed = run_.lines.failed();
+    const bool had_failed = run_.lines.faults().failed();
     std::uint32_t characters = 0;
     Outcome done = text_size(line, statement.type_size, characters);
     if (done != Outcome::Wait && run_.frame->is_definition) done = limit(line, statement);
     for (const nc::Declaration& declaration : statement.declarations) {
-        if (done == Outcome::Wait || (run_.lines.failed() && !had_failed)) return done;
+        if (done == Outcome::Wait || (run_.lines.faults().failed() && !had_failed)) return done;
         done = declare_one(line, declaration, statement.type, characters);
     }
     return done;
@@ -208,13 +208,13 @@ Outcome ValueStatements::declare_one(CompiledLine& line, const nc::Declaration& 
     symbol.text_size = characters;
     symbol.dimensions = declaration.dimensions;
     double count = 1;
-    const bool had_failed = run_.lines.failed();
+    const bool had_failed = run_.lines.faults().failed();
     for (std::size_t i = 0; i < declaration.dimensions; ++i) {
         Value length = Value::real(1);  // of a parameter whose size the caller's array says
         Outcome done = Outcome::Nothing;
         if (declaration.sizes[i].is_given())
             done = run_.evaluate(line, declaration.sizes[i], length);
-        if (done == Outcome::Wait || (run_.lines.failed() && !had_failed)) return done;
+        if (done == Outcome::Wait || (run_.lines.faults().failed() && !had_failed)) return done;
         // Where lines are only read nobody has given the parameters a value.
         if (run_.phase.is_only_checking && !(length.number >= 1)) length = Value::real(1);
         count *= length.number;
@@ -272,8 +272,8 @@ Outcome ValueStatements::raise(CompiledLine& line, const Span& span, double numb
     const auto own = run_.dialect.alarm(diag::ProgramAlarm);
     DiagnosticBuilder message = run_.sink.report(diag::ProgramAlarm, place);
     message.arg(shown).alarm((own ? own->number : std::string()) + shown, text);
-    run_.lines.write_notes(message);
-    run_.lines.note_fault();
+    run_.lines.faults().write_notes(message);
+    run_.lines.faults().note_fault();
     return Outcome::Failed;
 }
 

@@ -93,9 +93,10 @@ template <typename IsWanted>
 TextLocation KeptLines::place_word(const Block& block, IsWanted is_wanted) const {
     const Found kept = find(block.line);
     if (kept.line == nullptr) return reader_.place({}, block.line, {});
-    const std::string& file = kept.line->file != nullptr ? *kept.line->file : reader_.text().name;
-    return LineReader::place(file, kept.text, kept.line->number,
-                             find_word(reader_.tables(), kept.text, is_wanted));
+    const std::string& file =
+        kept.line->file != nullptr ? *kept.line->file : reader_.bounds().text().name;
+    return location_in_line(file, kept.text, kept.line->number,
+                            find_word(reader_.tables(), kept.text, is_wanted));
 }
 
 std::vector<TextLocation> KeptLines::calls(const Block& block) const {

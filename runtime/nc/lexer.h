@@ -41,6 +41,11 @@ struct LexedLine {
     Span comment_form_span;
 
     void clear();
+    /// A word as it stands in `line`, which these words are of.
+    std::string text_of(std::string_view line, std::size_t word) const {
+        const Span& span = spans[word];
+        return std::string(line.substr(span.begin, span.end - span.begin));
+    }
 };
 
 /// A mistake in a line: the row, its place, and what to say.

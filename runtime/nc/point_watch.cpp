@@ -1,10 +1,10 @@
 #include "nc/point_watch.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/danger_limits.h"
 #include "base/diagnostics/doubtful.h"
-#include "nc/line_reader.h"
 
 namespace kadr::nc {
 
@@ -18,6 +18,40 @@ constexpr int kMostTold = 5;
 
 }  // namespace
 
+void PointWatch::watch(const Claim& claim, const LexedLine& words, std::string_view line) {
+    const GivenWord& word = words.words[claim.word];
+    const Address& address = tables_.addresses[word.address];
+    if (word.is_computed || !counts_increments(address)) return;
+    const Decimal& decimal = words.decimals[claim.word];
+    const Span& span = words.spans[claim.word];
+    const TextUnits& units = modes_.units();
+    if (decimal.has_point) note_point();
+    if (!decimal.has_point && decimal.value != 0 &&
+        takes(decimal.value, faults_.line_number(), span.begin)) {
+        const double meaning = read_meaning(decimal, address.format, claim.dimension, units);
+        kept_.push_back({faults_.location(line, span), words.text_of(line, claim.word),
+                         quantity_words(meaning, claim.dimension, units)});
+    }
+    for (WholePosition& whole : take_told()) {
+        DiagnosticBuilder message = faults_.message(diag::PointMissing, std::move(whole.place));
+        message.arg(whole.word).arg(whole.quantity).fix("`" + whole.word + ".` has its point");
+        faults_.write_notes(message);
+    }
+}
+
+void PointWatch::finish() {
+    if (faults_.failed() || !is_all_whole()) return;
+    is_open_ = false;
+    const double reach = reach_ * increment_size(tables_, Dimension::Length, modes_.units());
+    DiagnosticBuilder message = faults_.message(diag::PathInIncrements, kept_.front().place);
+    message.arg(quantity_words(reach, Dimension::Length, modes_.units()));
+    // What a number without a point is on other machines.
+    const auto other = tables_.foreign.find(".");
+    if (other != tables_.foreign.end() && !other->second.empty()) message.fix(other->second);
+}
+
+/// A number without a point, which stands at this line and column; false: it was noted before, or
+/// tells that the text is written in increments.
 bool PointWatch::takes(double number, std::uint64_t line, std::uint32_t column) {
     // Far from zero it is no millimetre that lost its point: somebody counts in increments.
     if (std::fabs(number) > danger::kMostWholePosition || seen_.size() == kMostSeen) {
@@ -31,48 +65,13 @@ bool PointWatch::takes(double number, std::uint64_t line, std::uint32_t column) 
     return kept_.size() < std::size_t{kMostTold};
 }
 
-std::vector<WholePosition> PointWatch::take_told() {
+/// What is to be told now: nothing before a position with a point has come.
+std::vector<PointWatch::WholePosition> PointWatch::take_told() {
     if (!has_points_) return {};
     std::vector<WholePosition> told = std::exchange(kept_, {});
     told_ += static_cast<int>(told.size());
     if (told_ >= kMostTold) is_open_ = false;
     return told;
-}
-
-// ---------------------------------------------------------------- where the reader asks
-
-/// A position of the line as it was read: whether it has its point, where a number without one is a
-/// thousandth.
-void LineReader::watch_point(const Claim& claim, std::string_view line) {
-    const GivenWord& word = lexed_->words[claim.word];
-    const Address& address = tables_.addresses[word.address];
-    if (word.is_computed || !counts_increments(address)) return;
-    const Decimal& decimal = lexed_->decimals[claim.word];
-    const Span& span = lexed_->spans[claim.word];
-    if (decimal.has_point) points_.note_point();
-    if (!decimal.has_point && decimal.value != 0 &&
-        points_.takes(decimal.value, line_number_, span.begin)) {
-        const double meaning = read_meaning(decimal, address.format, claim.dimension, units_);
-        points_.keep({place(line, line_number_, span), word_text(line, claim.word),
-                      quantity_words(meaning, claim.dimension, units_)});
-    }
-    for (WholePosition& whole : points_.take_told()) {
-        DiagnosticBuilder message = sink_.report(diag::PointMissing, std::move(whole.place));
-        message.arg(whole.word).arg(whole.quantity).fix("`" + whole.word + ".` has its point");
-        write_notes(message);
-    }
-}
-
-void LineReader::finish_points() {
-    if (failed_ || !points_.is_all_whole()) return;
-    points_.close();
-    const TextUnits& units = units_;
-    const double reach = points_.reach() * increment_size(tables_, Dimension::Length, units);
-    DiagnosticBuilder message = sink_.report(diag::PathInIncrements, points_.first().place);
-    message.arg(quantity_words(reach, Dimension::Length, units));
-    // What a number without a point is on other machines.
-    const auto other = tables_.foreign.find(".");
-    if (other != tables_.foreign.end() && !other->second.empty()) message.fix(other->second);
 }
 
 }  // namespace kadr::nc

@@ -31,7 +31,8 @@ std::size_t Reader::pull(std::span<Block> out) {
     std::size_t count = 0;
     std::string_view line;
     bool is_too_long = false;
-    while (count < out.size() && !s.lines.has_ended() && s.source.next(line, is_too_long)) {
+    while (count < out.size() && !s.lines.bounds().has_ended() &&
+           s.source.next(line, is_too_long)) {
         ++s.line_number;
         if (is_too_long) {
             s.lines.report_too_long(line, s.line_number);
@@ -47,9 +48,9 @@ std::size_t Reader::pull(std::span<Block> out) {
     return count;
 }
 
-bool Reader::failed() const { return state_->lines.failed(); }
+bool Reader::failed() const { return state_->lines.faults().failed(); }
 std::uint64_t Reader::lines() const { return state_->line_number; }
-std::uint64_t Reader::first_fault() const { return state_->lines.first_fault(); }
+std::uint64_t Reader::first_fault() const { return state_->lines.faults().first_fault(); }
 
 TextLocation Reader::place(const Block& block) const { return state_->kept.place(block); }
 TextLocation Reader::place(const Block& block, Slot slot) const {

@@ -73,7 +73,7 @@ struct Address {
 /// What a code (`G1`) can begin.
 struct Code {
     FormId simple = kNoForm;             // the form that is this one word and needs no other
-    Function function = Function::None;  // of `simple`, if it sets nothing else: the fast way
+    Function function = Function::None;  // of `simple`, if it sets nothing else: for plain lines
     bool is_plain = false;               // nothing but `function` has to be looked at
     std::vector<FormId> forms;           // all of them
 };

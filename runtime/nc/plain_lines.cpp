@@ -1,5 +1,5 @@
-// The fast way: codes and numbers of one letter each, as nearly all lines are. Whatever needs a
-// second look sends the line the long way, from its start.
+#include "nc/plain_lines.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +8,6 @@
 #include "base/powers.h"
 #include "base/short_number.h"
 #include "nc/letters.h"
-#include "nc/line_reader.h"
 
 namespace kadr::nc {
 
@@ -36,9 +35,20 @@ bool is_literal(const NumberFormat& format) {
 
 }  // namespace
 
+PlainLines::PlainLines(const DialectTables& tables, const ReadingModes& modes, PointWatch& points)
+    : tables_(tables), modes_(modes), points_(points) {
+    for (std::size_t letter = 0; letter < letters_.size(); ++letter) prepare_letter(letter);
+    prepare_names();
+    if (!modes.is_feed_pitch()) return;
+    for (const FunctionInfo& thread : all_functions()) {
+        if (has_fact(thread.function, Fact::Pitch) && !is_tapping(thread.function))
+            closely_read_.set(static_cast<std::size_t>(thread.function));
+    }
+}
+
 /// Whether a word of the address means its slot but under certain motions and length
 /// compensations, which are noted.
-bool LineReader::are_of_motions(const Address& address) {
+bool PlainLines::are_of_motions(const Address& address) {
     for (const FormId id : address.forms) {
         const std::vector<Function>& during = tables_.forms[id].during;
         const Group group = during.size() == 1 ? info(during[0]).group : Group::Once;
@@ -47,56 +57,57 @@ bool LineReader::are_of_motions(const Address& address) {
     }
     return true;
 }
-/// How the fast way reads a word of the address.
-FastLetter LineReader::fast_word(AddressId id) {
+
+/// What a word of the address is on a plain line.
+PlainLines::PlainWord PlainLines::word_of(AddressId id) {
     const Address& address = tables_.addresses[id];
-    FastLetter fast;
-    fast.address = id;
-    fast.format = &address.format;
-    fast.dimension = address.dimension;
-    fast.is_literal = is_literal(address.format);
-    fast.is_position = address.slot >= 0 && is_place(static_cast<Slot>(address.slot)) &&
+    PlainWord word;
+    word.address = id;
+    word.format = &address.format;
+    word.dimension = address.dimension;
+    word.is_literal = is_literal(address.format);
+    word.is_position = address.slot >= 0 && nc::is_position(static_cast<Slot>(address.slot)) &&
                        counts_increments(address);
     if (address.is_block_number) {
-        fast.kind = FastLetter::Kind::Number;
+        word.kind = PlainWord::Kind::Number;
     } else if (address.kind == Address::Kind::Code) {
-        fast.kind = FastLetter::Kind::Code;
+        word.kind = PlainWord::Kind::Code;
     } else if (address.slot >= 0 && !address.is_incremental && !address.is_coordinate &&
                are_of_motions(address) && tables_.code_index[id].empty()) {
-        fast.kind = FastLetter::Kind::Slot;
-        fast.slot = static_cast<Slot>(address.slot);
+        word.kind = PlainWord::Kind::Slot;
+        word.slot = static_cast<Slot>(address.slot);
     }
-    return fast;
+    return word;
 }
 
-void LineReader::prepare(std::size_t letter) {
+void PlainLines::prepare_letter(std::size_t letter) {
     const AddressId id = tables_.letters[letter];
-    FastLetter& fast = letters_[letter];
+    PlainWord& word = letters_[letter];
     // Any number of it calls a program: `S{n}`.
     const bool calls =
         std::ranges::any_of(tables_.language.calls.calls, [letter](const CallForm& call) {
             return call.any_number && static_cast<unsigned char>(call.letter) == letter;
         });
-    if (id != kNoAddress && !calls) fast = fast_word(id);
+    if (id != kNoAddress && !calls) word = word_of(id);
     if (letter >= 'A' && letter <= 'Z' && tables_.notation.ignores_case)
-        letters_[letter + 32] = fast;
+        letters_[letter + 32] = word;
 }
 
 /// Words of several letters with a value behind `=`.
-void LineReader::prepare_names() {
+void PlainLines::prepare_names() {
     if (!tables_.has_names || !tables_.notation.has_assignment) return;
     const auto is_large = [](char c) { return c >= 'A' && c <= 'Z'; };
     for (std::size_t i = 0; i < tables_.addresses.size(); ++i) {
         const std::string_view name = tables_.addresses[i].name;
         if (name.size() < 2 || !std::ranges::all_of(name, is_large)) continue;
-        const FastLetter word = fast_word(static_cast<AddressId>(i));
-        if (word.kind == FastLetter::Kind::Slot && word.is_literal) names_.push_back({name, word});
+        const PlainWord word = word_of(static_cast<AddressId>(i));
+        if (word.kind == PlainWord::Kind::Slot && word.is_literal) names_.push_back({name, word});
     }
-    std::ranges::sort(names_, {}, &FastName::name);
+    std::ranges::sort(names_, {}, &PlainName::name);
 }
 
 /// The word of several letters that begins in front of `p`, which is led behind its `=`.
-const FastLetter* LineReader::fast_name(const char*& p, const char* end) const {
+const PlainLines::PlainWord* PlainLines::named_word(const char*& p, const char* end) const {
     constexpr std::size_t kLongest = 8;
     std::array<char, kLongest> letters;
     std::size_t length = 0;
@@ -104,7 +115,7 @@ const FastLetter* LineReader::fast_name(const char*& p, const char* end) const {
         const char c = *at;
         if (c == '=') {
             const std::string_view name(letters.data(), length);
-            const auto found = std::ranges::lower_bound(names_, name, {}, &FastName::name);
+            const auto found = std::ranges::lower_bound(names_, name, {}, &PlainName::name);
             if (found == names_.end() || found->name != name) return nullptr;
             p = at + 1;
             return &found->word;
@@ -115,36 +126,36 @@ const FastLetter* LineReader::fast_name(const char*& p, const char* end) const {
     return nullptr;
 }
 
-/// Gives up on anything that needs a second look; the slow way reads the line again from its start.
-bool LineReader::read_fast(std::string_view line, Block& block) {
+bool PlainLines::read(std::string_view line, Block& block) const {
     const char* p = line.data();
     const char* const end = p + line.size();
     std::uint32_t groups = 0;
     bool has_word = false;
-    block.has_inch_feed = units_.inch_feed;
-    const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
-    const Function length = modal_[static_cast<std::size_t>(Group::LengthComp)];
-    if (closely_read_[static_cast<std::size_t>(motion)] ||
-        closely_read_[static_cast<std::size_t>(length)] || tables_.used != nullptr || feed_is_time_)
+    const TextUnits& units = modes_.units();
+    block.has_inch_feed = units.inch_feed;
+    const auto motion = static_cast<std::size_t>(modes_.active(Group::Motion));
+    const auto length = static_cast<std::size_t>(modes_.active(Group::LengthComp));
+    if (closely_read_[motion] || closely_read_[length] || tables_.used != nullptr ||
+        modes_.may_be_feed_time())
         return false;
     while (p != end && is_blank(*p)) ++p;
     while (p != end) {
         const auto letter = static_cast<unsigned char>(*p);
         if (letter >= 128) return false;
-        const FastLetter* word = &letters_[letter];
+        const PlainWord* word = &letters_[letter];
         ++p;
         if (p != end && *p == '=') {
             // `X=10` says what `X10` says.
-            const bool is_value = word->kind == FastLetter::Kind::Slot && word->is_literal;
+            const bool is_value = word->kind == PlainWord::Kind::Slot && word->is_literal;
             if (!is_value || !tables_.notation.has_assignment) return false;
             ++p;
         } else if (p != end && is_letter(*p)) {
-            word = fast_name(p, end);
+            word = named_word(p, end);
             if (word == nullptr) return false;
         }
-        const FastLetter& fast = *word;
+        const PlainWord& fast = *word;
         std::uint8_t wrong_ends = kGoesOn;
-        if (fast.kind == FastLetter::Kind::Slot) {
+        if (fast.kind == PlainWord::Kind::Slot) {
             if (block.has(fast.slot)) return false;
             const ShortNumber number = fast.is_literal ? read_short_number(p, line) : ShortNumber{};
             double meaning = number.value;
@@ -159,15 +170,15 @@ bool LineReader::read_fast(std::string_view line, Block& block) {
                     if (!decimal.has_point && points_.is_open() && decimal.value != 0) return false;
                     if (decimal.has_point) points_.note_point();
                 }
-                meaning = read_meaning(decimal, *fast.format, fast.dimension, units_);
-                if (check_read(decimal, is_minus, meaning, *fast.format, fast.dimension, units_) !=
+                meaning = read_meaning(decimal, *fast.format, fast.dimension, units);
+                if (check_read(decimal, is_minus, meaning, *fast.format, fast.dimension, units) !=
                     NumberFault::None)
                     return false;
             }
-            const double scale = slot_scales_[static_cast<std::size_t>(fast.dimension)];
+            const double scale = modes_.slot_scale(fast.dimension);
             block.set(fast.slot, scale == 1 ? meaning : meaning / scale);
             wrong_ends = kGoesOn | kIsExpression;
-        } else if (fast.kind == FastLetter::Kind::Code) {
+        } else if (fast.kind == PlainWord::Kind::Code) {
             const ShortWhole whole = read_short_whole(p, line);
             p = whole.end;
             if (p == nullptr || (p != end && *p == '=')) return false;
@@ -192,7 +203,7 @@ bool LineReader::read_fast(std::string_view line, Block& block) {
             } else if (!block.add(known.function)) {
                 return false;
             }
-        } else if (fast.kind == FastLetter::Kind::Number && block.number < 0 && !has_word) {
+        } else if (fast.kind == PlainWord::Kind::Number && block.number < 0 && !has_word) {
             const ShortWhole whole = read_short_whole(p, line);
             p = whole.end;
             if (p == nullptr) return false;
