@@ -1,26 +1,20 @@
 #include "interp/compensation.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
-#include "interp/rotated_command.h"
-#include "machine/kinematics.h"
+#include "interp/compensation_paths.h"
 
 namespace kadr::interp {
 
 using path::Command;
 using path::CompFault;
-using path::CompPiece;
 using path::Element;
-using path::linear;
 using path::Op;
 using path::Vec2;
-using std::numbers::pi;
 
 namespace {
 
@@ -28,13 +22,6 @@ bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
 bool is_curve(nc::CompStart start) {
     return start == nc::CompStart::Tangent || start == nc::CompStart::Smooth;
-}
-
-bool is_same(const AxisValues& a, const AxisValues& b) {
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        if (std::abs(a[i] - b[i]) > path::kSamePoint) return false;
-    }
-    return true;
 }
 
 const DiagnosticRow* row_of(CompFault fault) {
@@ -47,24 +34,29 @@ const DiagnosticRow* row_of(CompFault fault) {
     return &diag::CompCollision;
 }
 
+const DiagnosticRow* row_of(CompPathFault fault) {
+    switch (fault) {
+        case CompPathFault::Blocked: break;
+    }
+    return &diag::CompStartBlocked;
+}
+
 }  // namespace
 
 // ------------------------------------------------------------------------------ on and off
 
 void Compensation::begin(const CompSettings& settings, path::Plane plane, double distance,
                          const AxisValues& here) {
-    const AxisValues shown = state_ == State::Off ? here : place();
+    const AxisValues cutter = state_ == State::Off ? here : place();
+    const CompPlane in_it(plane, settings.lie);
     settings_ = settings;
-    lie_ = settings.lie;
-    lies_aside_ = lie_ != path::Mat3::Identity();
-    plane_ = plane;
-    axes_ = path::axes_of(plane);
     distance_ = distance;
-    here_ = meant_ = into_plane(here);
-    shown_ = into_plane(shown);
-    corners_ = path::RadiusComp(settings.corners);
-    has_last_ = approaches_ = keeps_vector_ = is_paused_ = comes_back_ = is_let_go_ = false;
-    open_approach_.reset();
+    here_ = in_it.into(here);
+    cutter_.begin(in_it, in_it.into(cutter), here_);
+    cutter_.set_orientation_limits(settings.orientation_limits);
+    contour_.restart(settings.corners);
+    approach_.reset();
+    keeps_vector_ = is_paused_ = comes_back_ = is_let_go_ = false;
     leave_direction_.reset();
     empty_blocks_ = 0;
     state_ = State::Starting;
@@ -72,18 +64,19 @@ void Compensation::begin(const CompSettings& settings, path::Plane plane, double
 
 /// The contour goes on from the same place of the part.
 void Compensation::set_aside(const Vec2& aside) {
-    if (is_on_contour()) set_in_plane(here_, in_plane(here_) + aside - aside_);
+    if (is_on_contour()) in_plane().set_point(here_, in_plane().point(here_) + aside - aside_);
     aside_ = aside;
 }
 
 void Compensation::set_settings(const CompSettings& settings) {
     settings_ = settings;
-    corners_.set_rules(settings.corners);
+    cutter_.set_orientation_limits(settings.orientation_limits);
+    contour_.set_rules(settings.corners);
 }
 
 void Compensation::leave(const std::optional<Vec2>& direction, path::OpenEnd open_end) {
     settings_.corners.open_end = open_end;
-    corners_.set_rules(settings_.corners);
+    contour_.set_rules(settings_.corners);
     leave_direction_ = direction;
     is_paused_ = comes_back_ = false;
     state_ = state_ == State::On ? State::Leaving : State::Off;
@@ -104,20 +97,19 @@ void Compensation::resume() {
 std::optional<CompAlarm> Compensation::let_go() {
     if (state_ != State::On || is_paused_) return std::nullopt;
     is_let_go_ = true;
-    if (!has_last_) return flush();
     // The block of the last element waits for the corner at its end, with what stands behind it.
-    const auto last = std::ranges::find(held_, elements_, &Held::index);
-    if (last != held_.end()) {
-        if (last_.is_arc())
-            return CompAlarm{&diag::CompAnewOnArc, last->command.source, last->command.line};
-        set_in_plane(last->command.to, in_plane(last->command.to) - aside_);
-        last->is_departure = true;
+    if (const Command* const last = contour_.command_of_last()) {
+        if (contour_.last()->element.is_arc())
+            return CompAlarm{&diag::CompAnewOnArc, last->source, last->line};
+        AxisValues programmed = last->to;
+        in_plane().shift(programmed, -aside_);
+        contour_.end_last_at(programmed);
     }
     return flush();
 }
 
 std::optional<CompAlarm> Compensation::begin_again() {
-    if (state_ != State::On || !has_last_) return std::nullopt;
+    if (state_ != State::On || !contour_.last()) return std::nullopt;
     is_let_go_ = true;
     return flush();
 }
@@ -129,62 +121,49 @@ std::optional<CompAlarm> Compensation::stop() {
 }
 
 void Compensation::begin_smooth_approach(Command motion) {
-    motion = into_plane(std::move(motion));
-    lead(motion);
-    begin_approach(motion);
-    goes_straight_ = true;
+    motion = in_plane().into(std::move(motion));
+    in_plane().shift(motion, aside_);
+    begin_approach(motion, true);
 }
 
 std::optional<CompAlarm> Compensation::round_corner(const Command& motion,
                                                     const std::optional<Vec2>& direction) {
     const CompAlarm missing{&diag::CompNoVector, motion.source, motion.line};
-    if (state_ != State::On || !has_last_) return missing;
+    if (state_ != State::On || !contour_.last()) return missing;
     if (!direction) {
-        corners_.round_next_corner();
+        contour_.round_next_corner();
         return std::nullopt;
     }
-    const Vec2 tangent = path::end_direction(last_);
+    const Element& last = contour_.last()->element;
+    const Vec2 tangent = path::end_direction(last);
     const double turn = std::atan2(tangent.x() * direction->y() - tangent.y() * direction->x(),
                                    tangent.dot(*direction));
-    const Vec2 corner = last_.to;
+    const Vec2 corner = last.to;
     if (const Fault fault = finish()) return alarm(fault, motion);
     if (turn * distance_ > 0) return CompAlarm{&diag::CompCollision, motion.source, motion.line};
     if (std::abs(turn * distance_) < path::kSamePoint) return std::nullopt;
-    const Vec2 from = in_plane(shown_);
+    const Vec2 from = cutter_.point();
     const Vec2 to = corner + Eigen::Rotation2D(turn) * (from - corner);
-    emit_arc({motion, 0, 0, false}, {{from, to, corner, turn}, 0, true, 0, Vec2::Zero()});
+    cutter_.insert_arc({motion}, {from, to, corner, turn});
     return std::nullopt;
 }
 
 std::optional<CompAlarm> Compensation::flush() {
-    const Command nowhere;
     Fault fault = finish();
-    if (std::exchange(cannot_orient_, false)) fault = &diag::CompTurnsInside;
+    if (cutter_.take_orientation_fault()) fault = &diag::CompTurnsInside;
     if (fault == nullptr) return std::nullopt;
-    return alarm(fault, held_.empty() ? nowhere : held_.back().command);
+    const Command* const newest = contour_.newest();
+    return alarm(fault, newest != nullptr ? *newest : Command{});
 }
 
 /// The contour ends here, on its normal.
 ///
 /// is_open  its last element may be left out, by the rules of the corners
 Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction, bool is_open) {
-    const auto fault = direction ? corners_.finish_towards(*direction)
-                       : is_open ? corners_.finish_open()
-                                 : corners_.finish();
-    if (fault) return row_of(*fault);
-    emit_pieces();
-    if (open_approach_) emit_approach(in_plane(open_approach_->command.to) - aside_);
-    for (; !held_.empty(); held_.pop_front()) {
-        // An approach to no contour at all goes where it is programmed; an element that the end
-        // has left out goes nowhere.
-        if (held_.front().index == 0) {
-            emit_empty();
-        } else if (!has_last_) {
-            emit_line(held_.front(), in_plane(held_.front().command.to) - aside_, false);
-        }
-    }
-    corners_ = path::RadiusComp(settings_.corners);
-    has_last_ = approaches_ = false;
+    if (const auto fault = contour_.finish({direction, is_open, aside_}, cutter_))
+        return row_of(*fault);
+    contour_.restart(settings_.corners);
+    approach_.reset();
     return nullptr;
 }
 
@@ -194,7 +173,7 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
     bool has_moved = false;
     for (std::size_t i = 0; i < fresh_.size(); ++i) {
         Command& command = fresh_[i];
-        if (!command.machine_coordinates) command = into_plane(std::move(command));
+        if (!command.machine_coordinates) command = in_plane().into(std::move(command));
         has_moved = has_moved || (path::is_motion(command.op) && moves_on(command));
         // Over a place to a place of the machine: the cutter leaves the contour on the way there.
         const bool leaves = state_ == State::On && path::is_motion(command.op) &&
@@ -209,12 +188,12 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
         if (leaves) state_ = State::On;
     }
     fresh_.clear();
-    if (std::exchange(cannot_orient_, false))
+    if (cutter_.take_orientation_fault())
         return CompAlarm{&diag::CompTurnsInside, block.source, block.line};
-    here_ = into_plane(here);
-    if (is_on_contour()) lead(here_);
+    here_ = in_plane().into(here);
+    if (is_on_contour()) in_plane().shift(here_, aside_);
     keeps_vector_ = false;
-    if (has_moved || !has_last_) {
+    if (has_moved || !contour_.last()) {
         empty_blocks_ = 0;
         return std::nullopt;
     }
@@ -230,55 +209,63 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
 
 /// The block of the element that could not be compensated, else the one that is being taken.
 CompAlarm Compensation::alarm(Fault fault, const Command& command) const {
-    const auto held = std::ranges::find(held_, corners_.fault_at(), &Held::index);
+    const Command* const at_fault = contour_.at_fault();
     const bool is_corner = fault == &diag::CompCollision || fault == &diag::CompNoIntersection ||
                            fault == &diag::CompArcTooSmall;
-    if (!is_corner || held == held_.end()) return {fault, command.source, command.line};
-    return {fault, held->command.source, held->command.line};
+    if (!is_corner || at_fault == nullptr) return {fault, command.source, command.line};
+    return {fault, at_fault->source, at_fault->line};
 }
 
 Compensation::Fault Compensation::take(Command& command, const AxisValues& behind) {
-    if (path::is_motion(command.op) && command.machine_coordinates) {
-        // For this way the compensation is taken back, and it begins anew behind it. Across the
-        // plane it is like blocks without motion there: the contour goes on from its normal.
-        const bool crosses = (command.moved & (bit(axes_.first) | bit(axes_.second))) == 0;
-        const bool stays = crosses && !lies_aside_ && !settings_.more_empty_is_fault;
-        if (const Fault fault = finish()) return fault;
-        if (state_ == State::On && !stays) state_ = State::Starting;
-        const AxisValues stood = shown_;
-        here_ = shown_ = into_plane(behind);
-        if (!lies_aside_) {
-            // Axes that it does not name stay where the cutter is.
-            for (const Axis axis : {axes_.first, axes_.second}) {
-                if ((command.moved & bit(axis)) == 0) command.to[index(axis)] = stood[index(axis)];
-            }
-            set_in_plane(shown_, in_plane(command.to));
-        }
-        meant_ = shown_;
-        if (stays && state_ == State::On)
-            set_in_plane(meant_, in_plane(into_plane(behind)) + aside_);
-        settled_.push_back(std::move(command));
-        return nullptr;
-    }
-    if (path::is_motion(command.op)) {
+    const bool is_motion = path::is_motion(command.op);
+    if (is_motion && command.machine_coordinates)
+        return take_in_machine_coordinates(command, behind);
+    if (is_motion) {
         const bool moves = moves_on(command);
         // The way to the contour ends on it; the way from it ends where it is programmed.
         const bool is_led = moves ? state_ != State::Leaving : is_on_contour();
-        if (is_led) lead(command);
+        if (is_led) in_plane().shift(command, aside_);
         if (moves) return take_motion(command);
     }
-    if (path::is_motion(command.op) && !is_straight(command.op) && state_ != State::Starting)
+    if (is_motion && !is_straight(command.op) && state_ != State::Starting)
         return &diag::CompMotion;
-    if (path::is_motion(command.op)) here_ = command.to;
-    held_.push_back({std::move(command), 0, 0, false});
-    if (!approaches_ && !has_last_) emit_empty(), held_.pop_front();
+    if (is_motion) here_ = command.to;
+    if (approach_ || contour_.last()) contour_.wait(std::move(command));
+    else cutter_.put_standing(std::move(command));
+    return nullptr;
+}
+
+/// For this way the compensation is taken back, and it begins anew behind it. Across the plane it
+/// is like blocks without motion there: the contour goes on from its normal.
+Compensation::Fault Compensation::take_in_machine_coordinates(Command& command,
+                                                              const AxisValues& behind) {
+    const bool crosses = (command.moved & in_plane().mask()) == 0;
+    const bool stays = crosses && !in_plane().is_tilted() && !settings_.more_empty_is_fault;
+    if (const Fault fault = finish()) return fault;
+    if (state_ == State::On && !stays) state_ = State::Starting;
+    here_ = in_plane().into(behind);
+    AxisValues position = here_;
+    if (!in_plane().is_tilted()) {
+        // Axes that it does not name stay where the cutter is.
+        const path::PlaneAxes& axes = in_plane().axes();
+        for (const Axis axis : {axes.first, axes.second}) {
+            if ((command.moved & bit(axis)) == 0)
+                command.to[index(axis)] = cutter_.position()[index(axis)];
+        }
+        in_plane().set_point(position, in_plane().point(command.to));
+    }
+    AxisValues programmed = position;
+    if (stays && state_ == State::On)
+        in_plane().set_point(programmed, in_plane().point(here_) + aside_);
+    cutter_.stand_at(position, programmed);
+    cutter_.pass(std::move(command));
     return nullptr;
 }
 
 Compensation::Fault Compensation::take_motion(Command& command) {
     if (is_paused_ && state_ == State::On) return follow_paused(command);
     if (!is_straight(command.op) && command.op != Op::Arc) return &diag::CompMotion;
-    const double side = command.normal.dot(path::unit(axes_.normal));
+    const double side = command.normal.dot(path::unit(in_plane().axes().normal));
     if (command.op == Op::Arc && std::abs(side) < 1 - 1e-9) return &diag::CompMotion;  // it tilts
     if (command.feed_mode == path::FeedMode::InverseTime && command.op != Op::Rapid) {
         if (!settings_.takes_inverse_time) return &diag::CompInverseTime;
@@ -296,7 +283,8 @@ void Compensation::feed_along(Command& command) const {
     const Element way = element_of(command);
     const double along =
         way.is_arc() ? path::radius(way) * std::abs(command.sweep) : (way.to - way.from).norm();
-    const double across = command.to[index(axes_.normal)] - here_[index(axes_.normal)];
+    const std::size_t normal = index(in_plane().axes().normal);
+    const double across = command.to[normal] - here_[normal];
     command.feed *= std::hypot(along, across);
     command.feed_mode = path::FeedMode::PerMinute;
 }
@@ -304,390 +292,170 @@ void Compensation::feed_along(Command& command) const {
 /// Beside the block before it ends on the normal, and this one is as far from its contour.
 Compensation::Fault Compensation::follow_kept(Command& command) {
     if (!is_straight(command.op)) return &diag::CompMotion;
-    if (approaches_) return &diag::CompNoVector;
-    if (has_last_) {
+    if (approach_) return &diag::CompNoVector;
+    if (contour_.last()) {
         if (const Fault fault = finish()) return fault;
     }
-    const Vec2 vector = in_plane(shown_) - in_plane(here_);
-    const Vec2 to = in_plane(command.to) + vector;
-    const AxisValues programmed = command.to;
-    emit_line({std::move(command), 0, 0, false}, to, false);
-    here_ = meant_ = programmed;
+    const Vec2 vector = cutter_.point() - in_plane().point(here_);
+    const Vec2 to = in_plane().point(command.to) + vector;
+    here_ = command.to;
+    cutter_.put_line({std::move(command)}, to);
+    cutter_.set_programmed(here_);
     return nullptr;
 }
 
 /// As it is programmed, so far beside as the contour before has ended.
 Compensation::Fault Compensation::follow_paused(Command& command) {
-    const Vec2 vector = in_plane(shown_) - in_plane(here_);
-    const AxisValues to = command.to;
-    set_in_plane(command.to, in_plane(command.to) + vector);
-    command.center[static_cast<Eigen::Index>(index(axes_.first))] += vector.x();
-    command.center[static_cast<Eigen::Index>(index(axes_.second))] += vector.y();
-    put_beside(std::move(command), to);
-    here_ = meant_ = to;
+    const Vec2 vector = cutter_.point() - in_plane().point(here_);
+    here_ = command.to;
+    in_plane().shift(command, vector);
+    cutter_.put_beside(std::move(command), here_);
+    cutter_.set_programmed(here_);
     return nullptr;
 }
 
 /// Behind a pause: from where the tool is to the normal at the start of the contour's element.
 void Compensation::come_back(const Command& command, const Element& element) {
     comes_back_ = false;
-    meant_ = here_;
-    emit_line({command, 0, 0, false}, path::RadiusComp::start_of(element, distance_), true);
+    cutter_.set_programmed(here_);
+    cutter_.insert_line({command}, path::RadiusComp::start_of(element, distance_));
 }
+
+// ------------------------------------------------------------------------------ the contour
 
 Compensation::Fault Compensation::approach(Command& command) {
     if (!is_straight(command.op)) return &diag::CompStartOnArc;
     if (keeps_vector_) return &diag::CompNoVector;
     if (is_curve(settings_.start) && command.op != Op::Line) return &diag::CompMotion;
-    begin_approach(command);
+    begin_approach(command, false);
     return nullptr;
 }
 
-void Compensation::begin_approach(Command& command) {
+void Compensation::begin_approach(Command& command, bool is_straight) {
     here_ = command.to;
-    held_.push_back({std::move(command), ++elements_, 0, false});
-    approaches_ = true;
-    approach_distance_ = distance_;
-    goes_straight_ = is_let_go_ = false;
+    contour_.wait_for_first(std::move(command));
+    approach_ = Approach{distance_, is_straight};
+    is_let_go_ = false;
     state_ = State::On;
 }
 
 Compensation::Fault Compensation::follow(Command& command) {
     const Element element = element_of(command);
-    const double before = has_last_ ? last_distance_ : approaches_ ? approach_distance_ : distance_;
+    const double before = contour_.last() ? contour_.last()->distance
+                          : approach_     ? approach_->distance
+                                          : distance_;
     const bool has_changed = std::abs(distance_ - before) > path::kSamePoint;
     if (has_changed && element.is_arc() && settings_.radius_changes_in_lines)
         return &diag::CompRadiusOnArc;
-    if (approaches_) {
-        if (const Fault fault = enter(element, element.is_arc() ? distance_ : before)) return fault;
+    if (approach_) {
+        // The first element says where the approach ends: so far beside it.
+        const double distance = element.is_arc() ? distance_ : before;
+        if (const Fault fault = end_approach(element, distance)) return fault;
     }
     if (comes_back_) come_back(command, element);
     // On an arc the cutter cannot come straight to its end.
     if (std::exchange(is_let_go_, false) && element.is_arc()) return &diag::CompAnewOnArc;
     const double radius = element.is_arc() ? path::radius(element) : 0;
-    last_distance_ = distance_;
     here_ = command.to;
-    return push(element, {std::move(command), ++elements_, radius, false, settings_.feed});
+    return push(element, {std::move(command), radius, false, settings_.feed});
 }
 
-/// The first element says where the approach ends: so far beside it.
-Compensation::Fault Compensation::enter(const Element& first, double distance) {
-    const double wanted = std::exchange(distance_, distance);
-    const Fault fault = end_approach(first);
-    distance_ = wanted;
-    return fault;
-}
-
-Compensation::Fault Compensation::end_approach(const Element& first) {
+Compensation::Fault Compensation::end_approach(const Element& first, double distance) {
+    const bool is_straight = approach_->is_straight;
     std::optional<Element> way;
-    if (!goes_straight_) {
-        if (const Fault fault = way_in(first, way)) return fault;
+    if (!is_straight) {
+        // From the other side of the contour the way is straight, whatever the corner.
+        const bool is_beside = cutter_.beside().norm() > path::kSamePoint;
+        const bool is_direct = is_beside && settings_.start == nc::CompStart::Extended;
+        const auto found = approach_element(is_direct ? nc::CompStart::Normal : settings_.start,
+                                            first, cutter_.point(), distance);
+        if (!found) return row_of(found.error());
+        way = *found;
     }
-    approaches_ = false;
+    approach_.reset();
     if (way) {
-        if (const auto fault = corners_.push(*way, distance_, held_.front().index))
-            return row_of(*fault);
-        return nullptr;
+        const auto fault = contour_.push_approach(*way, distance);
+        return fault ? row_of(*fault) : nullptr;
     }
-    const bool is_curved = is_curve(settings_.start) && !goes_straight_;
-    if (settings_.corners.open_end != path::OpenEnd::None && !is_curved && !goes_straight_) {
-        open_approach_ = std::move(held_.front());
-        held_.pop_front();
-        corners_.begin_open();
-        return nullptr;
-    }
-    if (is_curved) {
-        emit_curve_in(first);
-    } else {
-        emit_line(held_.front(), path::RadiusComp::start_of(first, distance_), false);
-    }
-    meant_ = held_.front().command.to;
-    held_.pop_front();
+    const bool is_curved = is_curve(settings_.start) && !is_straight;
+    if (settings_.corners.open_end != path::OpenEnd::None && !is_curved && !is_straight)
+        contour_.open_approach();
+    else lead_approach(first, distance, is_curved);
     return nullptr;
 }
 
-Compensation::Fault Compensation::push(const Element& element, Held held) {
-    const std::size_t index = held.index;
-    held_.push_back(std::move(held));
-    last_ = element;
-    has_last_ = true;
+/// To the normal at the start of the first element.
+void Compensation::lead_approach(const Element& first, double distance, bool is_curved) {
+    const ProgrammedMotion motion = contour_.take_approach();
+    const Vec2 to = path::RadiusComp::start_of(first, distance);
+    const auto curve = is_curved ? curve_in(settings_.start, cutter_.point(), first, distance)
+                                 : std::optional<EndCurve>{};
+    if (curve) cutter_.put_curve(motion, to, *curve);
+    else cutter_.put_line(motion, to);
+    cutter_.set_programmed(motion.command.to);
+}
+
+Compensation::Fault Compensation::push(const Element& element, ProgrammedMotion motion) {
     empty_blocks_ = 0;
-    if (const auto fault = corners_.push(element, distance_, index)) return row_of(*fault);
-    emit_pieces();
+    if (const auto fault = contour_.push(element, distance_, std::move(motion)))
+        return row_of(*fault);
+    contour_.release(cutter_);
     return nullptr;
 }
 
 Compensation::Fault Compensation::depart(Command& command) {
     if (!is_straight(command.op)) return &diag::CompEndOnArc;
-    const Vec2 to = in_plane(command.to);
     std::optional<Element> way;
     // A direction that is said takes the place of the corner.
-    if (has_last_ && !leave_direction_) {
-        if (const Fault fault = retract_path(to, way)) return fault;
+    if (contour_.last() && !leave_direction_) {
+        const auto found = retract_element(settings_.start, contour_.last()->element,
+                                           in_plane().point(command.to), distance_);
+        if (!found) return row_of(found.error());
+        way = *found;
     }
     here_ = command.to;
     if (way) {
-        if (const Fault fault = push(*way, {std::move(command), ++elements_, 0, true}))
-            return fault;
+        if (const Fault fault = push(*way, {std::move(command), 0, true})) return fault;
         if (const Fault fault = finish()) return fault;
-    } else {
-        const bool has_contour = has_last_;
-        if (const Fault fault = finish(leave_direction_, !is_curve(settings_.start))) return fault;
-        if (!is_curve(settings_.start) || !has_contour) {
-            emit_line({std::move(command), 0, 0, true}, to, false);
-        } else if (command.op != Op::Line) {
-            return &diag::CompMotion;
-        } else {
-            emit_curve_out(command);
-        }
+    } else if (const Fault fault = depart_from_end(command)) {
+        return fault;
     }
     state_ = State::Off;
     return nullptr;
 }
 
-// ------------------------------------------------------------------------------ commands out
-
-void Compensation::emit_pieces() {
-    for (const CompPiece& piece : corners_.pieces()) {
-        if (open_approach_) emit_approach(piece.element.from);
-        emit(piece);
+/// The contour ends before this way, which is no element of it.
+Compensation::Fault Compensation::depart_from_end(Command& command) {
+    const bool is_curved = is_curve(settings_.start);
+    const std::optional<CompensatedContour::Last> last = contour_.last();
+    if (const Fault fault = finish(leave_direction_, !is_curved)) return fault;
+    std::optional<EndCurve> curve;
+    const Vec2 to = in_plane().point(command.to);
+    if (is_curved && last) {
+        if (command.op != Op::Line) return &diag::CompMotion;
+        curve = curve_out(settings_.start, path::line_element(cutter_.point(), to), last->element,
+                          distance_);
     }
-    corners_.pieces().clear();
+    const ProgrammedMotion motion{std::move(command), 0, true};
+    if (curve) cutter_.put_curve(motion, to, *curve);
+    else cutter_.put_line(motion, to);
+    return nullptr;
 }
-
-/// The way to the contour, of which is known now where it begins.
-void Compensation::emit_approach(const Vec2& to) {
-    const Held approach = *std::exchange(open_approach_, std::nullopt);
-    emit_line(approach, to, false);
-    meant_ = approach.command.to;
-}
-
-void Compensation::emit(const CompPiece& piece) {
-    // Blocks without motion come before the corner, elements that were left out not at all.
-    for (; held_.front().index != piece.index; held_.pop_front()) {
-        if (held_.front().index == 0) emit_empty();
-    }
-    const Held& held = held_.front();
-    const Element& way = piece.element;
-    if (piece.weight > 0) return emit_conic(held, piece);
-    if (!way.is_arc()) {
-        const bool ends_there = held.is_departure && !piece.is_inserted;
-        emit_line(held, ends_there ? in_plane(held.command.to) : way.to, piece.is_inserted);
-    } else {
-        const bool is_gap = (in_plane(shown_) - way.from).norm() > path::kSamePoint;
-        if (is_gap) emit_line(held, way.from, true);
-        if (held.command.op == Op::Rapid) emit_rapid_around(held, way);
-        else emit_arc(held, piece);
-    }
-    if (piece.is_inserted) return;
-    meant_ = held.command.to;
-    held_.pop_front();
-}
-
-/// A block without motion in the plane: where the cutter stands now.
-void Compensation::emit_empty() {
-    Held& held = held_.front();
-    if (!path::is_motion(held.command.op)) return settled_.push_back(std::move(held.command));
-    const AxisValues to = held.command.to;
-    set_in_plane(held.command.to, in_plane(shown_));
-    put_beside(std::move(held.command), to);
-    meant_ = to;
-}
-
-void Compensation::emit_line(const Held& held, const Vec2& to, bool is_inserted) {
-    Command command = held.command;
-    if (command.op == Op::Arc) command.op = Op::Line;
-    if (is_inserted) {
-        command.to = shown_;
-        command.exact_stop = false;
-        stand_tool(command);
-    }
-    set_in_plane(command.to, to);
-    // What nothing is left of is no block: an exact stop has its corner.
-    if (!is_same(command.to, shown_)) put_beside(std::move(command), held.command.to);
-}
-
-void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
-    Command command = held.command;
-    const Element& arc = piece.element;
-    const double radius = path::radius(arc);
-    command.op = Op::Arc;
-    if (piece.is_inserted) {
-        command.to = shown_;
-        command.center = {shown_[0], shown_[1], shown_[2]};
-        command.exact_stop = false;
-        command.turns = 0;
-        stand_tool(command);
-    } else if (held.radius > 0 && (held.feed == nc::CompFeed::Contour ||
-                                   (held.feed == nc::CompFeed::Inside && radius < held.radius))) {
-        command.feed *= radius / held.radius;
-    }
-    set_in_plane(command.to, arc.to);
-    command.center[static_cast<Eigen::Index>(index(axes_.first))] = arc.center.x();
-    command.center[static_cast<Eigen::Index>(index(axes_.second))] = arc.center.y();
-    command.normal = path::unit(axes_.normal) * (arc.sweep > 0 ? 1 : -1);
-    command.sweep = std::abs(arc.sweep) + 2 * pi * command.turns;
-    command.is_clockwise = arc.sweep < 0;
-    if (!piece.is_inserted) turn_along_arc(held, arc, command);
-    put(std::move(command));
-}
-
-/// The tool that is led by a second point of its axis keeps its direction on an arc beside the
-/// programmed one: about the same centre, of which corners have left a part.
-void Compensation::turn_along_arc(const Held& held, const Element& arc, Command& command) const {
-    if (command.turning != path::Turning::Point) return;
-    const double radius = path::radius(arc);
-    const double scale = radius > path::kSamePoint ? held.radius / radius : 0;
-    shift_point({linear(meant_), linear(held.command.to), beside_center(arc, scale, shown_),
-                 beside_center(arc, scale, command.to)},
-                command);
-    command.orient_outwards = held.radius - radius;
-}
-
-/// A place on the way beside an arc as it lies on the programmed one.
-path::Vec3 Compensation::beside_center(const Element& arc, double scale,
-                                       const AxisValues& at) const {
-    AxisValues place = at;
-    set_in_plane(place, arc.center + scale * (in_plane(at) - arc.center));
-    return linear(place);
-}
-
-/// The arc about a corner that has been made more pointed; at rapid the tangents at its ends and at
-/// its middle.
-void Compensation::emit_conic(const Held& held, const CompPiece& piece) {
-    const Vec2& to = piece.element.to;
-    if (held.command.op == Op::Rapid) {
-        const double sum = 1 + piece.weight;
-        emit_line(held, (piece.element.from + piece.weight * piece.apex) / sum, true);
-        emit_line(held, (to + piece.weight * piece.apex) / sum, true);
-        return emit_line(held, to, true);
-    }
-    Command command = held.command;
-    command.op = Op::Spline;
-    command.to = shown_;
-    command.exact_stop = false;
-    stand_tool(command);
-    AxisValues apex = shown_;
-    set_in_plane(apex, piece.apex);
-    command.spline.degree = 2;
-    command.spline.inner[0] = path::Vec3(apex[0], apex[1], apex[2]);
-    command.spline.weights = {1, piece.weight, 1, 1};
-    set_in_plane(command.to, to);
-    put(std::move(command));
-}
-
-/// At rapid there are no arcs: around a corner by lines that touch the arc.
-void Compensation::emit_rapid_around(const Held& held, const Element& arc) {
-    const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (pi / 2))));
-    const double half = arc.sweep / parts / 2;
-    Vec2 arm = arc.from - arc.center;
-    for (int i = 0; i < parts; ++i) {
-        const Vec2 corner = Eigen::Rotation2D(half) * arm / std::cos(half);
-        emit_line(held, arc.center + corner, true);
-        arm = Eigen::Rotation2D(2 * half) * arm;
-    }
-    emit_line(held, arc.to, true);
-}
-
-void Compensation::put(Command command) {
-    command.moved = static_cast<AxisMask>(command.moved | bit(axes_.first) | bit(axes_.second));
-    const AxisValues from = out_of_plane(std::exchange(shown_, command.to));
-    if (!put_oriented(settings_.orientation_limits, from, out_of_plane(std::move(command)),
-                      settled_))
-        cannot_orient_ = true;
-}
-
-/// … that is no arc: from where the last one was programmed to end.
-void Compensation::put_beside(Command command, const AxisValues& programmed_to) {
-    shift_point({linear(meant_), linear(programmed_to), linear(shown_), linear(command.to)},
-                command);
-    put(std::move(command));
-}
-
-/// What a corner inserts the tool passes as it stands.
-void Compensation::stand_tool(Command& command) const {
-    if (settings_.orientation_limits.chain == nullptr || command.turning == path::Turning::None)
-        return;
-    const machine::Chain& chain = *settings_.orientation_limits.chain;
-    command.turning = path::Turning::Axes;
-    command.direction = lie_.transpose() * machine::tool_vector(chain, joints_at(chain, shown_));
-}
-
-Command Compensation::as_far_beside(Command command) const {
-    const Vec2 beside = in_plane(shown_) - in_plane(meant_);
-    set_in_plane(command.to, in_plane(command.to) + beside);
-    command.center[static_cast<Eigen::Index>(index(axes_.first))] += beside.x();
-    command.center[static_cast<Eigen::Index>(index(axes_.second))] += beside.y();
-    return command;
-}
-
-// ------------------------------------------------------------------------------ the plane
 
 bool Compensation::moves_in_plane(const Command& command) const {
-    return command.op == Op::Arc ||
-           (in_plane(command.to) - in_plane(here_)).norm() > path::kSamePoint;
+    const Vec2 way = in_plane().point(command.to) - in_plane().point(here_);
+    return command.op == Op::Arc || way.norm() > path::kSamePoint;
 }
 
 /// The same of a command as it is programmed.
 bool Compensation::moves_on(const Command& command) const {
     Command led = command;
-    if (is_on_contour()) lead(led);
+    if (is_on_contour()) in_plane().shift(led, aside_);
     return moves_in_plane(led);
 }
 
-void Compensation::lead(AxisValues& place) const { set_in_plane(place, in_plane(place) + aside_); }
-
-void Compensation::lead(Command& command) const {
-    lead(command.to);
-    command.center[static_cast<Eigen::Index>(index(axes_.first))] += aside_.x();
-    command.center[static_cast<Eigen::Index>(index(axes_.second))] += aside_.y();
-}
-
 Element Compensation::element_of(const Command& command) const {
-    const Vec2 from = in_plane(here_);
-    const Vec2 to = in_plane(command.to);
-    if (command.op != Op::Arc) return path::line_element(from, to);
-    Element arc{from, to, {}, 0};
-    arc.center = {command.center[static_cast<Eigen::Index>(index(axes_.first))],
-                  command.center[static_cast<Eigen::Index>(index(axes_.second))]};
-    const bool is_left = command.normal.dot(path::unit(axes_.normal)) > 0;
-    arc.sweep = (command.sweep - 2 * pi * command.turns) * (is_left ? 1 : -1);
-    return arc;
-}
-
-AxisValues Compensation::into_plane(const AxisValues& base) const {
-    if (!lies_aside_) return base;
-    AxisValues values = base;
-    turn(lie_.transpose(), values);
-    return values;
-}
-
-AxisValues Compensation::out_of_plane(const AxisValues& values) const {
-    if (!lies_aside_) return values;
-    AxisValues base = values;
-    turn(lie_, base);
-    return base;
-}
-
-Command Compensation::into_plane(Command command) const {
-    if (lies_aside_ && path::is_motion(command.op)) turn(lie_.transpose(), command);
-    return command;
-}
-
-Command Compensation::out_of_plane(Command command) const {
-    if (!lies_aside_ || !path::is_motion(command.op)) return command;
-    turn(lie_, command);
-    command.moved |= kLinearXYZ;
-    return command;
-}
-
-Vec2 Compensation::in_plane(const AxisValues& values) const {
-    return {values[index(axes_.first)], values[index(axes_.second)]};
-}
-
-void Compensation::set_in_plane(AxisValues& values, const Vec2& at) const {
-    values[index(axes_.first)] = at.x();
-    values[index(axes_.second)] = at.y();
+    return in_plane().element_of(command, in_plane().point(here_));
 }
 
 }  // namespace kadr::interp

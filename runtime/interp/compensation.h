@@ -1,18 +1,21 @@
 // compensation.h — cutter radius compensation: commands of the programmed contour in, commands of
 // the cutter's centre out, a block or more later.
 //
-// What a corner becomes is path/radius_comp.h, compensation_paths.cpp the way to the contour; here
+// What a corner becomes is path/radius_comp.h, the way to the contour compensation_paths.h.
+// Elements wait in compensated_contour.h, what is settled of them goes out by cutter_path.h. Here
 // is the order of things in a program: how the cutter comes to the contour and leaves it, blocks
-// without motion in the plane, what inserted pieces inherit from their block.
+// without motion in the plane, pauses.
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "interp/compensated_contour.h"
 #include "interp/compensated_orientation.h"
+#include "interp/compensation_plane.h"
+#include "interp/cutter_path.h"
 #include "nc/block.h"
 #include "nc/rules.h"
 #include "path/command.h"
@@ -69,9 +72,9 @@ class Compensation {
     /// Compensation is over at once: what waits is let go of, and the cutter stays where it is.
     std::optional<CompAlarm> stop();
     /// Where the cutter is, once nothing waits any more.
-    AxisValues place() const { return out_of_plane(shown_); }
-    path::Plane plane() const { return plane_; }
-    const path::Mat3& lie() const { return lie_; }
+    AxisValues place() const { return in_plane().out_of(cutter_.position()); }
+    path::Plane plane() const { return in_plane().plane(); }
+    const path::Mat3& lie() const { return in_plane().lie(); }
 
     /// The motions of the block that follows leave the cutter as far beside the contour as it is.
     void keep_vector() { keeps_vector_ = true; }
@@ -102,36 +105,38 @@ class Compensation {
     /// What the program's end, or a way in machine coordinates, lets go of.
     std::optional<CompAlarm> flush();
     /// Commands that are settled, in order. The caller clears them.
-    std::vector<path::Command>& settled() { return settled_; }
+    std::vector<path::Command>& settled() { return cutter_.settled(); }
     /// Calls `see` for every command that waits, in order: about where the cutter will go, as far
     /// from what is programmed as it is now.
     template <typename See>
     void look_at_waiting(See see) const {
-        for (const Held& held : held_) see(out_of_plane(as_far_beside(held.command)));
-        for (const path::Command& command : fresh_)
-            see(out_of_plane(as_far_beside(into_plane(command))));
+        const auto see_beside = [&](const path::Command& command) {
+            see(in_plane().out_of(cutter_.as_far_beside(command)));
+        };
+        contour_.look_at_waiting(see_beside);
+        for (const path::Command& command : fresh_) see_beside(in_plane().into(command));
     }
 
   private:
     enum class State : std::uint8_t { Off, Starting, On, Leaving };
-    struct Held {
-        path::Command command;
-        std::size_t index = 0;      // of the element; 0: no motion in the plane
-        double radius = 0;          // of an arc as programmed
-        bool is_departure = false;  // ends where it is programmed
-        nc::CompFeed feed = nc::CompFeed::Contour;
+    /// A way to the contour that waits for the first element.
+    struct Approach {
+        double distance = 0;       // so far beside its start it goes, mm
+        bool is_straight = false;  // whatever the settings say
     };
     using Fault = const DiagnosticRow*;  // null: none
 
     Fault take(path::Command& command, const AxisValues& behind);
+    Fault take_in_machine_coordinates(path::Command& command, const AxisValues& behind);
     Fault take_motion(path::Command& command);
     Fault approach(path::Command& command);
-    void begin_approach(path::Command& command);
+    void begin_approach(path::Command& command, bool is_straight);
     Fault follow(path::Command& command);
     Fault depart(path::Command& command);
-    Fault enter(const path::Element& first, double distance);
-    Fault end_approach(const path::Element& first);
-    Fault push(const path::Element& element, Held held);
+    Fault depart_from_end(path::Command& command);
+    Fault end_approach(const path::Element& first, double distance);
+    void lead_approach(const path::Element& first, double distance, bool is_curved);
+    Fault push(const path::Element& element, ProgrammedMotion motion);
     Fault follow_kept(path::Command& command);
     Fault follow_paused(path::Command& command);
     void come_back(const path::Command& command, const path::Element& element);
@@ -140,68 +145,25 @@ class Compensation {
     bool is_on_contour() const { return state_ == State::On || state_ == State::Leaving; }
     bool moves_on(const path::Command& command) const;
     void feed_along(path::Command& command) const;
-    void lead(AxisValues& place) const;
-    void lead(path::Command& command) const;
     path::Element element_of(const path::Command& command) const;
-    Fault way_in(const path::Element& first, std::optional<path::Element>& way) const;
-    Fault retract_path(const path::Vec2& to, std::optional<path::Element>& way) const;
-    std::optional<path::Vec2> touched(const path::Vec2& corner, const path::Vec2& from,
-                                      double distance) const;
+    const CompPlane& in_plane() const { return cutter_.plane(); }
     CompAlarm alarm(Fault fault, const path::Command& command) const;
-    void emit_pieces();
-    void emit_approach(const path::Vec2& to);
-    void emit(const path::CompPiece& piece);
-    void emit_empty();
-    void emit_line(const Held& held, const path::Vec2& to, bool is_inserted);
-    void emit_arc(const Held& held, const path::CompPiece& piece);
-    void emit_rapid_around(const Held& held, const path::Element& arc);
-    void emit_conic(const Held& held, const path::CompPiece& piece);
-    void emit_curve_in(const path::Element& first);
-    void emit_curve_out(path::Command& command);
-    double curvature_beside(const path::Element& element) const;
-    void put(path::Command command);
-    void put_beside(path::Command command, const AxisValues& programmed_to);
-    void stand_tool(path::Command& command) const;
-    void turn_along_arc(const Held& held, const path::Element& arc, path::Command& command) const;
-    path::Vec3 beside_center(const path::Element& arc, double scale, const AxisValues& at) const;
-    path::Command as_far_beside(path::Command command) const;
-    AxisValues into_plane(const AxisValues& base) const;
-    AxisValues out_of_plane(const AxisValues& values) const;
-    path::Command into_plane(path::Command command) const;
-    path::Command out_of_plane(path::Command command) const;
-    path::Vec2 in_plane(const AxisValues& values) const;
-    void set_in_plane(AxisValues& values, const path::Vec2& at) const;
 
     State state_ = State::Off;
     CompSettings settings_;
-    path::PlaneAxes axes_;
-    path::Plane plane_ = path::Plane::Xy;
-    path::Mat3 lie_ = path::Mat3::Identity();  // of the plane; all that follows lies in it
-    bool lies_aside_ = false;
     double distance_ = 0;
     path::Vec2 aside_ = path::Vec2::Zero();
-    AxisValues here_{};   // programmed
-    AxisValues shown_{};  // end of the last command that was let go …
-    AxisValues meant_{};  // … and as it was programmed
-    path::RadiusComp corners_{{}};
-    std::size_t elements_ = 0;
-    path::Element last_;        // of the contour …
-    double last_distance_ = 0;  // … and how far the cutter's centre goes beside it
-    bool has_last_ = false;
-    std::optional<Held> open_approach_;  // to where the first piece will begin
-    bool approaches_ = false;            // the first of `held_` waits for the first element …
-    double approach_distance_ = 0;       // … and so far beside its start it goes
-    bool goes_straight_ = false;         // the approach, whatever the settings say
+    AxisValues here_{};  // programmed, in the system of the plane
+    CompensatedContour contour_;
+    CutterPath cutter_;
+    std::optional<Approach> approach_;
     bool keeps_vector_ = false;
     bool is_paused_ = false;
     bool comes_back_ = false;  // behind a pause: by a line to the contour
     bool is_let_go_ = false;   // the next element is a line from where the cutter is
     std::optional<path::Vec2> leave_direction_;
     int empty_blocks_ = 0;
-    bool cannot_orient_ = false;  // the tool, as the way beside the contour asks for it
-    std::deque<Held> held_;
     std::vector<path::Command> fresh_;
-    std::vector<path::Command> settled_;
 };
 
 }  // namespace kadr::interp
