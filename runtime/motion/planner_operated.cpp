@@ -37,11 +37,11 @@ bool goes_through_hold(const Piece& piece) {
 }  // namespace
 
 bool Planner::State::next_operated(Segment& segment) {
-    while (!is_stuck) {
-        if (left == 0) {
-            obey_until(totals.time);
-            if (!lookahead.is_ready()) fill();
-            if (!lookahead.is_ready()) break;
+    while (!operated.stands_for_ever) {
+        if (current.left == 0) {
+            obey_until(record.time());
+            if (!window.is_ready()) fill();
+            if (!window.is_ready()) break;
             if (must_wait()) {
                 if (!wait(segment)) break;
                 return true;
@@ -51,15 +51,15 @@ bool Planner::State::next_operated(Segment& segment) {
         }
         Piece& piece = pieces.front();
         note_block(piece);
-        plan(piece, left == 1);
+        plan(piece, current.left == 1);
         if (is_over_at_once(piece)) {
-            went_through |= piece.awaits_mark;
-            --left;
+            operated.went_through |= piece.awaits_mark;
+            --current.left;
             pieces.pop_front();
             continue;
         }
-        panel.pass_idle_until(totals.time + piece.segment.duration - kSameTime);
-        const double passed = std::max(0.0, panel.next_time() - totals.time);
+        panel.pass_idle_until(record.time() + piece.segment.duration - kSameTime);
+        const double passed = std::max(0.0, panel.next_time() - record.time());
         if (passed >= piece.segment.duration - kSameTime) {
             deliver(segment);
             return true;
@@ -73,25 +73,26 @@ bool Planner::State::next_operated(Segment& segment) {
 
 /// Tells the panel if a block begins with the piece.
 void Planner::State::note_block(const Piece& piece) {
-    if (piece.segment.line == line) return;
-    line = piece.segment.line;
+    if (piece.segment.line == operated.line) return;
+    operated.line = piece.segment.line;
     const bool is_asked = options.number_of && panel.waits_for_block();
-    panel.begin_block(line, is_asked ? options.number_of(line) : -1, totals.time);
+    panel.begin_block(operated.line, is_asked ? options.number_of(operated.line) : -1,
+                      record.time());
 }
 
 /// Does what is due, and lets the look-ahead know.
 void Planner::State::obey_until(double time) {
-    if (panel.act_until(time + kSameTime)) lookahead.set_overrides(panel.acting());
+    if (panel.act_until(time + kSameTime)) window.set_overrides(panel.acting());
 }
 
 /// The segment of the oldest piece, as it is planned.
 void Planner::State::deliver(Segment& segment) {
-    --left;
+    --current.left;
     const Piece& piece = pieces.front();
-    record(piece);
+    note_delivered(piece);
     // Between the spindle's mark and the thread that begins there nothing may pass.
-    if (is_motion(piece.segment.kind)) went_through = goes_through_hold(piece);
-    else if (piece.awaits_mark) went_through = true;
+    if (is_motion(piece.segment.kind)) operated.went_through = goes_through_hold(piece);
+    else if (piece.awaits_mark) operated.went_through = true;
     segment = piece.segment;
     if (std::isfinite(piece.feed_asked)) {
         const double dial = panel.dials().feed;
@@ -109,8 +110,8 @@ void Planner::State::deliver(Segment& segment) {
 
 /// Whether the axes stand and may not go on.
 bool Planner::State::must_wait() {
-    if (lookahead.reached() > 0) return false;
-    const OverriddenSpeed most = stretches.front().most();
+    if (window.reached() > 0) return false;
+    const OverriddenSpeed most = window.oldest().most();
     if (!(most.speed_at(panel.acting()) > 0)) return true;
     return panel.is_held() && !most.can_be_held && !goes_through();
 }
@@ -118,7 +119,7 @@ bool Planner::State::must_wait() {
 /// Behind a motion that cannot be held and in front of another one, with nothing between but
 /// standstill.
 bool Planner::State::goes_through() {
-    if (!went_through) return false;
+    if (!operated.went_through) return false;
     std::size_t next = 0;
     while (next + 1 < pieces.size() && !is_motion(pieces.at(next).segment.kind)) ++next;
     return goes_through_hold(pieces.at(next));
@@ -127,7 +128,7 @@ bool Planner::State::goes_through() {
 /// Stands until the next event; not done if there is none.
 Done Planner::State::wait(Segment& segment) {
     const Segment& next = pieces.front().segment;
-    start.acceleration = 0;
+    operated.start.acceleration = 0;
     if (std::isinf(panel.next_time())) {
         const bool is_rapid = std::isfinite(pieces.front().rapid_asked);
         report(sink, diag::StandsForEver, CommandLocation{next.line, next.source, {}},
@@ -137,7 +138,7 @@ Done Planner::State::wait(Segment& segment) {
                                  : "a feed override of 0 %")
             .fix(panel.is_held() ? "let cycle start follow at a later time"
                                  : "let an override above 0 % follow at a later time");
-        is_stuck = true;
+        operated.stands_for_ever = true;
         return kFailed;
     }
     segment = part_of(next, 0, 0);
@@ -148,10 +149,9 @@ Done Planner::State::wait(Segment& segment) {
     segment.profile = {};
     segment.feed = segment.feed_per_revolution = 0;
     segment.ends_command = segment.has_pulse = segment.is_rotary_only = false;
-    segment.start_time = totals.time;
-    segment.duration = panel.next_time() - totals.time;
-    totals.time += segment.duration;
-    totals.hold_time += segment.duration;
+    segment.start_time = record.time();
+    segment.duration = panel.next_time() - record.time();
+    record.add_hold(segment.duration);
     spindle_angle.pass(segment);
     return kDone;
 }
@@ -159,50 +159,51 @@ Done Planner::State::wait(Segment& segment) {
 // ------------------------------------------------------------------------------ stretches
 
 void Planner::State::begin_operated() {
-    current = stretches.front();
-    stretches.pop_front();
-    const PathMoment at{lookahead.reached() / current.entry_scale(), start.acceleration};
-    start.acceleration = 0;
-    given.reset();
-    rest_follows = false;
-    Stretch now = current;
-    now.speed = current.most().speed_at(panel.acting());
-    const double exit_limit = lookahead.exit_limit() / current.exit_scale();
-    const bool moves = current.length > 0;
+    current.limits = window.oldest();
+    Stretch& limits = current.limits;
+    const PathMoment at{window.reached() / limits.entry_scale(), operated.start.acceleration};
+    operated.start.acceleration = 0;
+    current.given.reset();
+    current.rest_follows = false;
+    Stretch now = limits;
+    now.speed = limits.most().speed_at(panel.acting());
+    const double exit_limit = window.exit_limit() / limits.exit_scale();
+    const bool moves = limits.length > 0;
     const auto answer = moves ? reaction(at, now, exit_limit) : std::nullopt;
-    speeds = lookahead.take();
-    left = current.pieces;
-    if (answer && answer->length < current.length) {
+    current.speeds = window.take();
+    current.left = limits.pieces;
+    if (answer && answer->length < limits.length) {
         split_current(answer->length, answer->exit_speed);
     } else if (answer) {
-        speeds.exit = answer->exit_speed * current.exit_scale();
-        lookahead.depart(speeds.exit);
+        current.speeds.exit = answer->exit_speed * limits.exit_scale();
+        window.depart(current.speeds.exit);
     }
     if (!moves) return;
-    const ProfileLimits limits{now.speed, now.acceleration, now.acceleration, now.jerk};
-    const JunctionSpeeds ends = own_speeds(now, speeds);
+    const ProfileLimits most{now.speed, now.acceleration, now.acceleration, now.jerk};
+    const JunctionSpeeds ends = own_speeds(now, current.speeds);
     if (std::isinf(now.jerk)) {
-        const auto sharp = trapezoid(now.length, ends.entry, ends.exit, limits);
+        const auto sharp = trapezoid(now.length, ends.entry, ends.exit, most);
         KADR_ASSERT(answer || sharp.has_value(),
                     "the look-ahead promised a ramp that does not fit");
-        given = answer ? *answer : *sharp;
+        current.given = answer ? *answer : *sharp;
         return;
     }
     const auto smooth = answer ? Result<Profile, ProfileFault>(*answer)
-                               : seven_phases(now.length, ends.entry, ends.exit, limits);
+                               : seven_phases(now.length, ends.entry, ends.exit, most);
     KADR_ASSERT(smooth.has_value(), "the look-ahead promised a smooth ramp that does not fit");
-    cut = ProfileCut(*smooth);
+    current.cut = ProfileCut(*smooth);
 }
 
 /// The current stretch ends behind this length, in a piece of its own and at this speed; the rest
 /// follows.
 void Planner::State::split_current(double length, double exit_speed) {
+    Stretch& limits = current.limits;
     std::size_t count = 0;
     double to = length;  // from the start of the piece `count`
-    while (count + 1 < current.pieces && to > pieces.at(count).extent() - kSamePlace)
+    while (count + 1 < limits.pieces && to > pieces.at(count).extent() - kSamePlace)
         to -= pieces.at(count++).extent();
-    Stretch rest = current;
-    rest.entry_limit = current.speed;
+    Stretch rest = limits;
+    rest.entry_limit = limits.speed;
     rest.entry_acceleration = kInfinity;
     rest.length -= length;
     if (to > kSamePlace) {
@@ -214,37 +215,35 @@ void Planner::State::split_current(double length, double exit_speed) {
     }
     rest.pieces -= count;
     if (rest.has_varying_feed())
-        rest.entry_feed = current.exit_feed = pieces.at(count).course.entry();
-    stretches.push_front(rest);
-    speeds.exit = exit_speed * rest.entry_scale();
-    lookahead.put_back(rest, speeds.exit);
-    current.length = length;
-    current.pieces = left = count;
+        rest.entry_feed = limits.exit_feed = pieces.at(count).course.entry();
+    current.speeds.exit = exit_speed * rest.entry_scale();
+    window.put_back(rest, current.speeds.exit);
+    limits.length = length;
+    limits.pieces = current.left = count;
     // Where the acceleration vanishes between the two, the next event joins them again.
-    rest_follows = std::isfinite(current.jerk);
+    current.rest_follows = current.has_limited_jerk();
 }
 
 /// The current stretch, as far as it is not delivered, is to be begun anew, in this state, which is
 /// told in the stretch's own unit.
 void Planner::State::interrupt(const PathMoment& moment) {
-    Stretch rest = current;
-    rest.entry_limit = current.speed;
+    Stretch rest = current.limits;
+    rest.entry_limit = current.limits.speed;
     rest.entry_acceleration = kInfinity;
-    rest.pieces = left;
+    rest.pieces = current.left;
     rest.length = 0;
-    for (std::size_t i = 0; i < left; ++i) rest.length += pieces.at(i).extent();
+    for (std::size_t i = 0; i < current.left; ++i) rest.length += pieces.at(i).extent();
     if (rest.has_varying_feed()) rest.entry_feed = pieces.front().course.entry();
-    if (rest_follows) {
-        rest.length += stretches.front().length;
-        rest.exit_feed = stretches.front().exit_feed;
-        rest.pieces += stretches.front().pieces;
-        stretches.pop_front();
-        lookahead.drop();
+    if (current.rest_follows) {
+        const Stretch& following = window.oldest();
+        rest.length += following.length;
+        rest.exit_feed = following.exit_feed;
+        rest.pieces += following.pieces;
+        window.drop();
     }
-    stretches.push_front(rest);
-    lookahead.put_back(rest, moment.speed * rest.entry_scale());
-    start = moment;
-    left = 0;
+    window.put_back(rest, moment.speed * rest.entry_scale());
+    operated.start = moment;
+    current.left = 0;
 }
 
 // ------------------------------------------------------------------------------ events
@@ -253,7 +252,7 @@ void Planner::State::interrupt(const PathMoment& moment) {
 /// nothing to be delivered before it.
 bool Planner::State::run_for(double passed, Segment& segment) {
     Piece& piece = pieces.front();
-    const double time = totals.time + passed;
+    const double time = record.time() + passed;
     const Profile whole_profile = piece.segment.profile;
     const Profile profile =
         whole_profile.has_varying_feed() ? rate_of(whole_profile) : whole_profile;
@@ -263,14 +262,14 @@ bool Planner::State::run_for(double passed, Segment& segment) {
         return true;
     }
     const bool is_begun = state.distance > kSamePlace;
-    const bool is_smooth = std::isfinite(current.jerk);
+    const bool is_smooth = current.has_limited_jerk();
     PathMoment moment{profile.entry_speed, is_smooth ? profile.entry_acceleration : 0};
     if (is_begun) {
         moment = {state.speed, is_smooth ? state.acceleration : 0};
         const Piece whole = piece;
         pieces.insert(0) = part_between(whole, 0, state.distance, axes);
         pieces.at(1) = part_between(whole, state.distance, whole.extent(), axes);
-        ++left;
+        ++current.left;
         const FeedCourse& course = pieces.front().course;
         Segment& head = pieces.front().segment;
         head.profile = head_of(profile, passed);
@@ -286,10 +285,10 @@ bool Planner::State::run_for(double passed, Segment& segment) {
 /// Events come while the axes stand. A hold stops a dwell, whose rest passes later; nothing else is
 /// interrupted. False if there is nothing to be delivered before it.
 bool Planner::State::stand_for(Segment& segment) {
-    const double end = totals.time + pieces.front().segment.duration;
+    const double end = record.time() + pieces.front().segment.duration;
     const bool is_dwell = pieces.front().segment.kind == SegmentKind::Dwell;
     while (panel.next_time() < end - kSameTime) {
-        const double passed = panel.next_time() - totals.time;
+        const double passed = panel.next_time() - record.time();
         obey_until(panel.next_time());
         if (!is_dwell || !options.hold_stops_dwell || !panel.is_held() || goes_through()) continue;
         const bool is_begun = passed > kSameTime;
@@ -299,11 +298,11 @@ bool Planner::State::stand_for(Segment& segment) {
             pieces.at(0).segment.duration = passed;
             pieces.at(0).segment.ends_command = false;
             pieces.at(1).segment.duration -= passed;
-            ++left;
+            ++current.left;
             deliver(segment);
         }
         interrupt({0, 0});
-        lookahead.set_overrides(panel.acting());
+        window.set_overrides(panel.acting());
         return is_begun;
     }
     deliver(segment);
