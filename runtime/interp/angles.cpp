@@ -71,7 +71,7 @@ void Executor::close_line(const Block& block) {
         reporter_.report(diag::AngleMissing, block);
         return;
     }
-    const Vec2 from{position_.here[index(axes.first)], position_.here[index(axes.second)]};
+    const Vec2 from{position_.here()[index(axes.first)], position_.here()[index(axes.second)]};
     const Vec2 to{block.at(slots[0]) * axes_.word_scale[index(axes.first)],
                   block.at(slots[1]) * axes_.word_scale[index(axes.second)]};
     const Vec2 out = direction_at(first.argument(*first.find(Function::ContourAngle), kAngle));

@@ -43,7 +43,6 @@ Answers::Answers(Channel& channel)
       compensation_(channel.state.stage.compensation),
       comp_3d_(channel.state.stage.comp_3d),
       coolant_(channel.state.spindle.coolant),
-      owes_speed_(channel.state.spindle.owes_speed),
       dynamics_(channel.state.motion.dynamics),
       axes_(channel.state.axes),
       length_shift_(channel.state.motion.length_shift),
@@ -89,10 +88,10 @@ std::optional<double> Answers::place_of(Quantity quantity, Axis axis) const {
     const AxisValues head = channel_.transformation.machine_axes();
     switch (quantity) {
         case Quantity::EndPosition:
-        case Quantity::WorkPosition: return position_.here[i];
+        case Quantity::WorkPosition: return position_.here()[i];
         case Quantity::HeadPosition: return frames_.from_base(head)[i];
         case Quantity::MachinePosition: return head[i] - preset_[i];
-        case Quantity::BasePosition: return position_.base[i];
+        case Quantity::BasePosition: return position_.base()[i];
         case Quantity::BaseZeroPosition: return place_within(frames_.base(), axis);
         case Quantity::SettablePosition:
             return place_within(chain(frames_.base(), frames_.work_offset()), axis);
@@ -104,8 +103,8 @@ std::optional<double> Answers::place_of(Quantity quantity, Axis axis) const {
 /// Where the tip is, seen from a frame.
 double Answers::place_within(const control::ControlFrame& frame, Axis axis) const {
     const std::size_t i = index(axis);
-    if (i > 2) return position_.base[i] - frame.shift[i] - frame.fine[i];
-    const path::Vec3 at{position_.base[0], position_.base[1], position_.base[2]};
+    if (i > 2) return position_.base()[i] - frame.shift[i] - frame.fine[i];
+    const path::Vec3 at{position_.base()[0], position_.base()[1], position_.base()[2]};
     return inverse(frame).whole()(at)[static_cast<Eigen::Index>(i)];
 }
 

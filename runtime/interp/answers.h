@@ -55,7 +55,7 @@ class Answers {
     const Modal& modal_;
     const Position& position_;
     const control::Frames& frames_;
-    Spindle& spindle_;
+    const Spindle& spindle_;
     const std::vector<Spindle>& other_spindles_;
     Tool& tool_;
     const ExtraTool& extra_;
@@ -66,7 +66,6 @@ class Answers {
     const Compensation& compensation_;
     const Compensation3d& comp_3d_;
     const path::CoolantMode& coolant_;
-    bool& owes_speed_;
     ProgrammedDynamics& dynamics_;
     const AxisData& axes_;
     const AxisValues& length_shift_;

@@ -53,13 +53,11 @@ SmoothApproaches::SmoothApproaches(Channel& channel)
       position_(channel.state.motion.position),
       frames_(channel.state.frame.frames),
       tool_(channel.state.tool.tool),
-      came_from_(channel.state.motion.came_from),
       comp_(channel.state.stage.comp),
       approach_choice_(channel.state.stage.approach_choice),
       smooth_approach_(channel.state.stage.smooth_approach),
       approached_(channel.state.stage.approached),
-      compensation_(channel.state.stage.compensation),
-      has_moved_(channel.state.motion.has_moved) {}
+      compensation_(channel.state.stage.compensation) {}
 
 /// The words of the block, and how the tool moves before and behind the slow infeed. Nothing: it
 /// was reported.
@@ -111,7 +109,7 @@ std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& bloc
 
 /// A coordinate along the tool axis, in the base system.
 double SmoothApproaches::base_level(double programmed) const {
-    AxisValues here = position_.here;
+    AxisValues here = position_.here();
     const std::size_t normal = index(path::axes_of(modal_.plane).normal);
     here[normal] = programmed;
     return frames_.to_base(here)[normal];
@@ -191,9 +189,9 @@ void SmoothApproaches::approach_smoothly(const Block& block, const Actions& acti
             channel_.compensation.comp_change(block, CompChange::Kind::Begin));
     }
     if (reporter_.has_ended()) return;
-    has_moved_ = true;
-    smooth_approach_.begin(*move, modal_.plane, position_.base, target.base, (targets & plane) != 0,
-                           (targets & bit(nc::slot_of(axes.normal))) != 0);
+    position_.note_motion();
+    smooth_approach_.begin(*move, modal_.plane, position_.base(), target.base,
+                           (targets & plane) != 0, (targets & bit(nc::slot_of(axes.normal))) != 0);
     channel_.motions.arrive(target);
 }
 
@@ -307,9 +305,10 @@ void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actio
     const SlotMask plane = bit(nc::slot_of(axes.first)) | bit(nc::slot_of(axes.second));
     const bool has_place = (targets & plane) != 0;
     const Target target = channel_.motions.motion_words().target_of(block, targets);
-    AxisValues before = position_.base;
-    for (std::size_t i = 0; i < 3; ++i) before[i] = came_from_[static_cast<Eigen::Index>(i)];
-    const Vec2 came = in_plane(position_.base) - in_plane(before);
+    AxisValues before = position_.base();
+    for (std::size_t i = 0; i < 3; ++i)
+        before[i] = position_.came_from()[static_cast<Eigen::Index>(i)];
+    const Vec2 came = in_plane(position_.base()) - in_plane(before);
     if (came.norm() < path::kSamePoint) {
         reporter_.report(diag::SoftNoDirection, block);
         return;
@@ -318,20 +317,20 @@ void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actio
         reporter_.report(diag::SoftNoWay, block);
         return;
     }
-    const ApproachPoint place{in_plane(position_.base), came.normalized(), in_plane(target.base)};
+    const ApproachPoint place{in_plane(position_.base()), came.normalized(), in_plane(target.base)};
     const std::optional<path::ApproachPath> way = soft_way(block, *move, place);
     if (!way) return;
     const bool has_level = (targets & bit(nc::slot_of(axes.normal))) != 0;
-    const double contour = position_.base[normal];
+    const double contour = position_.base()[normal];
     const double tool =
         has_level ? target.base[normal] : move->level.value_or(contour + move->clearance);
     const std::optional<double> level = approach_level(block, *move, contour, tool);
     if (!level || !channel_.checks.require_within_limits(block, target.base, target.moved)) return;
-    has_moved_ = true;
+    position_.note_motion();
 
     const Element element = path::way_from(place.place, place.direction, *way);
     Command first = move->slow;  // P4 to P3
-    AxisValues here = position_.base;
+    AxisValues here = position_.base();
     set_in_plane(here, element.to);
     if (!move->choice.in_steps) here[normal] = *level;
     first.to = here;

@@ -70,7 +70,7 @@ void Motions::thread_along_arc(const Block& block, const Target& target, const A
             .arg(kAxisNames[static_cast<std::size_t>(lead->axis)]);
         return;
     }
-    const Target begin{position_.here, position_.base, target.moved};
+    const Target begin{position_.here(), position_.base(), target.moved};
     for (int i = 1; i <= lines && !reporter_.has_ended(); ++i) {
         const double part = static_cast<double>(i) / lines;
         Target at = target;
@@ -83,9 +83,9 @@ void Motions::thread_along_arc(const Block& block, const Target& target, const A
             at.base = frames_.to_base(at.here);
         }
         if (!channel_.checks.require_within_limits(block, at.base, at.moved)) return;
-        has_moved_ = true;
-        const Vec3 way = linear(at.here) - linear(position_.here);
-        const double length = (linear(at.base) - linear(position_.base)).norm();
+        position_.note_motion();
+        const Vec3 way = linear(at.here) - linear(position_.here());
+        const double length = (linear(at.base) - linear(position_.base())).norm();
         Command& command = channel_.stages.put(Op::Thread, block);
         command.to = at.base;
         command.moved = at.moved;
@@ -110,13 +110,12 @@ std::optional<path::Arc> Motions::arc_of_thread(const Block& block, const Target
             .arg(rules_.thread_pitch_is_feed ? "centre or radius" : "radius or angle");
         return std::nullopt;
     }
-    const Function own = modal_.motion;
-    modal_.motion = own == Function::ThreadArcCw ? Function::ArcCw : Function::ArcCcw;
+    MotionView as_arc = motion_view();
+    as_arc.motion = modal_.motion == Function::ThreadArcCw ? Function::ArcCw : Function::ArcCcw;
+    MotionWords of_arc{as_arc, reporter_};
     Target end = target;
-    auto arc = words.has(Slot::Opening) ? motion_words().arc_by_opening(words, end)
-                                        : motion_words().resolve_arc(words, target);
-    modal_.motion = own;
-    return arc;
+    return words.has(Slot::Opening) ? of_arc.arc_by_opening(words, end)
+                                    : of_arc.resolve_arc(words, target);
 }
 
 /// Along which axis the pitch is, and how large; nothing if it was reported.

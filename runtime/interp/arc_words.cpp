@@ -58,7 +58,7 @@ std::optional<path::Arc> MotionWords::resolve_arc(const Block& block, const Targ
     const bool has_center = (block.given & nc::kCenterSlots) != 0;
     const std::optional<int> turns = turns_of(block);
     if (!turns) return std::nullopt;
-    const path::ArcEnds ends{linear(view_.position.here), linear(target.here)};
+    const path::ArcEnds ends{linear(view_.position.here()), linear(target.here)};
     const path::ArcTurning turning{view_.plane, view_.motion == Function::ArcCw, *turns};
     if (block.has(Slot::Radius)) {
         if (has_center && !view_.rules.arc_radius_wins) {
@@ -173,7 +173,7 @@ std::optional<path::Arc> MotionWords::arc_by_opening(const Block& block, Target&
     const bool is_clockwise = view_.motion == Function::ArcCw;
     const Vec3 third = path::unit(plane.normal);
     const Vec3 normal = is_clockwise ? Vec3(-third) : third;
-    const Vec3 start = linear(view_.position.here);
+    const Vec3 start = linear(view_.position.here());
     path::Arc arc{start, linear(target.here), start, normal, sweep + 2 * pi * *turns};
     if (has_center) {
         const std::optional<Vec3> center = center_of_arc(block, start);
@@ -224,7 +224,7 @@ std::optional<path::InvoluteWords> MotionWords::involute_words(const Block& bloc
             .arg(block.has(Slot::Radius) ? "centre" : "radius of its base circle");
         return std::nullopt;
     }
-    const Vec3 start = linear(view_.position.here);
+    const Vec3 start = linear(view_.position.here());
     const std::optional<Vec3> center = center_of_arc(block, start);
     if (!center) return std::nullopt;
     const Vec3 third = path::unit(path::axes_of(view_.plane).normal);

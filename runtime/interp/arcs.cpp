@@ -94,7 +94,7 @@ void Motions::put_arc(const Block& block, const path::Arc& programmed, const Tar
         is_plane_tilted ? programmed.normal.unitOrthogonal() : path::unit(plane.first);
     const Vec3 second = is_plane_tilted ? Vec3(programmed.normal.cross(first))
                                         : Vec3(side * path::unit(plane.second));
-    const path::Arc arc{linear(position_.base), linear(target.base), frame(programmed.center),
+    const path::Arc arc{linear(position_.base()), linear(target.base), frame(programmed.center),
                         frame.direction(first).cross(frame.direction(second)).normalized(),
                         programmed.sweep};
     put_base_arc(block, arc, target, exact_stop);
@@ -112,7 +112,7 @@ void Motions::stretched_arc(const Block& block, const Target& target, bool exact
     if (!block.has(Slot::Radius)) return stretched_arc_about_center(block, target, exact_stop);
     const std::optional<int> turns = motion_words().turns_of(block);
     if (!turns) return;
-    const path::ArcEnds ends{linear(position_.base), linear(target.base)};
+    const path::ArcEnds ends{linear(position_.base()), linear(target.base)};
     const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
     const Result<path::Arc, path::ArcFault> arc =
         path::arc_of_radius(ends, block.at(Slot::Radius) * frames_.larger_factor(modal_.plane),
@@ -126,10 +126,10 @@ void Motions::stretched_arc(const Block& block, const Target& target, bool exact
 void Motions::stretched_arc_about_center(const Block& block, const Target& target,
                                          bool exact_stop) {
     const std::optional<Vec3> programmed =
-        motion_words().center_of_arc(block, linear(position_.here));
+        motion_words().center_of_arc(block, linear(position_.here()));
     if (!programmed) return;
     const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
-    const Vec3 start = linear(position_.base);
+    const Vec3 start = linear(position_.base());
     Vec3 center = frames_.total()(*programmed);
     center += (start - center).dot(third) * third;
     const Vec3 out = start - center;
@@ -166,7 +166,7 @@ void Motions::put_base_arc(const Block& block, const path::Arc& arc, const Targe
     }
     if (!channel_.checks.require_arc_within_limits(block, arc, target)) return;
     if (spindle_.has_cutting_speed) [[unlikely]]
-        channel_.dangers.watch_cutting_speed(block, position_.here[0], target.here[0]);
+        channel_.dangers.watch_cutting_speed(block, position_.here()[0], target.here[0]);
 
     Command& command = channel_.stages.put(Op::Arc, block);
     command.to = target.base;
@@ -187,7 +187,7 @@ void Motions::put_base_arc(const Block& block, const path::Arc& arc, const Targe
     }
     arrive(target);
     const double climb = arc.normal.dot(arc.end - arc.start) / arc.sweep;
-    came_from_ = arc.end - arc.normal.cross(arc.end - arc.center) - arc.normal * climb;
+    position_.come_from(arc.end - arc.normal.cross(arc.end - arc.center) - arc.normal * climb);
 }
 
 void Motions::warn_arc_word(const Block& block, SlotMask words) {

@@ -18,6 +18,8 @@ struct AxisData {
     AxisValues left_over{};  // places over which axes went to a reference point last
     AxisMask has_left = 0;
     AxisValues word_scale{};  // 0.5 for X of a lathe: a diameter is programmed
+
+    void count_x_as(double scale) { word_scale[index(Axis::X)] = scale; }
 };
 
 }  // namespace kadr::interp

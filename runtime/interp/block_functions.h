@@ -60,10 +60,10 @@ class BlockFunctions {
     Tool& tool_;
     WorkArea& area_;
     PositionWords& position_words_;
-    Orienting& orienting_;
+    const Orienting& orienting_;
     const Tilting& tilted_plane_;
     bool& diameter_is_absolute_;
-    RadiusCompState& comp_;
+    const RadiusCompState& comp_;
     ApproachChoice& approach_choice_;
     const SmoothApproach& smooth_approach_;
     path::CoolantMode& coolant_;

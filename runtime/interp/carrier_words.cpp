@@ -59,7 +59,6 @@ Carriers::Carriers(Channel& channel)
       modal_(channel.state.motion.modal),
       position_(channel.state.motion.position),
       frames_(channel.state.frame.frames),
-      tool_(channel.state.tool.tool),
       carriers_(channel.state.tool.carriers),
       carrier_(channel.state.tool.carrier),
       orienting_(channel.state.tool.orienting),
@@ -120,7 +119,7 @@ void Carriers::take_carrier(const Block& block) {
     channel_.tilted_planes.drop_carry(block);
     carrier_.stand = stand;
     lay_on_carrier();
-    tool_.has_changed = true;
+    channel_.tool.expect_length();
 }
 
 /// The carrier with the angles that its data, the axes or the frame say; nothing: it was reported.
@@ -134,7 +133,7 @@ std::optional<Carrier> Carriers::standing_carrier(const Block& block, const Carr
         const auto& axis = data.axes[i];
         const bool is_led = axis && (axes_.present & bit(*axis)) != 0;
         carrier->angles[i] =
-            rad_from_deg(is_led ? position_.base[index(*axis)] : data.values[kFirstAngle + i]);
+            rad_from_deg(is_led ? position_.base()[index(*axis)] : data.values[kFirstAngle + i]);
     }
     if (carrier_.frame_axis == 0) return carrier;
     CarrierQuery query;
@@ -163,12 +162,13 @@ void Carriers::lay_on_carrier() {
 void Carriers::end_carrier() {
     carrier_.number = 0;
     carrier_.stand.reset();
-    frames_.set_tables(tilted_plane_.on_tables && machine_.kinematics
-                           ? machine::table_frame(machine_.kinematics->chain,
-                                                  channel_.transformation.joints_of(position_.base))
-                           : path::Frame{});
+    frames_.set_tables(
+        tilted_plane_.on_tables && machine_.kinematics
+            ? machine::table_frame(machine_.kinematics->chain,
+                                   channel_.transformation.joints_of(position_.base()))
+            : path::Frame{});
     channel_.frames.frame_changed();
-    tool_.has_changed = true;
+    channel_.tool.expect_length();
 }
 
 /// The plane that is being swivelled to has its own: the lengths are those of the tool again.
@@ -177,7 +177,7 @@ bool Carriers::leave_carrier() {
     if (!carrier_.stand) return false;
     carrier_.number = 0;
     carrier_.stand.reset();
-    tool_.lengths = channel_.tool.wanted_lengths();
+    channel_.tool.take_wanted_lengths();
     return true;
 }
 

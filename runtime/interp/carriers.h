@@ -40,7 +40,6 @@ class Carriers {
     const Modal& modal_;
     const Position& position_;
     control::Frames& frames_;
-    Tool& tool_;
     ToolCarriers& carriers_;
     ActiveCarrier& carrier_;
     const Orienting& orienting_;

@@ -60,13 +60,26 @@ ChannelState::ChannelState(const nc::Dialect& of_dialect, const machine::Machine
            .carriers = ToolCarriers(machine)},
       stage{.corners = Corners(corner_settings(rules))},
       cycle{.cycles = cycles} {
+    AxisValues home{};
     for (const machine::MachineAxis& axis : machine.axes)
-        motion.position.base[index(axis.axis)] = in_degrees(axis, axis.home);
+        home[index(axis.axis)] = in_degrees(axis, axis.home);
+    motion.position.stand_at(home);
+    motion.position.come_from({home[0], home[1], home[2]});
     for (const AxisValues& offset : machine.work_offsets)
         frame.work_offsets.push_back({.shift = offset});
     frame.work_offset = rules.default_work_offset;
-    for (std::size_t i = 0; i < 3; ++i)
-        motion.came_from[static_cast<Eigen::Index>(i)] = motion.position.base[i];
+}
+
+KeptState ChannelState::keep() const {
+    return {motion.position, spindle.spindle, tool.tool, motion.length_shift, spindle.coolant};
+}
+
+void ChannelState::take_back(const KeptState& kept) {
+    motion.position = kept.position;
+    spindle.spindle = kept.spindle;
+    tool.tool = kept.tool;
+    motion.length_shift = kept.length_shift;
+    spindle.coolant = kept.coolant;
 }
 
 }  // namespace kadr::interp

@@ -62,6 +62,11 @@ struct ChannelState {
     ChannelState(const ChannelState&) = delete;
     ChannelState& operator=(const ChannelState&) = delete;
 
+    /// What blocks find whose motions are not executed …
+    KeptState keep() const;
+    /// … and what acts again behind them.
+    void take_back(const KeptState& kept);
+
     const nc::Dialect& dialect;
     const machine::Machine& machine;
     nc::Rules rules;      // a program may write some of them: parameters of the control
@@ -75,14 +80,12 @@ struct ChannelState {
     struct Motion {
         Modal modal{};
         Position position{};
-        path::Vec3 came_from = path::Vec3::Zero();  // base system: a place on the way to here
         AxisValues length_shift{};  // machine position − base position: the tool length in force
         AxisValues preset{};        // real position − the one that the program has set
         AxisMask unplaced = 0;      // axes that want a place behind the end of a rotation
         Units units = Units::Unsaid;        // that the program said last
         bool diameter_is_absolute = false;  // X is a diameter as a coordinate only
-        bool has_moved = false;
-        bool is_scanning = false;  // motions are a scanner's
+        bool is_scanning = false;           // motions are a scanner's
         std::uint64_t block_count = 0;
         PositionWords position_words{};
         ProgrammedDynamics dynamics;

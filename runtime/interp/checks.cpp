@@ -49,7 +49,6 @@ MotionChecks::MotionChecks(Channel& channel)
       area_(channel.state.stage.area),
       comp_(channel.state.stage.comp),
       is_scanning_(channel.state.motion.is_scanning),
-      has_moved_(channel.state.motion.has_moved),
       units_(channel.state.motion.units),
       taps_rigidly_(channel.state.cycle.taps_rigidly),
       told_(channel.state.told),
@@ -120,7 +119,7 @@ void MotionChecks::check_rapid(const Block& block, const Target& target) {
     constexpr auto kZ = static_cast<std::size_t>(Axis::Z);
     const bool stands = spindle_.mode == SpindleMode::Stop;
     const bool dives = (target.moved >> kZ & 1u) != 0 && target.here[kZ] < 0 &&
-                       target.here[kZ] < position_.here[kZ];
+                       target.here[kZ] < position_.here()[kZ];
     const bool is_mill = axes_.word_scale[0] == 1 && modal_.plane == path::Plane::Xy;
     const bool is_danger = stands && dives && is_mill && !contour_;
     if (!is_danger || !told_.first_time(Once::Rapid)) return;
@@ -157,7 +156,7 @@ void MotionChecks::check_units(const Block& block, nc::Function function) {
             .arg(acts);
         return;
     }
-    if (changes && has_moved_ && told_.first_time(Once::Units)) {
+    if (changes && position_.has_moved() && told_.first_time(Once::Units)) {
         const bool to_inch = units == Units::Inch;
         reporter_.report(diag::UnitsMixed, block, function)
             .arg(to_inch ? "millimetres" : "inches")

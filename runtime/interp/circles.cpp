@@ -33,7 +33,7 @@ void Motions::arc_over_point(const Block& block, const Target& target, bool exac
         reporter_.report(diag::ArcStretched, block, modal_.motion);
         return;
     }
-    const path::ArcEnds ends{linear(position_.here), linear(target.here)};
+    const path::ArcEnds ends{linear(position_.here()), linear(target.here)};
     const Result<path::Arc, path::ArcFault> arc =
         path::arc_through(ends, motion_words().through_point(block));
     if (!arc) {
@@ -56,10 +56,11 @@ void Motions::arc_along(const Block& block, const Target& target, bool exact_sto
         reporter_.report(diag::ArcStretched, block, modal_.motion);
         return;
     }
-    AxisValues behind = position_.base;
-    for (std::size_t i = 0; i < 3; ++i) behind[i] = came_from_[static_cast<Eigen::Index>(i)];
+    AxisValues behind = position_.base();
+    for (std::size_t i = 0; i < 3; ++i)
+        behind[i] = position_.came_from()[static_cast<Eigen::Index>(i)];
     const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
-    const Vec3 start = linear(position_.here);
+    const Vec3 start = linear(position_.here());
     const Vec3 came = start - linear(frames_.from_base(behind));
     const Vec3 tangent = came - came.dot(third) * third;
     const Vec3 way = linear(target.here) - start;

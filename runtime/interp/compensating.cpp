@@ -87,6 +87,13 @@ void RadiusCompensation::choose(const Block& block, Function member, Actions& ac
     }
 }
 
+void RadiusCompensation::choose_feed(const Block& block, const Invocation& invocation,
+                                     Actions& actions) {
+    comp_.feed = std::clamp<std::int64_t>(
+        count_of(block, invocation, nc::parameter_of<Function::CompFeed>("kind")), 0, 2);
+    actions.comp_changed |= comp_.is_on();
+}
+
 void RadiusCompensation::choose_by_words(const Block& block, const Invocation& invocation,
                                          Actions& actions) {
     if (channel_.shapes.keeps_shape()) return;
@@ -137,7 +144,7 @@ void RadiusCompensation::act_on_comp(const Block& block, const Actions& actions)
         leave.kind = CompChange::Kind::Leave;
         leave.settings.corners.open_end = comp_.open_end;
         leave.plane = modal_.plane;
-        leave.here = position_.base;
+        leave.here = position_.base();
         leave.direction = leave_direction(block);
         send_comp(leave);
         return;
@@ -151,7 +158,7 @@ void RadiusCompensation::act_on_comp(const Block& block, const Actions& actions)
     if (!comp_.is_on()) return;
     const bool is_again = actions.radius_comp && rules_.comp_again_on_normal;
     if (is_again && comp_.acting == CompKind::InPlane)
-        send_comp({CompChange::Kind::Again, {}, modal_.plane, 0, position_.base, {}, {}});
+        send_comp({CompChange::Kind::Again, {}, modal_.plane, 0, position_.base(), {}, {}});
     if (reporter_.has_ended()) return;
     const CompChange change = comp_change(block, CompChange::Kind::Set);
     if (!reporter_.has_ended()) send_comp(change);
@@ -194,7 +201,7 @@ void RadiusCompensation::round_comp_corner(const Block& block, const Invocation&
         direction[static_cast<Eigen::Index>(i)] =
             block.argument(invocation, parameter_of<Function::CompCornerHere>("x") + i);
     }
-    CompChange change{CompChange::Kind::RoundCorner, {}, modal_.plane, 0, position_.base,
+    CompChange change{CompChange::Kind::RoundCorner, {}, modal_.plane, 0, position_.base(),
                       direction_in_base(direction),  {}};
     change.motion.op = path::Op::Arc;
     change.motion.feed_mode = modal_.feed_mode;
@@ -279,7 +286,7 @@ void RadiusCompensation::change_comp_3d(const CompChange& change) {
 path::Vec3 RadiusCompensation::tool_direction() const {
     if (orienting_.is_on)
         return machine::tool_vector(machine_.kinematics->chain,
-                                    channel_.transformation.joints_of(position_.base));
+                                    channel_.transformation.joints_of(position_.base()));
     if (comp_.acting == CompKind::FaceMillingInPlane)
         return path::unit(path::axes_of(modal_.plane).normal);
     if (comp_.acting == CompKind::FaceMillingInFrame)
@@ -346,7 +353,7 @@ CompChange RadiusCompensation::comp_change(const Block& block, CompChange::Kind 
     change.kind = kind;
     change.settings = comp_settings();
     change.plane = modal_.plane;
-    change.here = position_.base;
+    change.here = position_.base();
     take_comp_tool(block, comp_offset().value_or(0), change);
     if (is_in_space(kind)) {
         change.space = comp_3d_settings();

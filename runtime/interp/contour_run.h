@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "interp/kept_state.h"
 #include "interp/state.h"
 #include "macro/contour_table.h"
 
@@ -25,14 +26,7 @@ struct ContourRun {
     };
     std::vector<Said> said;
 
-    // As the blocks found them, and as they leave them: nothing of them was executed. Modal codes
-    // and the feed stay what the blocks have said (unsure).
-    Position position;
-    Spindle spindle;
-    Tool tool;
-    AxisValues length_shift{};
-    path::CoolantMode coolant = path::CoolantMode::Off;
-    bool has_moved = false;
+    KeptState before;
 };
 
 }  // namespace kadr::interp

@@ -25,15 +25,10 @@ class ContourTables {
     Channel& channel_;
     Reporter& reporter_;
     const Modal& modal_;
-    Position& position_;
     const control::Frames& frames_;
-    Spindle& spindle_;
-    Tool& tool_;
+    const Spindle& spindle_;
     const Corners& corners_;
-    path::CoolantMode& coolant_;
-    bool& has_moved_;
     const Units& units_;
-    AxisValues& length_shift_;
     const ModalCycles& modal_cycles_;
     const std::optional<ShapeRun>& shape_;
     std::optional<ContourRun>& contour_;

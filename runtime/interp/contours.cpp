@@ -46,15 +46,10 @@ ContourTables::ContourTables(Channel& channel)
     : channel_(channel),
       reporter_(channel.state.reporter),
       modal_(channel.state.motion.modal),
-      position_(channel.state.motion.position),
       frames_(channel.state.frame.frames),
       spindle_(channel.state.spindle.spindle),
-      tool_(channel.state.tool.tool),
       corners_(channel.state.stage.corners),
-      coolant_(channel.state.spindle.coolant),
-      has_moved_(channel.state.motion.has_moved),
       units_(channel.state.motion.units),
-      length_shift_(channel.state.motion.length_shift),
       modal_cycles_(channel.state.cycle.modal_cycles),
       shape_(channel.state.cycle.shape),
       contour_(channel.state.cycle.contour),
@@ -68,12 +63,7 @@ std::string_view ContourTables::begin_contour() {
     if (shape_ || !patterns_.empty()) return "a cycle";
     if (corners_.is_active()) channel_.cornering.leave_corners(diag::CornerWithoutMotion);
     contour_.emplace();
-    contour_->position = position_;
-    contour_->spindle = spindle_;
-    contour_->tool = tool_;
-    contour_->length_shift = length_shift_;
-    contour_->coolant = coolant_;
-    contour_->has_moved = has_moved_;
+    contour_->before = channel_.state.keep();
     return {};
 }
 
@@ -126,12 +116,7 @@ std::optional<ContourElements> ContourTables::end_contour() {
     if (reporter_.has_ended()) return std::nullopt;
     const ContourRun run = std::move(*contour_);
     contour_.reset();
-    position_ = run.position;
-    spindle_ = run.spindle;
-    tool_ = run.tool;
-    length_shift_ = run.length_shift;
-    coolant_ = run.coolant;
-    has_moved_ = run.has_moved;
+    channel_.state.take_back(run.before);
     return contour_of(run);
 }
 
@@ -144,7 +129,7 @@ std::optional<ContourElements> ContourTables::contour_of(const ContourRun& run) 
     };
     const bool is_mirrored = frames_.is_mirrored(modal_.plane);
     ContourElements out;
-    Vec2 from = in_plane(run.position.base);
+    Vec2 from = in_plane(run.before.position.base());
     std::size_t at = 0;  // of what the blocks have said
     for (const Command& command : run.commands) {
         if (!path::is_motion(command.op)) continue;

@@ -163,7 +163,7 @@ void Cornering::put_wish(const Block& block, CornerWish wish) {
     wish.size *= frames_.total().direction(path::unit(plane.first)).norm();
     const CornerSource place{block.source, block.line};
     if (!rules_.corner_in_own_block || wish.is_modal)
-        return corners_.wish(wish, position_.base, place);
+        return corners_.wish(wish, position_.base(), place);
     if (const DiagnosticRow* why = corners_.wish_behind(wish, place)) reporter_.report(*why, block);
 }
 
@@ -178,7 +178,8 @@ void Cornering::wish_square_corner(const Block& block, const Target& target) {
     const SlotMask words = block.given & nc::kArcSlots;
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const auto moves = [&](Axis axis) {
-        return std::abs(target.here[index(axis)] - position_.here[index(axis)]) > path::kSamePoint;
+        return std::abs(target.here[index(axis)] - position_.here()[index(axis)]) >
+               path::kSamePoint;
     };
     const bool along_first = moves(plane.first);
     const bool has_other = block.find(Function::CornerChamfer) != nullptr ||

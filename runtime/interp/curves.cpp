@@ -109,12 +109,12 @@ void Motions::move_along_curve(const Block& block, const nc::Invocation& call) {
     channel_.cornering.leave_corners(diag::CornerNotContour);
     if (reporter_.has_ended()) return;
     if (tool_.has_changed) channel_.tool.activate_length(block, kLinearXYZ);
-    const Vec3 start = linear(position_.base);
+    const Vec3 start = linear(position_.base());
     const path::Parametric curve = path::make_parametric(start, path::end_of(shape, start), shape);
     if (!(curve.length > path::kSamePoint)) return refuse("it has no length");
     if (!channel_.checks.require_box_within_limits(block, path::bounds(curve))) return;
 
-    Target target{{}, position_.base, 0};
+    Target target{{}, position_.base(), 0};
     for (std::size_t i = 0; i < 3; ++i) {
         const auto k = static_cast<Eigen::Index>(i);
         target.base[i] = curve.end[k];
@@ -122,7 +122,7 @@ void Motions::move_along_curve(const Block& block, const nc::Invocation& call) {
             target.moved = static_cast<AxisMask>(target.moved | bit(static_cast<Axis>(i)));
     }
     target.here = frames_.from_base(target.base);
-    has_moved_ = true;
+    position_.note_motion();
     Command& command = channel_.stages.put(Op::Parametric, block);
     command.to = target.base;
     command.moved = target.moved;
@@ -130,7 +130,7 @@ void Motions::move_along_curve(const Block& block, const nc::Invocation& call) {
     command.feed = modal_.feed;
     command.curve.assign(1, shape);
     arrive(target);
-    came_from_ = curve.end - path::curvature_at(curve, 1).tangent;
+    position_.come_from(curve.end - path::curvature_at(curve, 1).tangent);
 }
 
 }  // namespace kadr::interp

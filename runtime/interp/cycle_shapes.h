@@ -29,13 +29,8 @@ class CycleShapes {
     const nc::Dialect& dialect_;
     Reporter& reporter_;
     Modal& modal_;
-    Position& position_;
     const control::Frames& frames_;
-    Spindle& spindle_;
-    Tool& tool_;
-    path::CoolantMode& coolant_;
     const AxisData& axes_;
-    ModalCycles& modal_cycles_;
     const CycleRun& cycle_;
     std::optional<ShapeRun>& shape_;
 };

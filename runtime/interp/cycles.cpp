@@ -182,7 +182,7 @@ void Cycles::call_cycle(const Block& block, const Actions& actions) {
         const Axis tool_axis = path::axes_of(cycle_plane()).normal;
         if (!modal_cycles_.modal.is_active) {
             modal_cycles_.data = {};
-            modal_cycles_.data.initial = position_.here[index(tool_axis)];
+            modal_cycles_.data.initial = position_.here()[index(tool_axis)];
         }
         if (info.roles.depth >= 0 && !names_place(block, call, info.roles)) {
             forget_words(call, info.roles);
@@ -372,7 +372,7 @@ void Cycles::take_off_scale(ModalCycle& call) {
         static_cast<std::size_t>(info.roles.depth), static_cast<std::size_t>(info.roles.retract),
         find_parameter(info.parameters, "initial")};
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        places[i] = position_.here;
+        places[i] = position_.here();
         if (is_given(call, levels[i])) places[i][normal] = call.arguments[*levels[i]];
         places[i] = frames_.to_base(places[i]);
     }
@@ -630,8 +630,7 @@ void Cycles::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> block
     cycle_.modal_before = modal_;
     cycle_.x_scale_before = axes_.word_scale[index(Axis::X)];
     cycle_.after = {};
-    modal_.is_incremental = false;
-    modal_.motion = Function::Rapid;
+    begin_blocks();
     // The cycle's own motions neither repeat it nor end its mode.
     cycle_.is_modal_behind = modal_cycles_.modal.is_active;
     modal_cycles_.modal.is_active = false;
@@ -768,21 +767,30 @@ void Cycles::complete_surroundings(ModalCycle& call, bool calls_program) const {
                                             : 19);
 }
 
+void Cycles::begin_blocks() {
+    modal_.is_incremental = false;
+    modal_.motion = Function::Rapid;
+}
+
+void Cycles::begin_level_here() {
+    modal_cycles_.data.initial = position_.here()[index(path::axes_of(modal_.plane).normal)];
+}
+
 void Cycles::finish_cycle() {
     if (!require_no_refusal(channel_.stages.block_at(cycle_.caller.source, cycle_.caller.line)))
         return;
     // Compensation that the cycle has not ended is over; the cutter stays where it is.
     if (comp_.is_on()) {
-        comp_.side = CompSide::Off;
+        channel_.compensation.leave();
         channel_.compensation.stop_comp();
         if (reporter_.has_ended()) return;
-        position_.base = comp_3d_.is_on() ? comp_3d_.place() : compensation_.place();
+        position_.stand_at(comp_3d_.is_on() ? comp_3d_.place() : compensation_.place());
         channel_.frames.frame_changed();
     }
     cycle_.blocks.reset();
     cycle_.stream.reset();
-    modal_ = cycle_.modal_before;
-    axes_.word_scale[index(Axis::X)] = cycle_.x_scale_before;
+    take_back(cycle_.modal_before);
+    axes_.count_x_as(cycle_.x_scale_before);
     modal_cycles_.modal.is_active = cycle_.is_modal_behind;
     if (cycle_.final_level) return_to_level();
     if (reporter_.has_ended()) return;
@@ -826,7 +834,7 @@ path::Plane Cycles::cycle_plane() const {
 /// The programmed position as a cycle sees it: first and second axis of the plane, tool axis. X of
 /// a lathe is the diameter that programs say.
 AxisValues Cycles::position_in_cycle() const {
-    AxisValues position = position_.here;
+    AxisValues position = position_.here();
     if (!cycle_.is_across) {
         for (std::size_t i = 0; i < kAxes; ++i) position[i] /= axes_.word_scale[i];
     }

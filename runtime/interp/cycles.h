@@ -15,6 +15,25 @@ class Cycles {
     Cycles(const Cycles&) = delete;
     Cycles& operator=(const Cycles&) = delete;
 
+    /// No cycle is repeated any more.
+    void end_modal() { modal_cycles_.modal.is_active = false; }
+    /// This call is the one that counts.
+    void make_modal(const ModalCycle& call) { modal_cycles_.modal = call; }
+    /// A motion code ends the modal cycle, and rigid tapping with it.
+    void end_by_motion_code() {
+        taps_rigidly_ &= !modal_cycles_.modal.is_active;
+        end_modal();
+    }
+    void tap_rigidly() { taps_rigidly_ = true; }
+    /// Every motion from here on is followed by the call in this block; null: none is.
+    void call_behind_motions(const nc::Block* block) {
+        modal_cycles_.behind_motions.reset();
+        if (block != nullptr) modal_cycles_.behind_motions = *block;
+    }
+    /// Along another tool axis the initial level is where the tool stands.
+    void begin_level_here();
+    void return_to_retract(bool is_wanted) { modal_cycles_.returns_to_retract = is_wanted; }
+
     bool is_at_pattern_position() const;
     void leave_pattern_position();
     void leave_pattern();
@@ -34,6 +53,9 @@ class Cycles {
     const nc::Block& in_plane_of_cycle(const nc::Block& block);
 
   private:
+    /// Blocks of a cycle are under absolute dimensions, and begin at rapid.
+    void begin_blocks();
+    void take_back(const Modal& modal) { modal_ = modal; }
     void complete_call(ModalCycle& call) const;
     void take_letter(const nc::Block& block, ModalCycle& call) const;
     bool is_modal(nc::CycleId cycle) const;
@@ -81,10 +103,10 @@ class Cycles {
     const Tool& tool_;
     PositionWords& position_words_;
     const Corners& corners_;
-    RadiusCompState& comp_;
+    const RadiusCompState& comp_;
     const Compensation& compensation_;
     const Compensation3d& comp_3d_;
-    const bool& taps_rigidly_;
+    bool& taps_rigidly_;
     AxisData& axes_;
     ModalCycles& modal_cycles_;
     CycleRun& cycle_;

@@ -242,7 +242,7 @@ void DangerWatch::watch_radius(const Block& block, std::int64_t number) {
 double DangerWatch::below_retract() const {
     if (!dangers_.has_rapid_end) return 0;
     const auto axis = static_cast<Eigen::Index>(index(path::axes_of(modal_.plane).normal));
-    return dangers_.rapid_end[axis] - position_.base[static_cast<std::size_t>(axis)];
+    return dangers_.rapid_end[axis] - position_.base()[static_cast<std::size_t>(axis)];
 }
 
 /// The spindle is about to stop. Of a lathe its tool stands beside the part; a cycle knows what it
@@ -256,7 +256,7 @@ void DangerWatch::watch_spindle_stop(const Block& block) {
         return;
     const double below = below_retract();
     const Vec3 way =
-        Vec3(position_.base[0], position_.base[1], position_.base[2]) - dangers_.rapid_end;
+        Vec3(position_.base()[0], position_.base()[1], position_.base()[2]) - dangers_.rapid_end;
     const double aside = std::sqrt(std::max(0.0, way.squaredNorm() - below * below));
     if (below <= danger::kRetractSlack || aside <= danger::kRetractSlack) return;
     reporter_.report(diag::SpindleStopsInCut, block, Function::SpindleStop)

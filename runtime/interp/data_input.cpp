@@ -47,7 +47,7 @@ void BlockFunctions::write_parameter(const Block& block, const Invocation& invoc
         return;
     }
     if (number == kAxisKind && axis == Axis::X) {
-        axes_.word_scale[index(Axis::X)] = bit_of(value, kDiameter) ? 0.5 : 1;
+        axes_.count_x_as(bit_of(value, kDiameter) ? 0.5 : 1);
         return;
     }
     if (number == kArcTolerance && !has_axis) {

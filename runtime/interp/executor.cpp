@@ -63,10 +63,8 @@ Executor::Executor(Channel& channel, Stream<nc::Block>& blocks)
       position_words_(channel.state.motion.position_words),
       tilted_plane_(channel.state.tool.tilted_plane),
       virtual_(channel.state.tool.virtual_axes),
-      came_from_(channel.state.motion.came_from),
       smooth_approach_(channel.state.stage.smooth_approach),
       coolant_(channel.state.spindle.coolant),
-      has_moved_(channel.state.motion.has_moved),
       owes_speed_(channel.state.spindle.owes_speed),
       spline_(channel.state.cycle.spline),
       through_(channel.state.cycle.through),
@@ -86,8 +84,8 @@ Executor::Executor(Channel& channel, Stream<nc::Block>& blocks)
 void Executor::start() {
     channel_.spindles.set_up_spindles();
     channel_.frames.begin();
-    clocks_.run.start(position_.base);
-    position_.programmed = position_.here;
+    clocks_.run.start(position_.base());
+    position_.name();
     channel_.functions.power_on();
 }
 
@@ -293,16 +291,15 @@ void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
     if (!actions.feed_once) return channel_.motions.move(places, actions);
     const bool was_in_cycle = cycle_.blocks.has_value();
     const bool was_in_shape = shape_.has_value();
-    const double feed = std::exchange(modal_.feed, *actions.feed_once);
-    const bool has_feed = std::exchange(modal_.has_feed, true);
+    const FeedWords::Programmed before = channel_.feed.exchange({*actions.feed_once, true});
     channel_.motions.move(places, actions);
     const auto take_back = [&](Modal& modal) {
-        modal.feed = feed;
-        modal.has_feed = has_feed;
+        modal.feed = before.feed;
+        modal.has_feed = before.is_given;
     };
     if (cycle_.blocks && !was_in_cycle) return take_back(cycle_.modal_before);
     if (shape_ && !was_in_shape) take_back(shape_->modal);
-    take_back(modal_);
+    (void)channel_.feed.exchange(before);
 }
 
 // ------------------------------------------------------------------------------ out

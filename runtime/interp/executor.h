@@ -55,10 +55,8 @@ class Executor {
     PositionWords& position_words_;
     const Tilting& tilted_plane_;
     const Virtual& virtual_;
-    path::Vec3& came_from_;
     const SmoothApproach& smooth_approach_;
     const path::CoolantMode& coolant_;
-    bool& has_moved_;
     const bool& owes_speed_;
     const std::optional<SplineRun>& spline_;
     const std::optional<ThroughRun>& through_;

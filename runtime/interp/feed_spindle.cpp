@@ -38,7 +38,7 @@ void Spindles::leave_cutting_speed() {
 /// Speed under constant cutting speed where the tool is, rpm; infinite in the centre without a
 /// limit.
 double Spindles::turning_speed() const {
-    const double diameter = 2 * std::abs(position_.here[index(Axis::X)]);
+    const double diameter = 2 * std::abs(position_.here()[index(Axis::X)]);
     const double most = machine_.max_speed_of(spindle_.number);
     double highest = most > 0 ? rpm_from_speed(most) : std::numeric_limits<double>::infinity();
     if (highest_speed() > 0) highest = std::min(highest, highest_speed());

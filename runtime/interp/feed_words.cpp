@@ -59,7 +59,7 @@ void FeedWords::count_degrees(const Block& block, path::Command& command) const 
     AxisMask moving = 0;
     for (const machine::MachineAxis& axis : machine_.axes) {
         const std::size_t i = index(axis.axis);
-        if (command.to[i] != position_.base[i]) moving |= bit(axis.axis);
+        if (command.to[i] != position_.base()[i]) moving |= bit(axis.axis);
     }
     const auto turning = static_cast<AxisMask>(moving & kRotaryABC);
     const bool turns_alone = moving == turning;

@@ -1,6 +1,8 @@
 // feed_words.h — what F means, and which feed acts.
 #pragma once
 
+#include <utility>
+
 #include "interp/channel_state.h"
 
 namespace kadr::interp {
@@ -13,6 +15,18 @@ class FeedWords {
     explicit FeedWords(Channel& channel);
     FeedWords(const FeedWords&) = delete;
     FeedWords& operator=(const FeedWords&) = delete;
+
+    /// F as the program has said it, unit of the feed mode.
+    struct Programmed {
+        double feed = 0;
+        bool is_given = false;
+    };
+    /// This one acts from here on; returns the one before.
+    Programmed exchange(Programmed by) {
+        return {std::exchange(modal_.feed, by.feed), std::exchange(modal_.has_feed, by.is_given)};
+    }
+    /// As if F had been said: nothing moves with it.
+    void assume(double feed) { (void)exchange({feed, true}); }
 
     void report_varying_feed(const path::Command& command, double feed);
     void select_feed_mode(nc::Function member);

@@ -53,7 +53,7 @@ void ProgrammedFrames::let_comp_go(const Block& block, const Invocation& invocat
     if (!comp_.is_on() || !rules_.comp_is_innermost || block.is_of_cycle()) return;
     if (nc::has_fact(invocation.function, nc::Fact::LetsCompGo))
         channel_.compensation.send_comp(
-            {CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base, {}, {}});
+            {CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base(), {}, {}});
 }
 
 /// X, Y and Z of a function of frames, or all axes.
@@ -96,7 +96,7 @@ void ProgrammedFrames::set_position(const Block& block, const Invocation& invoca
     if (reporter_.has_ended() ||
         !require_named_axes(block, invocation, static_cast<AxisMask>(words.given)))
         return;
-    frames_.set_position(words, position_.here, position_.base);
+    frames_.set_position(words, position_.here(), position_.base());
     name_position(words);
 }
 
@@ -114,7 +114,7 @@ void ProgrammedFrames::reset_position(const Block& block, const Invocation& invo
 void ProgrammedFrames::name_position(const control::FrameWords& words) {
     frame_changed();
     for (std::size_t i = 0; i < kAxes; ++i) {
-        if (words.has(i)) position_.programmed[i] = position_.here[i];
+        if (words.has(i)) position_.name(i);
     }
 }
 
@@ -159,7 +159,7 @@ control::FrameWords ProgrammedFrames::center_of(const Block& block,
     const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
     control::FrameWords center = frame_words(block, invocation, kX, x_scale);
     for (std::size_t i = 0; rules_.frame_center_at_tool && i < 3; ++i) {
-        if (!center.has(i)) center.values[i] = position_.here[i];
+        if (!center.has(i)) center.values[i] = position_.here()[i];
     }
     return center;
 }
@@ -201,6 +201,6 @@ void ProgrammedFrames::scale(const Block& block, const Invocation& invocation) {
 }
 
 /// No axis moves when a frame changes, but the tool has other coordinates now.
-void ProgrammedFrames::frame_changed() { position_.here = frames_.from_base(position_.base); }
+void ProgrammedFrames::frame_changed() { position_.see_in(frames_); }
 
 }  // namespace kadr::interp

@@ -142,7 +142,7 @@ void BlockFunctions::apply(const Block& block, const nc::Effect& effect, Actions
         case Kind::WorkOffset:
             channel_.frames.select_work_offset(
                 block, count_of(block, invocation, parameter_of<Function::WorkOffset>("number")));
-            orienting_.owes_offset = false;
+            channel_.transformation.offset_is_said();
             break;
         case Kind::WritesWorkOffset: actions.data = &invocation; break;
         case Kind::CorrectsWorkOffset: channel_.motions.use_probed(block, invocation); break;
@@ -153,16 +153,16 @@ void BlockFunctions::apply(const Block& block, const nc::Effect& effect, Actions
         case Kind::SelectsEdge: channel_.tool.select_edge(block, invocation, actions); break;
         case Kind::ChangesLength: channel_.tool.change_length(block, invocation, actions); break;
         case Kind::SelectsLength:
-            tool_.offset =
-                count_of(block, invocation, parameter_of<Function::LengthOffset>("offset"));
+            channel_.tool.choose_offset(
+                count_of(block, invocation, parameter_of<Function::LengthOffset>("offset")));
             if (tool_.source == Tool::Source::Offset)
                 channel_.tool.set_length_source(Tool::Source::Offset, actions);
             break;
         case Kind::SelectsRadius:
             if (channel_.shapes.keeps_shape()) break;
             actions.comp_changed = true;
-            tool_.radius_offset =
-                count_of(block, invocation, parameter_of<Function::RadiusOffset>("offset"));
+            channel_.tool.choose_radius_offset(
+                count_of(block, invocation, parameter_of<Function::RadiusOffset>("offset")));
             break;
         case Kind::EndsProgram: actions.ends = true; break;
         case Kind::Own: apply_own(block, invocation, actions); break;
@@ -213,20 +213,16 @@ void BlockFunctions::set_member(const Block& block, const nc::Effect& effect, Ac
             actions.coolant_off |= member == Function::CoolantOff;
             break;
         case Group::CycleReturn:
-            modal_cycles_.returns_to_retract = member == Function::CycleReturnRetract;
+            channel_.cycles.return_to_retract(member == Function::CycleReturnRetract);
             break;
         case Group::Diameter: set_diameter(block, member); break;
         case Group::Compressor:
             channel_.smoothing.choose_smoothing(block, effect.invocation_in(block));
             break;
-        case Group::Turning: orienting_.turning = orient_interpolation_of(member); break;
+        case Group::Turning:
         case Group::OrientAngles:
-            orienting_.angles = tool_angles_of(member);
-            if (member == Function::AnglesEuler || member == Function::AnglesZyz)
-                orienting_.euler = orienting_.angles;
-            break;
-        case Group::OrientSystem: orienting_.is_in_base = member == Function::OrientInBase; break;
-        case Group::Spinning: orienting_.spin = spin_from_of(member); break;
+        case Group::OrientSystem:
+        case Group::Spinning: channel_.transformation.choose(member); break;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
@@ -237,7 +233,7 @@ void BlockFunctions::set_member(const Block& block, const nc::Effect& effect, Ac
 }
 
 void BlockFunctions::set_diameter(const Block& block, Function member) {
-    axes_.word_scale[index(Axis::X)] = member == Function::DiameterOff ? 1 : 0.5;
+    axes_.count_x_as(member == Function::DiameterOff ? 1 : 0.5);
     diameter_is_absolute_ = member == Function::DiameterAbsolute;
     if (member != Function::DiameterOff) channel_.dangers.watch_diameter(block, member);
 }
@@ -297,9 +293,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
                 count_of(block, invocation, parameter_of<Function::ApproachSide>("side")), 0, 3));
             break;
         case Function::CompFeed:
-            comp_.feed = std::clamp<std::int64_t>(
-                count_of(block, invocation, parameter_of<Function::CompFeed>("kind")), 0, 2);
-            actions.comp_changed |= comp_.is_on();
+            channel_.compensation.choose_feed(block, invocation, actions);
             break;
         case Function::FeedOnce:
             actions.feed_once =
@@ -325,7 +319,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
                                                  {},
                                                  modal_.plane,
                                                  0,
-                                                 position_.base,
+                                                 position_.base(),
                                                  {},
                                                  {}});
             }
@@ -340,7 +334,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
         case Function::PathMoves:
         case Function::PointMoves:
         case Function::PointRapids:
-            orienting_.point_to_point = point_to_point_of(invocation.function);
+            channel_.transformation.choose_point_to_point(invocation.function);
             break;
         case Function::AxisConfiguration:
         case Function::AxisSigns:
@@ -381,7 +375,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
         case Function::ToolFrameOff:
             frames_.set_tool_frame(std::nullopt);
             channel_.frames.frame_changed();
-            position_.programmed = position_.here;
+            position_.name();
             break;
         case Function::TableFrame:
         case Function::TableFrameOff:
@@ -454,7 +448,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
             actions.thread_start_deg =
                 block.argument(invocation, parameter_of<Function::ThreadStart>("angle"));
             break;
-        case Function::TapRigid: taps_rigidly_ = true; break;
+        case Function::TapRigid: channel_.cycles.tap_rigidly(); break;
         case Function::Pole:
             position_words_.set_pole(block, invocation, channel_.motions.motion_words());
             break;
@@ -670,12 +664,12 @@ void BlockFunctions::change_plane(const Block& block, Function plane) {
     const Plane before = modal_.plane;
     modal_.plane = plane_of(plane);
     // Where a tool's lengths act may depend on the plane.
-    tool_.has_changed |= channel_.tool.wanted_lengths() != tool_.lengths;
+    if (channel_.tool.wanted_lengths() != tool_.lengths) channel_.tool.expect_length();
     if (modal_.plane == before) return;
     position_words_.leave_plane();
     // Along another tool axis the holes begin where the tool stands.
     if (modal_cycles_.modal.is_active && !block.is_of_cycle() && !is_lathe_)
-        modal_cycles_.data.initial = position_.here[index(path::axes_of(modal_.plane).normal)];
+        channel_.cycles.begin_level_here();
 }
 
 void BlockFunctions::act_before_motion(const Block& block, const Actions& actions) {
@@ -687,7 +681,7 @@ void BlockFunctions::act_before_motion(const Block& block, const Actions& action
     if (actions.comp_changed) channel_.compensation.act_on_comp(block, actions);
     if (actions.keeps_vector)
         channel_.compensation.send_comp(
-            {CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});
+            {CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base(), {}, {}});
     if (actions.comp_corner != nullptr)
         channel_.compensation.round_comp_corner(block, *actions.comp_corner);
     if (reporter_.has_ended()) return;
@@ -703,7 +697,7 @@ void BlockFunctions::act_before_motion(const Block& block, const Actions& action
         return;
     }
     if (actions.spindle) told_.renew_spindle();
-    if (actions.spindle && is_running(*actions.spindle)) spindle_.mode = *actions.spindle;
+    if (actions.spindle && is_running(*actions.spindle)) channel_.spindles.turn(*actions.spindle);
     if (!actions.stops_behind) stop_spindle_and_coolant(block, actions);
     channel_.spindles.update_spindle(block);
     if (actions.orient != nullptr) channel_.spindles.orient_spindle(block, *actions.orient);
@@ -741,7 +735,7 @@ void BlockFunctions::act_after_motion(const Block& block, const Actions& actions
 void BlockFunctions::stop_spindle_and_coolant(const Block& block, const Actions& actions) {
     if (actions.spindle == SpindleMode::Stop) {
         channel_.dangers.watch_spindle_stop(block);
-        spindle_.mode = SpindleMode::Stop;
+        channel_.spindles.turn(SpindleMode::Stop);
         channel_.spindles.update_spindle(block);
     }
     if (actions.coolant_off) set_coolant(block, path::CoolantMode::Off);

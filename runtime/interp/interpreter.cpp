@@ -109,7 +109,7 @@ std::size_t Interpreter::pull(std::span<path::Command> out) {
 bool Interpreter::alarmed() const { return state_->channel_state.reporter.has_alarm(); }
 std::vector<StateItem> Interpreter::state() const { return state_->answers.state(); }
 const AxisValues& Interpreter::position() const {
-    return state_->channel_state.motion.position.here;
+    return state_->channel_state.motion.position.here();
 }
 Snapshot Interpreter::snapshot() const { return state_->answers.snapshot(); }
 std::vector<ProbeTouch> Interpreter::touches_ahead() const {

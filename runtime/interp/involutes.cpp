@@ -51,13 +51,13 @@ void Motions::put_involute(const Block& block, const path::InvoluteWords& words,
     // Equal factors along the axes of the plane make a larger circle.
     const double base_radius = radius * first.norm() / flat.norm();
     const Vec3 center = frame(words.center);
-    const path::Involute involute = path::make_involute(linear(position_.base), linear(target.base),
-                                                        center, normal, base_radius);
+    const path::Involute involute = path::make_involute(
+        linear(position_.base()), linear(target.base), center, normal, base_radius);
     if (tool_.has_changed && !channel_.tool.activate_length_on_arc(block, normal, target.moved))
         return;
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     if (!channel_.checks.require_box_within_limits(block, path::bounds(involute))) return;
-    has_moved_ = true;
+    position_.note_motion();
     path::Command& command = channel_.stages.put(path::Op::Involute, block);
     command.to = target.base;
     command.moved = target.moved;
@@ -69,7 +69,7 @@ void Motions::put_involute(const Block& block, const path::InvoluteWords& words,
     command.turns = 0;
     command.feed = modal_.feed;
     arrive(target);
-    came_from_ = involute.end - path::evaluate(involute, involute.length).tangent;
+    position_.come_from(involute.end - path::evaluate(involute, involute.length).tangent);
 }
 
 }  // namespace kadr::interp

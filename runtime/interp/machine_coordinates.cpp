@@ -51,7 +51,7 @@ Done ProgrammedFrames::take_frames_off(const Block& block) {
             ? count_of(block, *said, parameter_of<Function::MachineCoordinates>("keeps"))
             : 0);
     frame_changed();
-    position_.programmed = position_.here;
+    position_.name();
     return kDone;
 }
 
@@ -61,8 +61,9 @@ void ProgrammedFrames::put_frames_back(const Block& block) {
     frame_changed();
     for (std::size_t i = 0; i < kAxes; ++i) {
         const bool has_moved =
-            (block.given >> i & 1u) != 0 || position_.base[i] != off.before.base[i];
-        position_.programmed[i] = has_moved ? position_.here[i] : off.before.programmed[i];
+            (block.given >> i & 1u) != 0 || position_.base()[i] != off.before.base()[i];
+        if (has_moved) position_.name(i);
+        else position_.name_as(off.before, i);
     }
 }
 

@@ -64,19 +64,15 @@ Motions::Motions(Channel& channel)
       frames_(channel.state.frame.frames),
       spindle_(channel.state.spindle.spindle),
       tool_(channel.state.tool.tool),
-      extra_(channel.state.tool.extra),
       orienting_(channel.state.tool.orienting),
       tilted_plane_(channel.state.tool.tilted_plane),
       course_(channel.state.tool.course),
       virtual_(channel.state.tool.virtual_axes),
-      came_from_(channel.state.motion.came_from),
       diameter_is_absolute_(channel.state.motion.diameter_is_absolute),
       corners_(channel.state.stage.corners),
       comp_(channel.state.stage.comp),
       comp_3d_(channel.state.stage.comp_3d),
-      has_moved_(channel.state.motion.has_moved),
       units_(channel.state.motion.units),
-      taps_rigidly_(channel.state.cycle.taps_rigidly),
       dynamics_(channel.state.motion.dynamics),
       unplaced_(channel.state.motion.unplaced),
       told_(channel.state.told),
@@ -87,11 +83,8 @@ Motions::Motions(Channel& channel)
       shape_(channel.state.cycle.shape) {}
 
 void Motions::move(const Block& block, const Actions& actions) {
-    if (block.motion != Function::None) modal_.motion = block.motion;
-    if (nc::ends_modal_cycle(block)) {
-        taps_rigidly_ &= !modal_cycles_.modal.is_active;
-        modal_cycles_.modal.is_active = false;
-    }
+    if (block.motion != Function::None) modal_.move_by(block.motion);
+    if (nc::ends_modal_cycle(block)) channel_.cycles.end_by_motion_code();
     const SlotMask targets = block.given & nc::kTargetSlots;
     SlotMask arc_words = block.given & kArcSlots;
     const bool has_arc = arc_words != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
@@ -119,9 +112,7 @@ void Motions::move(const Block& block, const Actions& actions) {
         !channel_.cycles.require_no_cycle(block, actions))
         return;
     if (actions.calls_behind_motions) {
-        modal_cycles_.behind_motions.reset();
-        if (actions.cycle != nullptr) modal_cycles_.behind_motions = block;
-        return;
+        return channel_.cycles.call_behind_motions(actions.cycle != nullptr ? &block : nullptr);
     }
     if (actions.cycle_is_cancelled) return channel_.cycles.move_instead_of_cycle(block, actions);
     if (actions.cycle != nullptr) return channel_.cycles.call_cycle(block, actions);
@@ -174,13 +165,13 @@ void Motions::move(const Block& block, const Actions& actions) {
     }
     if (is_lathe_ && (targets & bit(Slot::C)) != 0) {
         constexpr auto kC = index(Axis::C);
-        const double turn = std::abs(target.here[kC] - position_.here[kC]);
+        const double turn = std::abs(target.here[kC] - position_.here()[kC]);
         const bool turns =
             spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
         const bool cuts = modal_.motion == Function::Line && (targets & kLinearXYZ) != 0;
         // From zero, as where nobody has used C as an axis: a chamfer without its comma.
         const bool is_tiny =
-            position_.here[kC] == 0 && turn > 0 && turn < danger::kLeastSpindleTurn;
+            position_.here()[kC] == 0 && turn > 0 && turn < danger::kLeastSpindleTurn;
         const std::string hint = hint_at_comma(dialect_.tables(), Axis::C, block.at(Slot::C));
         if (turns && cuts && is_tiny && !hint.empty() && !block.is_of_cycle()) {
             reporter_.report(diag::TinyRotation, block, Slot::C)
@@ -234,15 +225,8 @@ void Motions::check_place(const Block& block, SlotMask targets) {
 }
 
 void Motions::arrive(const Target& target) {
-    const Vec3 before = linear(position_.base);
-    if (before != linear(target.base)) came_from_ = before;
-    position_.here = target.here;
-    position_.base = target.base;
-    const auto said = static_cast<AxisMask>(target.moved & ~target.carried);
-    for (AxisMask rest = said; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        position_.programmed[i] = target.here[i];
-    }
+    position_.arrive(target.here, target.base,
+                     static_cast<AxisMask>(target.moved & ~target.carried));
 }
 
 // ------------------------------------------------------------------------------ lines
@@ -255,16 +239,16 @@ void Motions::line(const Block& block, const Target& programmed, Op op, bool exa
     if (op == Op::Rapid) channel_.checks.check_rapid(block, target);
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     if (spindle_.has_cutting_speed && op != Op::Probe) [[unlikely]]
-        channel_.dangers.watch_cutting_speed(block, position_.here[0], target.here[0]);
+        channel_.dangers.watch_cutting_speed(block, position_.here()[0], target.here[0]);
     if (course_ && !channel_.tool_motion.lay_directions(
-                       block, straight_path(linear(position_.base), linear(target.base)), target))
+                       block, straight_path(linear(position_.base()), linear(target.base)), target))
         return;
     if (op == Op::Probe || probes_at_rapid(block)) {
-        probing = probe_along(block, target, {position_.here, target.here});
+        probing = probe_along(block, target, {position_.here(), target.here});
         if (probing->ends_move()) target = *probing->touched;
     }
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
-    has_moved_ = true;
+    position_.note_motion();
     Command& command = channel_.stages.put(op, block);
     command.to = target.base;
     command.moved = target.moved;

@@ -45,7 +45,6 @@ class MotionChecks {
     WorkArea& area_;
     const RadiusCompState& comp_;
     const bool& is_scanning_;
-    const bool& has_moved_;
     Units& units_;
     const bool& taps_rigidly_;
     ReportedInRun& told_;

@@ -26,11 +26,11 @@ void MotionView::take(const Block& block) {
 }
 
 Target MotionWords::target_of(const Block& block, SlotMask targets) const {
-    Target target{view_.position.here, view_.position.base, static_cast<AxisMask>(targets)};
+    Target target{view_.position.here(), view_.position.base(), static_cast<AxisMask>(targets)};
     const SlotMask incremental = view_.is_incremental ? ~block.absolute : block.incremental;
     const AxisValues& last = view_.rules.incremental_frame == nc::IncrementalFrame::Traversed
-                                 ? view_.position.programmed
-                                 : view_.position.here;
+                                 ? view_.position.programmed()
+                                 : view_.position.here();
     const AxisValues& shift = view_.frames.shift_values();
     for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
@@ -76,11 +76,11 @@ void MotionWords::turn_rotary(const Block& block, Target& target) const {
         const nc::RotaryApproach way = block.rotary_approach(axis);
         if (way == nc::RotaryApproach::AsProgrammed || !block.has(nc::slot_of(axis))) continue;
         const std::size_t i = index(axis);
-        double turn = std::fmod(block.values[i] - view_.position.here[i], 360);
+        double turn = std::fmod(block.values[i] - view_.position.here()[i], 360);
         if (way == nc::RotaryApproach::Shortest) turn = std::remainder(turn, 360);
         if (way == nc::RotaryApproach::Positive && turn < 0) turn += 360;
         if (way == nc::RotaryApproach::Negative && turn > 0) turn -= 360;
-        target.here[i] = view_.position.here[i] + turn;
+        target.here[i] = view_.position.here()[i] + turn;
         target.base[i] = target.here[i] + view_.frames.shift_values()[i];
     }
 }
@@ -112,7 +112,7 @@ bool MotionWords::is_distance(const Block& block, Slot slot) const {
 
 /// The point between, in the programmed system.
 Vec3 MotionWords::through_point(const Block& block) const {
-    Vec3 through = linear(view_.position.here);
+    Vec3 through = linear(view_.position.here());
     for (std::size_t i = 0; i < 3; ++i) {
         const auto slot = static_cast<Slot>(static_cast<std::size_t>(Slot::ThroughX) + i);
         if (!block.has(slot)) continue;
@@ -124,7 +124,7 @@ Vec3 MotionWords::through_point(const Block& block) const {
 
 path::Vec2 MotionWords::position_in_plane() const {
     const path::PlaneAxes plane = path::axes_of(view_.plane);
-    return {view_.position.here[index(plane.first)], view_.position.here[index(plane.second)]};
+    return {view_.position.here()[index(plane.first)], view_.position.here()[index(plane.second)]};
 }
 
 }  // namespace kadr::interp

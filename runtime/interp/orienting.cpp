@@ -86,7 +86,6 @@ Transformation::Transformation(Channel& channel)
       orienting_(channel.state.tool.orienting),
       tilted_plane_(channel.state.tool.tilted_plane),
       virtual_(channel.state.tool.virtual_axes),
-      came_from_(channel.state.motion.came_from),
       comp_(channel.state.stage.comp),
       told_(channel.state.told),
       length_shift_(channel.state.motion.length_shift) {}
@@ -112,7 +111,7 @@ AxisMask Transformation::joint_axes() const {
 }
 
 /// Where the axes of the machine stand.
-AxisValues Transformation::machine_axes() const { return machine_axes_at(position_.base); }
+AxisValues Transformation::machine_axes() const { return machine_axes_at(position_.base()); }
 
 AxisValues Transformation::machine_axes_at(const AxisValues& base) const {
     AxisValues axes = base;
@@ -200,15 +199,10 @@ void Transformation::switch_transformation(const Block& block, const nc::Invocat
             linear(axes), {axes[6], axes[7], axes[8]}, joints_of(axes)};
         tip = machine::forward(machine_.kinematics->chain, position, -tool_.lengths).tip;
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto at = static_cast<Eigen::Index>(i);
-        length_shift_[i] = is_wanted ? 0 : tool_.lengths[at];
-        position_.base[i] = tip[at];
-    }
-    position_.here = position_.programmed = frames_.from_base(position_.base);
-    came_from_ = tip;
+    channel_.tool.set_length_shift(is_wanted ? Vec3(Vec3::Zero()) : tool_.lengths);
+    take_position(path::with_linear(position_.base(), tip));
     if (!is_wanted && tilted_plane_.is_on)
-        channel_.tilted_planes.carry(block, joints_of(position_.base));
+        channel_.tilted_planes.carry(block, joints_of(position_.base()));
 }
 
 /// Inside of a spline no other coordinate system begins. S 7.1: 14402.
@@ -266,13 +260,42 @@ void Transformation::begin_length_transformation(const Block& block,
                 joints_of(channel_.motions.motion_words().target_of(block, rotary).base);
             frames_.set_table(table_frame(machine_.kinematics->chain, joints));
         }
-        position_.base = frames_.to_base(position_.here);
-        length_shift_ = {};
+        position_.keep_coordinates(frames_);
+        channel_.tool.set_length_shift(Vec3::Zero());
     }
-    tool_.is_taken_off = false;
-    if (invocation.has(kOffset)) tool_.offset = std::llround(block.argument(invocation, kOffset));
+    channel_.tool.add_length();
+    if (invocation.has(kOffset))
+        channel_.tool.choose_offset(std::llround(block.argument(invocation, kOffset)));
     channel_.tool.set_length_source(Tool::Source::Offset, actions);
     actions.switches_length = !was_on || channel_.tool.wanted_lengths() != tool_.lengths;
+}
+
+void Transformation::choose(Function member) {
+    switch (nc::group_of(member)) {
+        case nc::Group::Turning: orienting_.turning = orient_interpolation_of(member); break;
+        case nc::Group::OrientAngles:
+            orienting_.angles = tool_angles_of(member);
+            if (member == Function::AnglesEuler || member == Function::AnglesZyz)
+                orienting_.euler = orienting_.angles;
+            break;
+        case nc::Group::OrientSystem:
+            orienting_.is_in_base = member == Function::OrientInBase;
+            break;
+        case nc::Group::Spinning: orienting_.spin = spin_from_of(member); break;
+        default: break;  // no other is sent here
+    }
+}
+
+void Transformation::choose_point_to_point(Function function) {
+    orienting_.point_to_point = point_to_point_of(function);
+}
+
+/// The axes stand; the tip has another place in the base system.
+void Transformation::take_position(const AxisValues& base) {
+    position_.stand_at(base);
+    position_.see_in(frames_);
+    position_.name();
+    position_.come_from(linear(base));
 }
 
 /// The axes stand; the control's point goes back along the tool to where it is without a length.
@@ -286,14 +309,8 @@ void Transformation::end_length_transformation(Actions& actions) {
     orienting_.is_on = orienting_.has_length = orienting_.takes_vectors = false;
     orienting_.lead = 0;
     frames_.release_table();
-    position_.base = axes;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto at = static_cast<Eigen::Index>(i);
-        position_.base[i] = axes[i] - length[at];
-        length_shift_[i] = tool_.lengths[at];
-    }
-    position_.here = position_.programmed = frames_.from_base(position_.base);
-    came_from_ = linear(position_.base);
+    channel_.tool.set_length_shift(tool_.lengths);
+    take_position(path::with_linear(axes, linear(axes) - length));
     actions.switches_length = true;
 }
 

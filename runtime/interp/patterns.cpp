@@ -27,8 +27,7 @@ void Cycles::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> pl
     Stream<Block>& stream = *places;
     patterns_.push_back({std::move(places), BlockQueue(stream, kPlaceBatch), block, modal_,
                          calls_program_at(block), false});
-    modal_.is_incremental = false;
-    modal_.motion = Function::Rapid;
+    begin_blocks();
 }
 
 void Cycles::go_to_next_position() {
@@ -52,7 +51,7 @@ void Cycles::finish_pattern() {
         after.feed = modal_.feed;
         after.has_feed = modal_.has_feed;
     }
-    modal_ = after;
+    take_back(after);
     patterns_.pop_back();
     if (const auto words = cycles_->refusal()) refuse_cycle(caller, *words);
 }

@@ -68,24 +68,24 @@ Executor::Plainly Executor::move_plainly(const Block& block) {
     }
 
     ++block_count_;
-    modal_.motion = motion;
+    modal_.move_by(motion);
     if (!is_rapid && !channel_.checks.require_feed(block, "line")) return Plainly::Executed;
-    has_moved_ = true;
+    position_.note_motion();
     Command& command = channel_.stages.put(is_rapid ? Op::Rapid : Op::Line, block);
     command.moved = static_cast<AxisMask>(block.given);
     command.exact_stop = channel_.smoothing.stops_exactly();
     command.feed = is_rapid ? 0 : modal_.feed;
-    const path::Vec3 before{position_.base[0], position_.base[1], position_.base[2]};
+    const path::Vec3 before{position_.base()[0], position_.base()[1], position_.base()[2]};
     bool is_elsewhere = false;
     for (SlotMask rest = block.given; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        is_elsewhere |= i < 3 && to[i] != position_.base[i];
-        command.to[i] = position_.base[i] = to[i];
-        position_.here[i] = position_.programmed[i] = block.values[i] * axes_.word_scale[i];
+        is_elsewhere |= i < 3 && to[i] != position_.base()[i];
+        command.to[i] = to[i];
+        position_.arrive_on(i, block.values[i] * axes_.word_scale[i], to[i]);
     }
     if (spindle_.has_cutting_speed && (block.given & bit(nc::Slot::X)) != 0) [[unlikely]]
-        channel_.dangers.watch_cutting_speed(block, before[0] - shift[0], position_.here[0]);
-    if (is_elsewhere) came_from_ = before;
+        channel_.dangers.watch_cutting_speed(block, before[0] - shift[0], position_.here()[0]);
+    if (is_elsewhere) position_.come_from(before);
     return Plainly::Executed;
 }
 

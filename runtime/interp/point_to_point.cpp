@@ -158,8 +158,8 @@ Done ToolMotion::lay_point_to_point(const Block& block, const ToolWords& tool, T
     } else if ((block.given & channel_.transformation.joint_axes()) != 0) {
         if (!turn_by_signs(block, tool, target)) return kFailed;
     } else if (tool.signs || tool.programs_configuration) {
-        const Vec3 stays = machine::tool_vector(machine_.kinematics->chain,
-                                                channel_.transformation.joints_of(position_.base));
+        const Vec3 stays = machine::tool_vector(
+            machine_.kinematics->chain, channel_.transformation.joints_of(position_.base()));
         if (!stand_along(block, tool, stays, target)) return kFailed;
     }
     return lay_spin(block, tool, target);

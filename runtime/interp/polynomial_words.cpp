@@ -137,7 +137,7 @@ std::optional<MotionWords::Polynomials> MotionWords::polynomials_of(const Block&
     std::array<Terms, 3> axes;
     std::size_t degree = std::max<std::size_t>(1, degree_of(weight));
     for (std::size_t i = 0; i < 3; ++i) {
-        const double begin = view_.position.here[i];
+        const double begin = view_.position.here()[i];
         const double end = target->here[i];
         if (const Invocation* const own = polynomial_of(block, i)) {
             axes[i] = terms_between(begin, end * weight_at_end, block, *own,

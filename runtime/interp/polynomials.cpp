@@ -200,7 +200,7 @@ void Splines::polynomial(const Block& block, const ToolWords& tool, bool exact_s
         reporter_.report(diag::PolynomialZero, block);
         return;
     }
-    const double way = greatest_other_way(position_.base, target->base);
+    const double way = greatest_other_way(position_.base(), target->base);
     std::vector<Piece> pieces;
     for (const Piece& piece : positive)
         cut_evenly(piece, way, frames_.total(), kMostFollowedCuts, pieces);
@@ -211,7 +211,7 @@ void Splines::polynomial(const Block& block, const ToolWords& tool, bool exact_s
     said.modes = orienting_;
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
     std::vector<ProgrammedSpan> spans =
-        programmed_spans(pieces, frames_.total(), position_.base, said, shares_time);
+        programmed_spans(pieces, frames_.total(), position_.base(), said, shares_time);
     if (!channel_.tool_motion.share_orientation(block, tool, shares_of(spans), blocks_of(spans)))
         return;
     for (std::size_t i = 0; i < spans.size() && !reporter_.has_ended(); ++i) {
@@ -220,11 +220,12 @@ void Splines::polynomial(const Block& block, const ToolWords& tool, bool exact_s
     }
     if (reporter_.has_ended()) return;
     if (orienting_.is_on)
-        channel_.tool_motion.put_joints(channel_.transformation.joints_of(position_.base), *target);
+        channel_.tool_motion.put_joints(channel_.transformation.joints_of(position_.base()),
+                                        *target);
     channel_.motions.arrive(*target);
     const path::SplineSpan& last = spans.back().span;
     const Vec3 came_from = degree > 1 ? last.shape.inner[degree - 2] : last.start;
-    if (came_from != linear(target->base)) came_from_ = came_from;
+    if (came_from != linear(target->base)) position_.come_from(came_from);
 }
 
 }  // namespace kadr::interp

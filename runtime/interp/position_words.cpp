@@ -236,7 +236,7 @@ const Block& PositionWords::with_center(const Block& block, const MotionWords& w
     for (std::size_t i = 0; i < centers_.size(); ++i) {
         const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
         if ((said & bit(slot)) == 0) continue;
-        const double from = (block.absolute & bit(slot)) != 0 ? 0 : words.view().position.here[i];
+        const double from = (block.absolute & bit(slot)) != 0 ? 0 : words.view().position.here()[i];
         centers_[i] = from + block.at(slot);
     }
     const Function motion = block.motion != Function::None ? block.motion : words.view().motion;

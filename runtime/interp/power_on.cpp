@@ -4,6 +4,7 @@
 
 #include "interp/block_functions.h"
 #include "interp/channel.h"
+#include "interp/radius_compensation.h"
 #include "nc/tables.h"
 
 namespace kadr::interp {
@@ -45,11 +46,11 @@ void BlockFunctions::power_on() {
 void BlockFunctions::begin_with(Function function) {
     Block block{};
     if (!block.add(function)) return;
-    if (nc::info(function).group == Group::Motion) modal_.motion = function;
+    if (nc::info(function).group == Group::Motion) modal_.move_by(function);
     const Actions actions = apply_functions(block);
     if (!reporter_.has_ended()) act_before_motion(block, actions);
     // What this machine, without a tool, cannot do does not act.
-    if (reporter_.has_ended()) comp_.side = CompSide::Off;
+    if (reporter_.has_ended()) channel_.compensation.leave();
     reporter_.go_on();
 }
 

@@ -30,7 +30,7 @@ using path::linear;
 Target Motions::part_of_move(const Target& target, double part) const {
     Target out = target;
     for (std::size_t i = 0; i < kAxes; ++i)
-        out.base[i] = position_.base[i] + part * (target.base[i] - position_.base[i]);
+        out.base[i] = position_.base()[i] + part * (target.base[i] - position_.base()[i]);
     out.here = frames_.from_base(out.base);
     return out;
 }
@@ -67,7 +67,7 @@ std::optional<double> Motions::touch_of_scene(const Target& target, bool springs
                           : tool != nullptr ? tool->radius
                                             : 0;
     return probe_.touch_of_scene(
-        {linear(position_.base), linear(target.base), radius, tool_.axis, springs_back});
+        {linear(position_.base()), linear(target.base), radius, tool_.axis, springs_back});
 }
 
 /// Behind the motion: what the probe has found.
@@ -75,12 +75,11 @@ void Motions::note_probed(const Probing& probing) {
     const Position end = position_;
     // Where the probe goes on, the axes stood elsewhere as it triggered.
     if (probing.touched && probing.goes_on) {
-        position_.here = probing.touched->here;
-        position_.base = probing.touched->base;
+        position_.arrive(probing.touched->here, probing.touched->base, 0);
     }
     Probed probed;
     probed.is_found = probing.touched.has_value();
-    probed.tip = position_.here;
+    probed.tip = position_.here();
     for (std::size_t i = 0; i < kAxes; ++i) {
         probed.head[i] =
             *channel_.answers.place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));

@@ -21,6 +21,10 @@ class RadiusCompensation {
     /// CompCornerPointed, CompOpenEnd, CompAllowance, CompDepth; likewise.
     void choose_by_words(const nc::Block& block, const nc::Invocation& invocation,
                          Actions& actions);
+    /// CompFeed.
+    void choose_feed(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    /// It does not act any more, and no way ends it.
+    void leave() { comp_.side = CompSide::Off; }
     bool needs_comp_off(const nc::Block& block, nc::Function function) const;
     void act_on_comp(const nc::Block& block, const Actions& actions);
     void send_comp(const CompChange& change);

@@ -11,6 +11,7 @@
 #include "interp/channel.h"
 #include "interp/motions.h"
 #include "interp/programmed_frames.h"
+#include "interp/tool_in_use.h"
 
 namespace kadr::interp {
 
@@ -37,13 +38,9 @@ void Motions::move_without_length(const Block& block, const Target& target, bool
             .arg("a block without tool offsets that is no line");
         return;
     }
-    const ExtraTool extra = std::exchange(extra_, {});
-    const Tool::Source source = std::exchange(tool_.source, Tool::Source::None);
-    tool_.has_changed = true;
-    line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
-    tool_.source = source;
-    extra_ = extra;
-    tool_.has_changed = true;
+    channel_.tool.without_length([&] {
+        line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
+    });
 }
 
 /// Where the axes stand gets other machine coordinates; no axis moves. What the machine itself

@@ -58,7 +58,7 @@ void Motions::move_in_machine_coordinates(const Block& block) {
     const bool has_length = rules_.machine_coordinates_keep_length;
     if (has_length && tool_.has_changed)
         channel_.tool.activate_length(block, static_cast<AxisMask>(targets));
-    AxisValues to = position_.base;
+    AxisValues to = position_.base();
     for (std::size_t i = 0; i < kAxes; ++i) to[i] += length_shift_[i];
     const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
     for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
@@ -72,7 +72,7 @@ void Motions::move_in_machine_coordinates(const Block& block) {
     target.here = frames_.from_base(target.base);
     Probing probing;
     if (probes) {
-        ProgrammedMove way{position_.base, target.base};
+        ProgrammedMove way{position_.base(), target.base};
         for (std::size_t i = 0; i < kAxes && !has_length; ++i) {
             way.from[i] += length_shift_[i];
             way.to[i] += length_shift_[i];
@@ -151,7 +151,7 @@ void Motions::check_reference(const Block& block) {
     line(block, motion_words().target_of(block, targets), Op::Rapid, true);
     for (std::size_t i = 0; i < kAxes && !reporter_.has_ended(); ++i) {
         if ((targets >> i & 1u) == 0) continue;
-        const double at = position_.base[i] + length_shift_[i];
+        const double at = position_.base()[i] + length_shift_[i];
         if (std::abs(at - axes_.reference_points[0][i]) <= kWidth) continue;
         reporter_.report(diag::ReferenceMissed, block, Function::ReferenceCheck)
             .arg(kAxisNames[i])
@@ -165,7 +165,7 @@ void Motions::check_reference(const Block& block) {
 void Motions::leave_reference(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0 || !motion_words().require_axes(block, targets)) return;
-    Target over{position_.here, {}, static_cast<AxisMask>(targets)};
+    Target over{position_.here(), {}, static_cast<AxisMask>(targets)};
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((targets >> i & 1u) == 0) continue;
         if ((axes_.has_left >> i & 1u) == 0) {
@@ -176,7 +176,7 @@ void Motions::leave_reference(const Block& block) {
         over.here[i] = axes_.left_over[i];
     }
     over.base = frames_.to_base(over.here);
-    if (over.base != position_.base) line(block, over, Op::Rapid, true);
+    if (over.base != position_.base()) line(block, over, Op::Rapid, true);
     if (!reporter_.has_ended())
         line(block, motion_words().target_of(block, targets), Op::Rapid, true);
 }
@@ -195,7 +195,7 @@ Done Motions::increase_by_tool_offset(const Block& block, double times, Target& 
     const double offset = times * tool_offsets_.radius(tool_.radius_offset);
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((target.moved >> i & 1u) == 0) continue;
-        target.here[i] += target.here[i] < position_.here[i] ? -offset : offset;
+        target.here[i] += target.here[i] < position_.here()[i] ? -offset : offset;
     }
     target.base = frames_.to_base(target.here);
     return kDone;
@@ -228,16 +228,16 @@ void Motions::return_to_reference(const Block& block, const nc::Invocation& invo
     }
     if (targets != 0) {
         const Target over = motion_words().target_of(block, targets);
-        if (over.base != position_.base) line(block, over, Op::Rapid, true);
+        if (over.base != position_.base()) line(block, over, Op::Rapid, true);
         if (reporter_.has_ended()) return;
     }
-    AxisValues to = position_.base;
+    AxisValues to = position_.base();
     for (std::size_t i = 0; i < kAxes; ++i) {
         to[i] += length_shift_[i];
         if ((moved >> i & 1u) != 0) to[i] = axes_.reference_points[point][i];
     }
     for (std::size_t i = 0; i < kAxes; ++i)
-        if ((moved >> i & 1u) != 0) axes_.left_over[i] = position_.here[i];
+        if ((moved >> i & 1u) != 0) axes_.left_over[i] = position_.here()[i];
     axes_.has_left = static_cast<AxisMask>(axes_.has_left | moved);
     if (moved != 0) rapid_to_machine_position(block, to, moved);
 }

@@ -56,14 +56,14 @@ void TiltedPlanes::turn_in_space(const Block& block, const Invocation& invocatio
     Vec3 center;
     for (std::size_t i = 0; i < 3; ++i) {
         center[static_cast<Eigen::Index>(i)] =
-            block.argument(invocation, kCenter + i, position_.here[i]);
+            block.argument(invocation, kCenter + i, position_.here()[i]);
     }
     const double angle = rad_from_deg(block.argument(invocation, kAngle));
     const Frame turned{Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(),
                        Vec3::Zero()};
     set_plane(path::translation(center) * turned, tilted_plane_.turns > 0);
     ++tilted_plane_.turns;
-    position_.programmed = position_.here;
+    position_.name();
 }
 
 /// All rotations end at once.

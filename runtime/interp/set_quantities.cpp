@@ -8,6 +8,7 @@
 #include "interp/carriers.h"
 #include "interp/channel.h"
 #include "interp/programmed_frames.h"
+#include "interp/spindles.h"
 #include "interp/tool_in_use.h"
 #include "nc/parameters.h"
 
@@ -88,8 +89,7 @@ Write Answers::set_edge_speed(double value) {
     const double radius = tool_offsets_.radius(tool_.edge_number()) + extra_.radius;
     if (!(radius > 0) || !(value > 0)) return Write::NoSuchEntry;
     constexpr double kMmPerM = 1000;
-    spindle_.speed = kMmPerM * value / (2 * std::numbers::pi * radius);
-    owes_speed_ = true;
+    channel_.spindles.set_speed_later(kMmPerM * value / (2 * std::numbers::pi * radius));
     return Write::Done;
 }
 

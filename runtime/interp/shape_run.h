@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "interp/kept_state.h"
 #include "interp/state.h"
 
 namespace kadr::interp {
@@ -24,10 +25,7 @@ struct ShapeRun {
 
     // As the cycle found them.
     Modal modal;
-    Position position;
-    Spindle spindle;
-    Tool tool;
-    path::CoolantMode coolant = path::CoolantMode::Off;
+    KeptState before;
 
     std::vector<path::Command> commands;  // of the blocks that are kept
 };

@@ -8,6 +8,7 @@
 #include "interp/cornering.h"
 #include "interp/cycle_shapes.h"
 #include "interp/cycles.h"
+#include "interp/feed_words.h"
 #include "interp/motions.h"
 #include "interp/path_smoothing.h"
 #include "macro/named_shape.h"
@@ -35,13 +36,8 @@ CycleShapes::CycleShapes(Channel& channel)
       dialect_(channel.state.dialect),
       reporter_(channel.state.reporter),
       modal_(channel.state.motion.modal),
-      position_(channel.state.motion.position),
       frames_(channel.state.frame.frames),
-      spindle_(channel.state.spindle.spindle),
-      tool_(channel.state.tool.tool),
-      coolant_(channel.state.spindle.coolant),
       axes_(channel.state.axes),
-      modal_cycles_(channel.state.cycle.modal_cycles),
       cycle_(channel.state.cycle.cycle),
       shape_(channel.state.cycle.shape) {}
 
@@ -57,7 +53,7 @@ void CycleShapes::begin_shape(const Block& block, const ModalCycle& call) {
         reporter_.report(diag::ShapePlane, block, Function::Cycle);
         return;
     }
-    modal_cycles_.modal.is_active = false;
+    channel_.cycles.end_modal();
     shape_.emplace();
     shape_->block = block;
     shape_->call = call;
@@ -68,10 +64,7 @@ void CycleShapes::begin_shape(const Block& block, const ModalCycle& call) {
         shape_->is_followed = info.parameters.size() == 2;
     }
     shape_->modal = modal_;
-    shape_->position = position_;
-    shape_->spindle = spindle_;
-    shape_->tool = tool_;
-    shape_->coolant = coolant_;
+    shape_->before = channel_.state.keep();
 }
 
 /// The block is one that the shape can have.
@@ -90,8 +83,7 @@ Done CycleShapes::require_shape_block(const Block& block) {
         return kFailed;
     }
     if (shape_->is_named && !modal_.has_feed) {  // the cycle says the feeds
-        modal_.has_feed = true;
-        modal_.feed = 1;
+        channel_.feed.assume(1);
     }
     if (shape_->has_begun) return kDone;
     // A program of its own begins with what it needs.
@@ -130,10 +122,7 @@ void CycleShapes::finish_shape() {
     const ShapeRun run = std::move(*shape_);
     shape_.reset();
     modal_ = run.modal;
-    position_ = run.position;
-    spindle_ = run.spindle;
-    tool_ = run.tool;
-    coolant_ = run.coolant;
+    channel_.state.take_back(run.before);
     const nc::CycleInfo& info = dialect_.cycles()[run.call.cycle];
     ModalCycle call = run.call;
     const auto set = [&](std::string_view name, bool value) {
@@ -147,14 +136,14 @@ void CycleShapes::finish_shape() {
     set("both",
         (run.approach_axes & bit(nc::Slot::X)) != 0 && (run.approach_axes & bit(nc::Slot::Z)) != 0);
     const CycleShape shape = shape_of(run);
-    modal_cycles_.modal = call;
+    channel_.cycles.make_modal(call);
     channel_.cycles.start_cycle(run.block, call, &shape);
 }
 
 /// Back to where the tool stood before the first block.
 void CycleShapes::return_from_shape() {
     const Block from = std::move(shape_->block);
-    const AxisValues start = shape_->position.here;
+    const AxisValues start = shape_->before.position.here();
     shape_.reset();
     Target back{start, frames_.to_base(start), 0};
     for (const Axis axis : {Axis::X, Axis::Z}) back.moved |= bit(axis);
@@ -173,7 +162,7 @@ CycleShape CycleShapes::shape_of(const ShapeRun& run) const {
         return {here[index(axes.first)], here[index(axes.second)]};
     };
     const bool is_mirrored = frames_.is_mirrored(plane);
-    Vec2 from = in_plane(run.position.base);
+    Vec2 from = in_plane(run.before.position.base());
     bool is_first = true;
     for (const Command& command : run.commands) {
         if (!path::is_motion(command.op)) continue;

@@ -36,16 +36,14 @@ class SmoothApproaches {
     const nc::Rules& rules_;
     Output& output_;
     const Modal& modal_;
-    const Position& position_;
+    Position& position_;
     const control::Frames& frames_;
     const Tool& tool_;
-    const path::Vec3& came_from_;
     const RadiusCompState& comp_;
     const ApproachChoice& approach_choice_;
     SmoothApproach& smooth_approach_;
     std::optional<Approached>& approached_;
     Compensation& compensation_;
-    bool& has_moved_;
 };
 
 }  // namespace kadr::interp

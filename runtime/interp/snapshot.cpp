@@ -18,7 +18,7 @@ Snapshot Answers::snapshot() const {
         : compensation_.is_on() ? channel_.transformation.machine_axes_at(compensation_.place())
                                 : channel_.transformation.machine_axes();
     for (std::size_t i = 0; i < kAxes; ++i) {
-        now.work[i] = position_.here[i] / axes_.word_scale[i];
+        now.work[i] = position_.here()[i] / axes_.word_scale[i];
         now.machine[i] = machine[i];
     }
     if (modal_.has_feed) now.feed = modal_.feed;

@@ -15,6 +15,14 @@ class Spindles {
     Spindles(const Spindles&) = delete;
     Spindles& operator=(const Spindles&) = delete;
 
+    /// The master turns so, or stands; the motion side is told by update_spindle.
+    void turn(path::SpindleMode mode) { spindle_.mode = mode; }
+    /// rpm; the motion side is told with the next block.
+    void set_speed_later(double speed) {
+        spindle_.speed = speed;
+        owes_speed_ = true;
+    }
+
     bool has_spindle(std::int64_t number) const;
     void program_speed(const nc::Block& block);
     void leave_cutting_speed();

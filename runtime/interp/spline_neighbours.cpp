@@ -65,7 +65,7 @@ std::optional<Vec3> direction_into_next(MotionWords& words, const Block& block) 
         return std::nullopt;
     if (!words.require_axes(block, targets)) return std::nullopt;
     Target target = words.target_of(block, targets);
-    const Vec3 start = linear(words.view().position.here);
+    const Vec3 start = linear(words.view().position.here());
     const Vec3 way = linear(target.here) - start;
     if (is_arc(motion)) return direction_into_arc(words, block, target);
     if (nc::has_fact(motion, nc::Fact::Involute)) {

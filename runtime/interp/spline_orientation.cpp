@@ -11,6 +11,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/channel.h"
+#include "interp/feed_words.h"
 #include "interp/motion_checks.h"
 #include "interp/radius_compensation.h"
 #include "interp/splines.h"
@@ -70,7 +71,7 @@ Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
         pole.direction = *said;
         return kDone;
     }
-    const Vec3 joints = channel_.transformation.joints_of(position_.base);
+    const Vec3 joints = channel_.transformation.joints_of(position_.base());
     pole.direction =
         spline_->direction().value_or(machine::tool_vector(machine_.kinematics->chain, joints));
     return kDone;
@@ -83,12 +84,11 @@ Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
 Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, const path::Curve& span,
                             AxisValues& to) {
     const Position read = position_;
-    const double feed = std::exchange(modal_.feed, said.feed);
+    const FeedWords::Programmed feed = channel_.feed.exchange({said.feed, modal_.has_feed});
     const OrientModes modes = std::exchange(static_cast<OrientModes&>(orienting_), said.modes);
-    for (std::size_t i = 0; i < 3; ++i)
-        position_.base[i] = path::start(span)[static_cast<Eigen::Index>(i)];
-    position_.here = frames_.from_base(position_.base);
-    Target target{position_.here, position_.base,
+    position_.stand_at(path::with_linear(position_.base(), path::start(span)));
+    position_.see_in(frames_);
+    Target target{position_.here(), position_.base(),
                   static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
                   kLinearXYZ};
     for (std::size_t i = 0; i < 3; ++i)
@@ -97,15 +97,15 @@ Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, cons
     const bool is_laid = lay_span_orientation(at, said, span, target) &&
                          channel_.checks.require_within_limits(
                              at, target.base, channel_.transformation.joint_axes());
-    modal_.feed = feed;
+    (void)channel_.feed.exchange(feed);
     static_cast<OrientModes&>(orienting_) = modes;
     position_ = read;
     if (!is_laid) return kFailed;
     for (AxisMask rest = channel_.transformation.joint_axes(); rest != 0;
          rest = static_cast<AxisMask>(rest & (rest - 1))) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        to[i] = position_.base[i] = target.base[i];
-        position_.here[i] = position_.programmed[i] = target.here[i];
+        to[i] = target.base[i];
+        position_.arrive_on(i, target.here[i], target.base[i]);
     }
     return kDone;
 }
@@ -120,7 +120,7 @@ Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& 
             return kFailed;
         }
         if (!lay_orientation(at, said.direction->normalized(), target)) return kFailed;
-        orienting_.leans = false;
+        orienting_.lean_at_ends(false);
     } else {
         if (!lay_tool_words(at, said.tool.value_or(ToolWords{}), target)) return kFailed;
         if (course_) return lay_directions(at, span, target);
@@ -151,7 +151,7 @@ Done ToolMotion::share_orientation(const Block& block, const ToolWords& tool,
     const std::optional<Vec3> to = wanted_direction(block, tool);
     if (!to) return kFailed;
     const Vec3 from = machine::tool_vector(machine_.kinematics->chain,
-                                           channel_.transformation.joints_of(position_.base));
+                                           channel_.transformation.joints_of(position_.base()));
     const auto arc = machine::great_circle(from, *to);
     if (!arc) {
         reporter_.report(diag::OrientationOpposite, block);

@@ -78,8 +78,6 @@ Splines::Splines(Channel& channel)
       position_words_(channel.state.motion.position_words),
       orienting_(channel.state.tool.orienting),
       next_orientation_(channel.state.tool.next_orientation),
-      came_from_(channel.state.motion.came_from),
-      has_moved_(channel.state.motion.has_moved),
       spline_(channel.state.cycle.spline),
       through_(channel.state.cycle.through),
       spline_commands_(channel.state.cycle.spline_commands),
@@ -168,10 +166,10 @@ Done Splines::start_spline(const Block& block, bool by_knots) {
     spline_commands_.begin(span_as_programmed(block));
     spline_.emplace(spline_degree_, by_knots);
     if (by_knots) return kDone;
-    ControlPointBlock start{block.line, block.source, 0, position_.base, {}, {}};
+    ControlPointBlock start{block.line, block.source, 0, position_.base(), {}, {}};
     start.modes = orienting_;
     if (!channel_.tool_motion.orient_control_point(block, {}, start)) return kFailed;
-    spline_->add_control_point(linear(position_.base), 1, start);
+    spline_->add_control_point(linear(position_.base()), 1, start);
     return kDone;
 }
 
@@ -191,9 +189,9 @@ Done Splines::add_control_point(const Block& block, SlotMask targets, const Tool
                                                static_cast<AxisMask>(target.moved & ~kLinearXYZ)))
         return kFailed;
     const bool is_start = spline_->poles() == 0;
-    if (is_start && (pole - linear(position_.base)).norm() > kSamePlace) {
+    if (is_start && (pole - linear(position_.base())).norm() > kSamePlace) {
         reporter_.report(diag::SplineStart, block)
-            .arg(round_to((pole - linear(position_.base)).norm(), 4));
+            .arg(round_to((pole - linear(position_.base())).norm(), 4));
         return kFailed;
     }
     ControlPointBlock said = control_point_block(block, target.base);
@@ -300,7 +298,7 @@ void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& sa
     const bool is_laid = !orienting_.is_on || channel_.tool_motion.turn_along(at, said, curve, to);
     puts_span_ = false;
     if (!is_laid) return;
-    has_moved_ = true;
+    position_.note_motion();
     const bool turns = next_orientation_.turning != path::Turning::Axes;
     Command& command = channel_.stages.put(Op::Spline, at);
     if (is_in_spline()) as_programmed(command);

@@ -49,14 +49,12 @@ class Splines {
     Reporter& reporter_;
     const nc::Rules& rules_;
     const Modal& modal_;
-    const Position& position_;
+    Position& position_;
     const control::Frames& frames_;
     const Tool& tool_;
     const PositionWords& position_words_;
     const Orienting& orienting_;
     const NextOrientation& next_orientation_;
-    path::Vec3& came_from_;
-    bool& has_moved_;
     std::optional<SplineRun>& spline_;
     std::optional<ThroughRun>& through_;
     SplineCommands& spline_commands_;

@@ -53,13 +53,13 @@ Stages::Stages(Channel& channel)
 
 /// What a block has put goes through the corners and the compensation; what is settled goes out.
 void Stages::settle(const Block& block) {
-    if (!corners_.is_active()) return settle_stages(block, position_.base, true);
+    if (!corners_.is_active()) return settle_stages(block, position_.base(), true);
     std::optional<CornerMessage> message;
     if (reporter_.has_alarm()) {
         message = corners_.leave(diag::CornerWithoutMotion);
         message.reset();  // the block has said what is wrong
     } else {
-        message = corners_.end_block(position_.base, {block.source, block.line});
+        message = corners_.end_block(position_.base(), {block.source, block.line});
         if (!message && reporter_.has_ended()) message = corners_.leave(diag::CornerWithoutMotion);
     }
     channel_.cornering.pass_corners();
@@ -90,7 +90,7 @@ Command& Stages::behind_corners() {
 }
 
 Command& Stages::put(Op op, const Block& block) {
-    if (path::is_motion(op)) dangers_.begin_motion(op, position_.base);
+    if (path::is_motion(op)) dangers_.begin_motion(op, position_.base());
     const bool waits = channel_.splines.is_in_spline() && op != Op::Spline && !puts_span_;
     Command& command = waits                  ? spline_commands_.next()
                        : corners_.is_active() ? corners_.next()
@@ -117,7 +117,7 @@ void Stages::fill_in(Command& command, const Block& block) {
     command.source = block.source;
     command.line = block.line;
     command.cycle = block.is_of_cycle() ? block.context->number : 0;
-    command.to = position_.base;
+    command.to = position_.base();
     command.turning = path::Turning::None;
     command.contact.clear();
     const bool reaches_comp = comp_3d_.is_on() || corners_.is_active();

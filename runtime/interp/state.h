@@ -10,6 +10,7 @@
 #include "base/axes.h"
 #include "control/cycle_levels.h"
 #include "interp/modes.h"
+#include "interp/position.h"
 #include "interp/tool_offsets.h"
 #include "nc/block.h"
 #include "nc/rules.h"
@@ -33,6 +34,7 @@ struct Modal {
 
     /// function  of the group PathMode
     void set_path_mode(nc::Function function);
+    void move_by(nc::Function code) { motion = code; }
 };
 
 /// What the program takes from the operator, and says of how fast its motions may be.
@@ -58,13 +60,6 @@ struct PanelState {
     path::FeedCharacteristic course =
         path::FeedCharacteristic::Constant;  // of the feeds from here on
     path::FeedLaw polynomial;                // … of its block alone
-};
-
-/// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.
-struct Position {
-    AxisValues programmed{};  // the last coordinate programmed for each axis
-    AxisValues here{};        // in the programmed system in force
-    AxisValues base{};        // in the base coordinate system; always the frame of `here`
 };
 
 /// Speeds of a spindle under constant cutting speed, rpm; 0: none.
@@ -197,6 +192,8 @@ struct Orienting : OrientModes {
     path::Vec3 rate = path::Vec3::Zero();  // how the tool's direction changed at its end
     std::optional<path::Vec3> point;       // the second point of the tool's axis
     bool owes_offset = false;              // a work offset is to be said behind the switch
+
+    void lean_at_ends(bool is_wanted) { leans = is_wanted; }
 };
 
 /// What the words of one block say of the tool. Components and angles that are not said are 0.

@@ -126,7 +126,7 @@ void TiltedPlanes::swivel(const Block& block, const Invocation& invocation) {
 /// Where the rotary axes 1 and 2 of the swivel data are to stand, rad. S 6.5.
 Vec3 TiltedPlanes::direct_joints(const Block& block, const Invocation& invocation) const {
     const machine::Chain& chain = machine_.kinematics->chain;
-    Vec3 joints = channel_.transformation.joints_of(position_.base);
+    Vec3 joints = channel_.transformation.joints_of(position_.base());
     const std::array<std::size_t, 2> order = channel_.transformation.joints_in_order();
     for (std::size_t i = 0; i < 2; ++i) {
         if (chain.has(order[i]))
@@ -205,7 +205,7 @@ Done TiltedPlanes::retract_before_swivel(const Block& block, const Invocation& i
 Done TiltedPlanes::retract_along_tool(const Block& block, std::optional<double> by) {
     const AxisValues axes = channel_.transformation.machine_axes();
     const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain,
-                                            channel_.transformation.joints_of(position_.base));
+                                            channel_.transformation.joints_of(position_.base()));
     double most = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
         const double along = tool[static_cast<Eigen::Index>(i)];
@@ -218,7 +218,7 @@ Done TiltedPlanes::retract_along_tool(const Block& block, std::optional<double> 
         return kFailed;
     }
     if (way == 0) return kDone;
-    Target target{position_.here, position_.base,
+    Target target{position_.here(), position_.base(),
                   static_cast<AxisMask>(axes_.present & kLinearXYZ)};
     for (std::size_t i = 0; i < 3; ++i) target.base[i] += way * tool[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
@@ -245,7 +245,7 @@ void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invoca
         tool = carrier_.stand->head() * tool;
     } else if (machine_.kinematics) {
         const machine::Chain& chain = machine_.kinematics->chain;
-        const Vec3 joints = channel_.transformation.joints_of(position_.base);
+        const Vec3 joints = channel_.transformation.joints_of(position_.base());
         tool = orienting_.is_on ? machine::tool_vector(chain, joints)
                                 : machine::tool_in_base(chain, joints);
     }
@@ -257,11 +257,11 @@ void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invoca
     const Mat3 after = machine::square_to_tool_near(tool, before * order) * order.transpose();
     const bool moves = block.argument(invocation, parameter_of<Function::ToolFrame>("moves")) != 0;
     const Frame wanted{after * before.transpose() * old.linear,
-                       moves ? linear(position_.base) : old.shift};
+                       moves ? linear(position_.base()) : old.shift};
     const Frame outside = frames_.tables() * frames_.outside_tool_frame();
     frames_.set_tool_frame(back_of(outside) * wanted * back_of(frames_.inside_tool_frame()));
     channel_.frames.frame_changed();
-    position_.programmed = position_.here;  // `Z=IC(100)` behind it is a way along the tool alone
+    position_.name();  // `Z=IC(100)` behind it is a way along the tool alone
 }
 
 /// PAROT, PAROTOF.
@@ -270,16 +270,16 @@ void TiltedPlanes::follow_tables(const Block& block, bool is_wanted) {
     tilted_plane_.on_tables = is_wanted;
     if (carrier_.stand) {
         channel_.carriers.lay_on_carrier();
-        position_.programmed = position_.here;
+        position_.name();
         return;
     }
     if (tilted_plane_.carries || orienting_.is_on) return;
-    frames_.set_tables(is_wanted
-                           ? machine::table_frame(machine_.kinematics->chain,
-                                                  channel_.transformation.joints_of(position_.base))
-                           : Frame{});
+    frames_.set_tables(
+        is_wanted ? machine::table_frame(machine_.kinematics->chain,
+                                         channel_.transformation.joints_of(position_.base()))
+                  : Frame{});
     channel_.frames.frame_changed();
-    position_.programmed = position_.here;
+    position_.name();
 }
 
 }  // namespace kadr::interp

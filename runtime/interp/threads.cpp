@@ -45,7 +45,7 @@ void Motions::tap(const Block& block, const Target& target) {
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     const bool is_cw = (pitch > 0) == (modal_.motion == Function::TapIn);
-    spindle_.mode = is_cw ? SpindleMode::Cw : SpindleMode::Ccw;
+    channel_.spindles.turn(is_cw ? SpindleMode::Cw : SpindleMode::Ccw);
     channel_.spindles.update_spindle(block);
     Command& command = channel_.stages.put(Op::Line, block);
     command.to = target.base;
@@ -54,14 +54,14 @@ void Motions::tap(const Block& block, const Target& target) {
     command.feed = std::abs(pitch);
     command.exact_stop = command.keeps_feed = command.ignores_hold = true;
     arrive(target);
-    spindle_.mode = SpindleMode::Stop;
+    channel_.spindles.turn(SpindleMode::Stop);
     channel_.spindles.update_spindle(block);
 }
 
 /// A line geared to the spindle as it turns. Its pitch counts along the axis of the longer way, so
 /// a turn takes the tool so much farther along the line as that is longer.
 void Motions::thread(const Block& block, const Target& target, const Actions& actions) {
-    const Vec3 way = linear(target.here) - linear(position_.here);
+    const Vec3 way = linear(target.here) - linear(position_.here());
     const std::optional<double> pitch = thread_pitch(block, way);
     if (!pitch) return;
     const double along = way.cwiseAbs().maxCoeff();
@@ -71,13 +71,13 @@ void Motions::thread(const Block& block, const Target& target, const Actions& ac
     channel_.checks.check_tool(block);
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
-    has_moved_ = true;
+    position_.note_motion();
     Command& command = channel_.stages.put(Op::Thread, block);
     command.to = target.base;
     command.moved = target.moved;
     command.exact_stop = channel_.smoothing.stops_exactly(actions.exact_stop);
     command.feed_mode = FeedMode::PerRevolution;
-    const double length = (linear(target.base) - linear(position_.base)).norm();
+    const double length = (linear(target.base) - linear(position_.base())).norm();
     const double by_way = along > 0 ? length / along : 1;
     command.feed = *pitch * by_way;
     command.lead_change = *change * by_way;

@@ -73,7 +73,7 @@ bool Splines::only_turns(const Block& block) {
     MotionView view = channel_.motions.motion_view();
     view.take(block);
     const Target target = MotionWords(view, reporter_).target_of(block, targets);
-    return !((linear(target.base) - linear(position_.base)).norm() > path::kSameKnot);
+    return !((linear(target.base) - linear(position_.base())).norm() > path::kSameKnot);
 }
 
 /// A block with a position under such a function.
@@ -96,7 +96,7 @@ void Splines::go_through(const Block& block, SlotMask targets, const ToolWords& 
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     if (!through_->spline.add_point(linear(target.base))) {
         // An axis has no way of the spline to follow.
-        const bool is_followed = others != 0 && target.base != position_.base;
+        const bool is_followed = others != 0 && target.base != position_.base();
         if (is_followed) refuse_others();
         else reporter_.report(diag::SplinePointRepeated, block);
         return;
@@ -113,7 +113,7 @@ Done Splines::start_through(const Block& block) {
     if (reporter_.has_ended()) return kFailed;
     SplineEnd start{spline_ends_.start, Vec3::Zero()};
     if (start.kind == SplineEnd::Kind::Tangent) {
-        const auto direction = direction_of(linear(position_.base) - came_from_);
+        const auto direction = direction_of(linear(position_.base()) - position_.came_from());
         if (!direction) {
             reporter_.report(diag::SplineNoDirection, block).arg("before");
             return kFailed;
@@ -127,7 +127,7 @@ Done Splines::start_through(const Block& block) {
     // The contour keeps its shape when a frame turns it.
     const path::Mat3 axes = path::unit_axes(frames_.total());
     through_.emplace(
-        ThroughRun{modal_.motion, {kind, start, linear(position_.base), axes}, {}, AxisMask{0}});
+        ThroughRun{modal_.motion, {kind, start, linear(position_.base()), axes}, {}, AxisMask{0}});
     return kDone;
 }
 
@@ -142,7 +142,7 @@ void Splines::move_through() {
         const bool is_last = through_->blocks.empty();
         put_commands_before(block.number);
         put_span({span->start, span->end, span->shape}, block, through_->moved, block.stops);
-        if (is_last) came_from_ = span->shape.inner[1];
+        if (is_last) position_.come_from(span->shape.inner[1]);
     }
 }
 

@@ -110,7 +110,6 @@ TiltedPlanes::TiltedPlanes(Channel& channel)
       carrier_(channel.state.tool.carrier),
       orienting_(channel.state.tool.orienting),
       tilted_plane_(channel.state.tool.tilted_plane),
-      came_from_(channel.state.motion.came_from),
       comp_(channel.state.stage.comp),
       told_(channel.state.told),
       axes_(channel.state.axes),
@@ -199,7 +198,7 @@ void TiltedPlanes::tilt(const Block& block, const Invocation& invocation) {
     const std::optional<Frame> plane = plane_by_angles(block, invocation);
     if (!plane) return;
     set_plane(*plane, is_added);
-    if (machine_.kinematics) carry(block, channel_.transformation.joints_of(position_.base));
+    if (machine_.kinematics) carry(block, channel_.transformation.joints_of(position_.base()));
 }
 
 /// Planes by points or vectors stand in several blocks, one behind the other.
@@ -243,7 +242,7 @@ void TiltedPlanes::set_plane_by_blocks(const Block& block, const Invocation& inv
     tilted_plane_.open.reset();
     if (!plane) return;
     set_plane(*plane, is_added);
-    if (machine_.kinematics) carry(block, channel_.transformation.joints_of(position_.base));
+    if (machine_.kinematics) carry(block, channel_.transformation.joints_of(position_.base()));
 }
 
 std::optional<Frame> TiltedPlanes::plane_by_blocks(const Block& block, const OpenPlane& said) {
@@ -275,9 +274,9 @@ void TiltedPlanes::tilt_along_tool(const Block& block, const Invocation& invocat
     constexpr std::size_t kOrigin = parameter_of<Function::TiltedPlaneAlongTool>("x");
     const std::optional<Vec3> said = origin_of_plane(block, invocation, kOrigin);
     if (!said) return;
-    carry(block, channel_.transformation.joints_of(position_.base));
+    carry(block, channel_.transformation.joints_of(position_.base()));
     const Vec3 origin =
-        (invocation.given >> kOrigin & 0b111u) != 0 ? *said : linear(position_.here);
+        (invocation.given >> kOrigin & 0b111u) != 0 ? *said : linear(position_.here());
     const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, tilted_plane_.joints);
     const Mat3 plane =
         machine::square_to_tool((frames_.total().linear.transpose() * tool).normalized());
@@ -286,7 +285,7 @@ void TiltedPlanes::tilt_along_tool(const Block& block, const Invocation& invocat
     set_plane(
         path::translation(origin) * turned(plane) * path::rotation_in_plane(path::Plane::Xy, turn),
         false);
-    position_.programmed = position_.here;
+    position_.name();
 }
 
 void TiltedPlanes::end_tilted_plane(const Block& block) {
@@ -296,7 +295,7 @@ void TiltedPlanes::end_tilted_plane(const Block& block) {
     frames_.set_tilted_plane({});
     drop_carry(block);
     channel_.frames.frame_changed();
-    position_.programmed = position_.here;
+    position_.name();
 }
 
 // ------------------------------------------------------------------------------ rotary axes
@@ -322,9 +321,8 @@ void TiltedPlanes::align(const Block& block, const Invocation& invocation) {
     const int sense = way == 1 ? 1 : way == 2 ? -1 : 0;
     constexpr std::size_t kOffset = parameter_of<Function::AlignToolAtTip>("offset");
     if (is_about_tip && invocation.has(kOffset)) {
-        tool_.offset = std::llround(block.argument(invocation, kOffset));
-        tool_.source = Tool::Source::Offset;
-        tool_.has_changed = true;
+        channel_.tool.choose_offset(std::llround(block.argument(invocation, kOffset)));
+        channel_.tool.measure_from(Tool::Source::Offset);
     }
     const std::optional<Vec3> joints = joints_for_plane(block, function, sense);
     if (!joints) return;
@@ -347,7 +345,7 @@ std::optional<Vec3> TiltedPlanes::joints_for_plane(const Block& block, Function 
     const Vec3 normal = frames_.total().direction(Vec3::UnitZ());
     machine::SwivelQuery query;
     query.direction = (frames_.tables().linear.transpose() * normal).normalized();
-    query.start = channel_.transformation.joints_of(position_.base);
+    query.start = channel_.transformation.joints_of(position_.base());
     query.rule = kinematics.rule;
     query.sense = sense;
     const std::size_t last = chain.has(machine::kR2) ? machine::kR2 : machine::kR1;
@@ -381,10 +379,10 @@ std::optional<Vec3> TiltedPlanes::joints_for_plane(const Block& block, Function 
 /// The rotary axes go there, and the linear axes stand.
 void TiltedPlanes::turn_joints(const Block& block, const Vec3& joints, Op op) {
     const machine::Chain& chain = machine_.kinematics->chain;
-    if ((joints - channel_.transformation.joints_of(position_.base)).cwiseAbs().maxCoeff() <
+    if ((joints - channel_.transformation.joints_of(position_.base())).cwiseAbs().maxCoeff() <
         kSameAngle)
         return;
-    Target target{position_.here, position_.base, channel_.transformation.joint_axes()};
+    Target target{position_.here(), position_.base(), channel_.transformation.joint_axes()};
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
         const std::size_t i = index(chain.joints[k].axis);
@@ -402,12 +400,12 @@ void TiltedPlanes::turn_about_tip(const Block& block, const Vec3& joints, Op op,
     if (tool_.has_changed) channel_.tool.activate_length(block, kLinearXYZ);
     if (above == 0) return hold_tip(block, joints, op);
     const Vec3 lengths = tool_.lengths;
-    tool_.lengths -= above * machine_.kinematics->chain.tool_direction;
+    channel_.tool.set_lengths(lengths - above * machine_.kinematics->chain.tool_direction);
     stand_at(block, channel_.transformation.machine_axes(), true);
     hold_tip(block, joints, op);
     if (reporter_.has_ended()) return;
     const AxisValues axes = channel_.transformation.machine_axes();
-    tool_.lengths = lengths;
+    channel_.tool.set_lengths(lengths);
     stand_at(block, axes, true);
 }
 
@@ -417,11 +415,11 @@ void TiltedPlanes::hold_tip(const Block& block, const Vec3& joints, Op op) {
     const Vec3 tool = -tool_.lengths;
     machine::ChainPosition position{linear(axes),
                                     {axes[6], axes[7], axes[8]},
-                                    channel_.transformation.joints_of(position_.base)};
+                                    channel_.transformation.joints_of(position_.base())};
     const Vec3 tip = machine::forward(chain, position, tool).tip;
     position.rotary = joints;
     const Vec3 stand = machine::inverse_linear(chain, tip, position, tool);
-    AxisValues end = position_.base;
+    AxisValues end = position_.base();
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (chain.has(k))
             end[index(chain.joints[k].axis)] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
@@ -438,9 +436,9 @@ void TiltedPlanes::hold_tip(const Block& block, const Vec3& joints, Op op) {
     command.feed = op == Op::Rapid ? 0 : modal_.feed;
     command.turning = path::Turning::Axes;
     command.direction = machine::tool_vector(chain, joints);
-    position_.base = end;
+    position_.stand_at(end);
     channel_.frames.frame_changed();
-    position_.programmed = position_.here;
+    position_.name();
 }
 
 // ------------------------------------------------------------------------------ what they carry
@@ -470,7 +468,7 @@ void TiltedPlanes::drop_carry(const Block& block) {
     tilted_plane_.carries = false;
     frames_.set_tables(
         tilted_plane_.on_tables
-            ? machine::table_frame(chain, channel_.transformation.joints_of(position_.base))
+            ? machine::table_frame(chain, channel_.transformation.joints_of(position_.base()))
             : Frame{});
     stand_at(block, axes, tool_turned);
 }
@@ -482,10 +480,8 @@ void TiltedPlanes::stand_at(const Block& block, const AxisValues& axes, bool too
         channel_.tool.set_length_shift(shift);
         channel_.tool.put_tool_length(block, tool_.axis).moved = kLinearXYZ;
     }
-    for (std::size_t i = 0; i < 3; ++i) position_.base[i] = axes[i] - length_shift_[i];
-    channel_.frames.frame_changed();
-    position_.programmed = position_.here;
-    came_from_ = linear(position_.base);
+    channel_.transformation.take_position(
+        path::with_linear(position_.base(), linear(axes) - linear(length_shift_)));
 }
 
 /// A rotary axis that the plane does not follow leads the tool out of it. F 4.8.

@@ -60,11 +60,10 @@ class TiltedPlanes {
     const Modal& modal_;
     Position& position_;
     control::Frames& frames_;
-    Tool& tool_;
+    const Tool& tool_;
     const ActiveCarrier& carrier_;
     const Orienting& orienting_;
     Tilting& tilted_plane_;
-    path::Vec3& came_from_;
     const RadiusCompState& comp_;
     ReportedInRun& told_;
     const AxisData& axes_;

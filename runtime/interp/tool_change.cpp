@@ -36,13 +36,11 @@ ToolInUse::ToolInUse(Channel& channel)
       modal_(channel.state.motion.modal),
       position_(channel.state.motion.position),
       frames_(channel.state.frame.frames),
-      spindle_(channel.state.spindle.spindle),
       tool_(channel.state.tool.tool),
       extra_(channel.state.tool.extra),
       carrier_(channel.state.tool.carrier),
       orienting_(channel.state.tool.orienting),
       tilted_plane_(channel.state.tool.tilted_plane),
-      next_orientation_(channel.state.tool.next_orientation),
       comp_(channel.state.stage.comp),
       units_(channel.state.motion.units),
       told_(channel.state.told),
@@ -151,7 +149,7 @@ void ToolInUse::change_tool(const Block& block) {
         channel_.stages.put(Op::Tool, block).tool = tool_.current;
     }
     if (nc::stops_at_tool_change(rules_, channel_.functions.changer())) {
-        spindle_.mode = SpindleMode::Stop;
+        channel_.spindles.turn(SpindleMode::Stop);
         told_.renew_spindle();
         channel_.spindles.update_spindle(block);
     }

@@ -1,6 +1,8 @@
 // tool_in_use.h — the tool in the spindle, its edge, and which of its lengths act.
 #pragma once
 
+#include <utility>
+
 #include "interp/channel_state.h"
 
 namespace kadr::interp {
@@ -13,6 +15,32 @@ class ToolInUse {
     explicit ToolInUse(Channel& channel);
     ToolInUse(const ToolInUse&) = delete;
     ToolInUse& operator=(const ToolInUse&) = delete;
+
+    /// The length that should act may have become another one: the next motion looks it up.
+    void expect_length() { tool_.has_changed = true; }
+    /// The lengths in force are these, or those that should act, without a way of the axes.
+    void set_lengths(const path::Vec3& lengths) { tool_.lengths = lengths; }
+    void take_wanted_lengths() { tool_.lengths = wanted_lengths(); }
+    /// The number of the length offset, added or taken off.
+    void choose_offset(std::int64_t number) { tool_.offset = number; }
+    void add_length() { tool_.is_taken_off = false; }
+    /// Whose length should act.
+    void measure_from(Tool::Source source) {
+        tool_.source = source;
+        expect_length();
+    }
+    void choose_radius_offset(std::int64_t number) { tool_.radius_offset = number; }
+    /// Acts as if the program had said no length and no data of its own.
+    template <typename Act>
+    void without_length(Act act) {
+        const ExtraTool extra = std::exchange(extra_, {});
+        const Tool::Source source = std::exchange(tool_.source, Tool::Source::None);
+        expect_length();
+        act();
+        tool_.source = source;
+        extra_ = extra;
+        expect_length();
+    }
 
     ControlAccess::Write set_extra(nc::Quantity quantity, std::int64_t first, double value);
     bool has_edge(std::int64_t tool, std::int64_t edge) const;
@@ -60,13 +88,11 @@ class ToolInUse {
     const Modal& modal_;
     const Position& position_;
     const control::Frames& frames_;
-    Spindle& spindle_;
     Tool& tool_;
     ExtraTool& extra_;
     const ActiveCarrier& carrier_;
     const Orienting& orienting_;
     const Tilting& tilted_plane_;
-    NextOrientation& next_orientation_;
     const RadiusCompState& comp_;
     const Units& units_;
     ReportedInRun& told_;

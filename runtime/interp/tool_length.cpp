@@ -112,7 +112,7 @@ Vec3 ToolInUse::activate_length(const Block& block, AxisMask moved) {
     Vec3 carried = shift - length_shift_of(tool_.lengths);
     if (orienting_.is_on)
         carried = machine::rotation_of(machine_.kinematics->chain,
-                                       channel_.transformation.joints_of(position_.base)) *
+                                       channel_.transformation.joints_of(position_.base())) *
                   (lengths - tool_.lengths);
     tool_.lengths = lengths;
     tool_.axis = axis;
@@ -165,7 +165,7 @@ void ToolInUse::move_length_alone(const Block& block) {
         check_length_known(block);
         return;
     }
-    channel_.motions.line(block, {position_.here, position_.base, changed},
+    channel_.motions.line(block, {position_.here(), position_.base(), changed},
                           modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
                           channel_.smoothing.stops_exactly());
 }
@@ -178,10 +178,10 @@ void ToolInUse::move_behind_switch(const Block& block) {
         orienting_.is_on ? static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes())
                          : kLinearXYZ;
     if (orienting_.is_on) {
-        next_orientation_ = {};
-        channel_.tool_motion.settle_orientation({position_.here, position_.base, moved});
+        channel_.tool_motion.forget_turn();
+        channel_.tool_motion.settle_orientation({position_.here(), position_.base(), moved});
     }
-    channel_.motions.line(block, {position_.here, position_.base, moved},
+    channel_.motions.line(block, {position_.here(), position_.base(), moved},
                           modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
                           channel_.smoothing.stops_exactly());
 }

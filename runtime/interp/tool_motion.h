@@ -16,6 +16,9 @@ class ToolMotion {
     ToolMotion(const ToolMotion&) = delete;
     ToolMotion& operator=(const ToolMotion&) = delete;
 
+    /// The motion that is put out next does not turn the tool.
+    void forget_turn() { next_orientation_ = {}; }
+
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
                           Actions& actions);
     bool keeps_lead_tilt_to_surface() const;
@@ -100,7 +103,7 @@ class ToolMotion {
     const machine::Machine& machine_;
     Reporter& reporter_;
     const nc::Rules& rules_;
-    Modal& modal_;
+    const Modal& modal_;
     Position& position_;
     const control::Frames& frames_;
     Orienting& orienting_;

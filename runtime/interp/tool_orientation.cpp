@@ -125,7 +125,7 @@ Done ToolMotion::orient(const Block& block, const Actions& actions, Target& targ
 Done ToolMotion::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
     if (tool.programs_direction() || tool.point.is_said() ||
         (block.given & channel_.transformation.joint_axes()) != 0)
-        orienting_.leans = false;
+        orienting_.lean_at_ends(false);
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
     const bool waits = spins_with_path(tool);
     if (is_led || waits) course_ = tool;
@@ -161,9 +161,9 @@ Done ToolMotion::orient_by_axes(const Block& block, Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     constexpr double kSameJoint = 1e-6;  // rad
     const Vec3 wanted = channel_.transformation.joints_of(target.base);
-    if ((wanted - channel_.transformation.joints_of(position_.base)).norm() < kSameJoint)
+    if ((wanted - channel_.transformation.joints_of(position_.base())).norm() < kSameJoint)
         return kDone;
-    Target end{position_.here, position_.base, target.moved};
+    Target end{position_.here(), position_.base(), target.moved};
     if (!lay_orientation(block, machine::tool_vector(chain, wanted), end)) return kFailed;
     const Vec3 reached = channel_.transformation.joints_of(end.base);
     if ((reached - wanted).norm() < kSameJoint) return kDone;
@@ -228,7 +228,7 @@ void ToolMotion::report_no_solution(const Block& block, const machine::PathRefus
 Done ToolMotion::lay_orientation(const Block& block, const Vec3& to, Target& target,
                                  const ToolWords* angles) {
     const Chain& chain = machine_.kinematics->chain;
-    const Vec3 joints = channel_.transformation.joints_of(position_.base);
+    const Vec3 joints = channel_.transformation.joints_of(position_.base());
     const Vec3 from = machine::tool_vector(chain, joints);
     const bool fixes_spin = angles != nullptr && chain.has(machine::kPsi);
     if ((to - from).norm() < kSameDirection && !fixes_spin) return kDone;
@@ -269,7 +269,7 @@ machine::PathQuery ToolMotion::query_to(const Vec3& to, const ToolWords* angles)
         query.rotation = said * base_rotation().transpose();
         query.fixes_spin = true;
     }
-    query.start = channel_.transformation.joints_of(position_.base);
+    query.start = channel_.transformation.joints_of(position_.base());
     query.rule = machine_.kinematics->rule;
     query.pole_tolerance = machine_.kinematics->pole_tolerance;
     query.limits = joint_limits();
@@ -334,7 +334,7 @@ std::optional<machine::OrientationArc> ToolMotion::cone_to(const Block& block,
 Done ToolMotion::lay_cone(const Block& block, const ToolWords& tool, const Vec3& to,
                           Target& target) {
     const Vec3 from = machine::tool_vector(machine_.kinematics->chain,
-                                           channel_.transformation.joints_of(position_.base));
+                                           channel_.transformation.joints_of(position_.base()));
     const auto arc = cone_to(block, tool, from, to);
     if (!arc) return kFailed;
     next_orientation_.turning = Turning::Cone;
@@ -348,7 +348,7 @@ Done ToolMotion::lay_cone(const Block& block, const ToolWords& tool, const Vec3&
 Done ToolMotion::follow_directions(const Block& block, const path::Turn& turn,
                                    const path::Curve& curve, Target& target) {
     const Chain& chain = machine_.kinematics->chain;
-    const machine::FollowQuery query{channel_.transformation.joints_of(position_.base),
+    const machine::FollowQuery query{channel_.transformation.joints_of(position_.base()),
                                      joint_limits()};
     const auto end = machine::follow(chain, query, [&](double fraction) {
         return path::direction_at(turn, curve, fraction * turn.length);
@@ -496,7 +496,7 @@ Done ToolMotion::lead_by_point(const Block& block, const ToolWords& tool, const 
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 tip = path::start(curve);
     const Vec3 direction =
-        machine::tool_vector(chain, channel_.transformation.joints_of(position_.base));
+        machine::tool_vector(chain, channel_.transformation.joints_of(position_.base()));
     AxisValues place{};
     const AxisValues before =
         orienting_.point ? frames_.from_base({(*orienting_.point)[0], (*orienting_.point)[1],
@@ -530,9 +530,9 @@ Done ToolMotion::lead_by_point(const Block& block, const ToolWords& tool, const 
 Done ToolMotion::orient_first(const Block& block, const Vec3& to) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 from =
-        machine::tool_vector(chain, channel_.transformation.joints_of(position_.base));
+        machine::tool_vector(chain, channel_.transformation.joints_of(position_.base()));
     if (path::angle_between(from, to) < kSameStart) return kDone;
-    Target here{position_.here, position_.base,
+    Target here{position_.here(), position_.base(),
                 static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
                 kLinearXYZ};
     const OrientInterpolation turning =
@@ -620,7 +620,7 @@ Done ToolMotion::lay_spin(const Block& block, const ToolWords& tool, Target& tar
             Eigen::AngleAxisd(sense * rad_from_deg(*tool.spin), direction) * *reference;
         const double angle =
             std::atan2(direction.dot(across.cross(wanted)), across.dot(wanted)) * sign;
-        const double before = channel_.transformation.joints_of(position_.base)[2];
+        const double before = channel_.transformation.joints_of(position_.base())[2];
         psi = before + std::remainder(angle - before, 2 * std::numbers::pi);
     }
     const machine::Limits limits = joint_limits()[machine::kPsi];
@@ -643,7 +643,7 @@ void ToolMotion::reset_orientation(const Block& block, const nc::Invocation& inv
         return;
     }
     const Chain& chain = machine_.kinematics->chain;
-    Target target{position_.here, position_.base,
+    Target target{position_.here(), position_.base(),
                   static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
                   kLinearXYZ};
     Vec3 joints = Vec3::Zero();

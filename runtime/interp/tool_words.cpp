@@ -140,7 +140,7 @@ void ToolMotion::take_lead_tilt(const Block& block, const nc::Invocation& invoca
     }
     (is_lead ? orienting_.lean.lead : orienting_.lean.tilt) = rad_from_deg(angle);
     tool.changes_lead_tilt = true;
-    orienting_.leans |= surface_leads_end();
+    if (surface_leads_end()) orienting_.lean_at_ends(true);
 }
 
 /// No words stand side by side that exclude each other.

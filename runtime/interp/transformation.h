@@ -14,6 +14,12 @@ class Transformation {
     Transformation(const Transformation&) = delete;
     Transformation& operator=(const Transformation&) = delete;
 
+    /// Another member of the groups of the tool's turning and of its words.
+    void choose(nc::Function member);
+    void choose_point_to_point(nc::Function function);
+    /// A work offset stands behind the switch.
+    void offset_is_said() { orienting_.owes_offset = false; }
+
     Done require_transformation(const nc::Block& block, const nc::Invocation& invocation);
     void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
     std::array<std::size_t, 2> joints_in_order() const;
@@ -30,6 +36,9 @@ class Transformation {
     AxisValues machine_axes_at(const AxisValues& base) const;
     bool is_transformed() const { return orienting_.is_on || virtual_.axes.is_on(); }
 
+    /// The axes stand; the tip has another place in the base system.
+    void take_position(const AxisValues& base);
+
   private:
     Channel& channel_;
     const nc::Dialect& dialect_;
@@ -40,14 +49,13 @@ class Transformation {
     const Modal& modal_;
     Position& position_;
     control::Frames& frames_;
-    Tool& tool_;
+    const Tool& tool_;
     Orienting& orienting_;
     const Tilting& tilted_plane_;
     const Virtual& virtual_;
-    path::Vec3& came_from_;
     const RadiusCompState& comp_;
     ReportedInRun& told_;
-    AxisValues& length_shift_;
+    const AxisValues& length_shift_;
 };
 
 }  // namespace kadr::interp

@@ -127,7 +127,6 @@ VirtualPlane::VirtualPlane(Channel& channel)
       tool_(channel.state.tool.tool),
       orienting_(channel.state.tool.orienting),
       virtual_(channel.state.tool.virtual_axes),
-      came_from_(channel.state.motion.came_from),
       comp_(channel.state.stage.comp),
       compensation_(channel.state.stage.compensation),
       units_(channel.state.motion.units),
@@ -164,7 +163,7 @@ void VirtualPlane::begin_virtual(const Block& block, const Invocation& invocatio
     virtual_.by_rotary = rules_.virtual_by_rotary && axes->turns();
     virtual_.plane_before = modal_.plane;
     if (virtual_.by_rotary) say_virtual_plane(modal_.plane);
-    rotary_.tip = path::virtual_position(*axes, linear(position_.base), virtual_angle());
+    rotary_.tip = path::virtual_position(*axes, linear(position_.base()), virtual_angle());
     rotary_.at = virtual_angle();
     follow_from_here();
     take_virtual_position(rotary_.tip);
@@ -183,21 +182,19 @@ void VirtualPlane::end_virtual(const Block& block) {
     const Virtual was = std::exchange(virtual_, {});
     if (was.by_rotary) {
         modal_.plane = was.plane_before;
-        if (was.is_turned_over) modal_.motion = turned_over(modal_.motion);
+        if (was.is_turned_over) modal_.move_by(turned_over(modal_.motion));
     }
-    take_virtual_position(path::real_position(was.axes, linear(position_.base)));
+    take_virtual_position(path::real_position(was.axes, linear(position_.base())));
 }
 
 /// The axes stand; their places get other coordinates.
 void VirtualPlane::take_virtual_position(const Vec3& place) {
-    set_linear(position_.base, place);
-    position_.here = position_.programmed = frames_.from_base(position_.base);
-    came_from_ = place;
+    channel_.transformation.take_position(path::with_linear(position_.base(), place));
 }
 
 /// Where the rotary axis stands, rad.
 double VirtualPlane::virtual_angle() const {
-    return rad_from_deg(position_.base[index(virtual_.axes.rotary)]);
+    return rad_from_deg(position_.base()[index(virtual_.axes.rotary)]);
 }
 
 std::optional<VirtualAxes> VirtualPlane::wanted_virtual(const Block& block,
@@ -220,7 +217,7 @@ std::optional<VirtualAxes> VirtualPlane::wanted_polar_interpolation(const Block&
     if ((axes_.present & kNeeded) != kNeeded) return refuse("it needs the axes X, Z and C");
     VirtualAxes axes;
     axes.kind = VirtualKind::Face;
-    const double angle = position_.base[index(Axis::C)];
+    const double angle = position_.base()[index(Axis::C)];
     if (machine_.kinematics) {
         for (const machine::RotaryJoint& joint : machine_.kinematics->chain.joints) {
             if (!joint.is_present || joint.axis != Axis::C) continue;
@@ -236,20 +233,20 @@ std::optional<VirtualAxes> VirtualPlane::wanted_polar_interpolation(const Block&
         axes.center_x = frames_.shift_values()[0];
         axes.center_y = frames_.shift_values()[1];
         axes.zero = rad_from_deg(angle);
-        if (const double said = position_.here[index(Axis::C)];
+        if (const double said = position_.here()[index(Axis::C)];
             std::abs(std::remainder(said, 360)) > kAtZero)
             reporter_.report(diag::FaceStart, block, Function::PolarInterpolationOn)
                 .arg("C")
                 .arg(round_to(said, 4));
     }
     if ((axes_.present & bit(Axis::Y)) != 0) {
-        const double beside = position_.base[1] - axes.center_y;
+        const double beside = position_.base()[1] - axes.center_y;
         if (std::abs(beside) > kBeside)
             return refuse("Y stands " + format_shortest(round_to(beside, 4)) +
                           " mm beside the axis of C");
-        axes.standing = position_.base[1];
+        axes.standing = position_.base()[1];
     }
-    axes.side = position_.base[0] < axes.center_x ? -1 : 1;
+    axes.side = position_.base()[0] < axes.center_x ? -1 : 1;
     return axes;
 }
 
@@ -290,7 +287,7 @@ std::optional<VirtualAxes> VirtualPlane::wanted_cylinder(const Block& block,
         return std::nullopt;
     }
     const std::size_t around = index(axes.virtual_axis());
-    axes.standing = position_.base[around];
+    axes.standing = position_.base()[around];
     if (rules_.virtual_from_program) {
         axes.zero = rad_from_deg(frames_.shift_values()[index(axes.rotary)]);
         axes.center_y = frames_.shift_values()[around];
@@ -414,7 +411,7 @@ const Block* VirtualPlane::in_virtual(const Block& block) {
 /// The plane is that of the face or of the developed cylinder, however the program says it.
 void VirtualPlane::say_virtual_plane(Plane said) {
     const bool is_over = is_turned_over(virtual_.axes, said);
-    if (is_over != virtual_.is_turned_over) modal_.motion = turned_over(modal_.motion);
+    if (is_over != virtual_.is_turned_over) modal_.move_by(turned_over(modal_.motion));
     virtual_.is_turned_over = is_over;
     modal_.plane =
         virtual_.axes.kind == VirtualKind::Face ? Plane::Xy : plane_of_cylinder(virtual_.axes);
@@ -441,9 +438,8 @@ void VirtualPlane::follow_rotary() {
         }
         command.to[axis] = deg_from_rad(rotary_.at);
     }
-    position_.base[axis] = deg_from_rad(rotary_.at);
-    position_.here[axis] = position_.programmed[axis] =
-        position_.base[axis] - frames_.shift_values()[axis];
+    const double at = deg_from_rad(rotary_.at);
+    position_.arrive_on(axis, at - frames_.shift_values()[axis], at);
 }
 
 /// Where the control does not go through the pole the command is taken back.

@@ -57,7 +57,6 @@ class VirtualPlane {
     const Tool& tool_;
     const Orienting& orienting_;
     Virtual& virtual_;
-    path::Vec3& came_from_;
     const RadiusCompState& comp_;
     const Compensation& compensation_;
     const Units& units_;

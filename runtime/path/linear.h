@@ -12,4 +12,10 @@ inline void set_linear(AxisValues& values, const Vec3& at) {
     for (std::size_t i = 0; i < 3; ++i) values[i] = at[static_cast<Eigen::Index>(i)];
 }
 
+/// The same axes with another point.
+inline AxisValues with_linear(AxisValues values, const Vec3& at) {
+    set_linear(values, at);
+    return values;
+}
+
 }  // namespace kadr::path
