@@ -795,7 +795,7 @@ void Cycles::finish_cycle() {
     if (cycle_.final_level) return_to_level();
     if (reporter_.has_ended()) return;
     if (cycle_.frames_outside) {
-        frames_ = *cycle_.frames_outside;
+        channel_.frames.go_back_to(*cycle_.frames_outside);
         cycle_.frames_outside.reset();
         channel_.frames.frame_changed();
     }

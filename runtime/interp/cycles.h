@@ -24,6 +24,11 @@ class Cycles {
         taps_rigidly_ &= !modal_cycles_.modal.is_active;
         end_modal();
     }
+    /// No cycle is repeated, and none taps rigidly.
+    void cancel() {
+        end_modal();
+        taps_rigidly_ = false;
+    }
     void tap_rigidly() { taps_rigidly_ = true; }
     /// Every motion from here on is followed by the call in this block; null: none is.
     void call_behind_motions(const nc::Block* block) {

@@ -15,6 +15,7 @@ class DangerWatch {
     DangerWatch& operator=(const DangerWatch&) = delete;
 
     void watch_feed(const nc::Block& block);
+    void watch_turn_of_part(const nc::Block& block, const Target& target);
     void watch_cutting_speed(const nc::Block& block, double from, double to);
     void watch_length(const nc::Block& block, Axis axis);
     void watch_missing_length(const nc::Block& block);
@@ -35,6 +36,7 @@ class DangerWatch {
     double below_retract() const;
 
     Channel& channel_;
+    const nc::Dialect& dialect_;
     const machine::Machine& machine_;
     const bool is_lathe_;
     const InterpreterOptions& options_;

@@ -19,6 +19,7 @@
 #include "interp/danger_watch.h"
 #include "interp/spindles.h"
 #include "interp/transformation.h"
+#include "interp/word_hints.h"
 
 namespace kadr::interp {
 
@@ -45,6 +46,7 @@ constexpr int kShownDecimals = 4;
 
 DangerWatch::DangerWatch(Channel& channel)
     : channel_(channel),
+      dialect_(channel.state.dialect),
       machine_(channel.state.machine),
       is_lathe_(channel.state.is_lathe),
       options_(channel.state.options),
@@ -277,6 +279,24 @@ void DangerWatch::watch_change(const Block& block) {
     reporter_.report(diag::ChangeInCut, block)
         .arg("in the cut, " + format_shortest(round_to(below, kShownDecimals)) +
              " mm below the last retract");
+}
+
+/// `C2` beside a line on a lathe may have been meant as a chamfer, where the control wants a comma.
+void DangerWatch::watch_turn_of_part(const Block& block, const Target& target) {
+    if (!is_lathe_ || !block.has(nc::Slot::C)) return;
+    constexpr auto kC = index(Axis::C);
+    const double turn = std::abs(target.here[kC] - position_.here()[kC]);
+    const bool turns =
+        spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
+    const bool cuts = modal_.motion == Function::Line && (block.given & kLinearXYZ) != 0;
+    // From zero, as where nobody has used C as an axis.
+    const bool is_tiny = position_.here()[kC] == 0 && turn > 0 && turn < danger::kLeastSpindleTurn;
+    const std::string hint = hint_at_comma(dialect_.tables(), Axis::C, block.at(nc::Slot::C));
+    if (!turns || !cuts || !is_tiny || hint.empty() || block.is_of_cycle()) return;
+    reporter_.report(diag::TinyRotation, block, nc::Slot::C)
+        .arg("C" + format_shortest(round_to(block.at(nc::Slot::C), 4)))
+        .arg(round_to(target.here[kC], 4))
+        .fix(hint);
 }
 
 }  // namespace kadr::interp

@@ -98,7 +98,7 @@ double Spindles::bounded_speed(const Block& block) {
 
 /// Tells the motion side what has become of the spindle, if anything has.
 void Spindles::update_spindle(const Block& block) {
-    owes_speed_ = false;
+    owe_speed(false);
     const bool runs = is_running(spindle_.mode);
     const bool is_bounded = runs && !spindle_.has_cutting_speed;
     const double speed = spindle_.has_cutting_speed ? spindle_.cutting_speed
@@ -135,7 +135,7 @@ void Spindles::stand_spindle(const Block& block, Function function, double angle
     }
     if (block.is_of_cycle() && !block.context->taps) check_edge_turns(block);
     spindle_.angle_deg = angle;
-    spindle_.mode = SpindleMode::Orient;
+    turn(SpindleMode::Orient);
     spindle_.told = {SpindleMode::Orient, 0, false};
     Command& command = put_spindle(block);
     command.spindle = SpindleMode::Orient;

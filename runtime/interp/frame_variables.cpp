@@ -157,7 +157,7 @@ Write ProgrammedFrames::set_base_mask(Quantity quantity, double mask) {
 void ProgrammedFrames::restore_frames(bool is_wanted) {
     if (kept_frames_.empty()) return;
     if (is_wanted) {
-        frames_ = kept_frames_.back().frames;
+        go_back_to(kept_frames_.back().frames);
         work_offset_ = kept_frames_.back().work_offset;
         frame_changed();
     }

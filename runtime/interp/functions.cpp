@@ -513,7 +513,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
         case Function::Message: actions.message = &invocation; break;
         case Function::CycleOff:
             actions.cycle_is_cancelled = actions.cycle != nullptr;
-            if (actions.cycle == nullptr) modal_cycles_.modal.is_active = taps_rigidly_ = false;
+            if (actions.cycle == nullptr) channel_.cycles.cancel();
             break;
         case Function::CycleCall: actions.calls_defined = true; break;
         case Function::CycleModal: actions.calls_behind_motions = true; break;

@@ -57,7 +57,7 @@ Done ProgrammedFrames::take_frames_off(const Block& block) {
 
 void ProgrammedFrames::put_frames_back(const Block& block) {
     const FramesOff off = *std::exchange(frames_off_, std::nullopt);
-    frames_ = off.frames;
+    go_back_to(off.frames);
     frame_changed();
     for (std::size_t i = 0; i < kAxes; ++i) {
         const bool has_moved =

@@ -82,6 +82,47 @@ Motions::Motions(Channel& channel)
       modal_cycles_(channel.state.cycle.modal_cycles),
       shape_(channel.state.cycle.shape) {}
 
+/// What decides which motion the block is.
+///
+/// arc_words  those that belong to an arc, and not to the end of a compensation
+MotionCase Motions::case_of(const Block& block, const Actions& actions, SlotMask arc_words) const {
+    using Smooth = MotionCase::Smooth;
+    constexpr SlotMask kCycleSlots = nc::kTargetSlots | bit(Slot::Radius);
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    const Function motion = modal_.motion;
+    MotionCase of;
+    of.motion = motion;
+    of.has_target = targets != 0;
+    of.has_arc_words = arc_words != 0;
+    of.turns_tool = actions.tool.turns();
+    of.has_tool_words = actions.tool.is_any();
+    of.has_knot = motion == Function::Spline && block.find(Function::SplineKnot) != nullptr;
+    of.has_polynomial =
+        motion == Function::Polynomial && block.find(Function::PolynomialAxis) != nullptr;
+    const bool is_through = motion == Function::AkimaSpline || motion == Function::CubicSpline;
+    of.only_turns = is_through && channel_.splines.only_turns(block);
+    if (actions.soft != nullptr)
+        of.smooth =
+            actions.soft->function == Function::SmoothApproach ? Smooth::Approach : Smooth::Retract;
+    of.refers = actions.reference != nullptr;
+    of.measures = actions.measure != nullptr;
+    of.probes = actions.probes;
+    of.is_in_machine_coordinates = actions.machine_coordinates;
+    of.calls_behind_motions = actions.calls_behind_motions;
+    of.cancels_cycle = actions.cycle_is_cancelled;
+    of.calls_cycle = actions.cycle != nullptr;
+    of.is_of_cycle = (block.given & kCycleSlots) != 0;
+    of.resets_orientation = actions.orient_reset != nullptr;
+    of.suspends_length = actions.suspends_length;
+    of.is_rapid_once = actions.at_rapid;
+    of.taps = actions.taps;
+    of.is_compensated = comp_.is_on();
+    of.is_in_space = comp_3d_.is_on() || comp_.chosen() != CompKind::InPlane;
+    of.repeats_cycle = modal_cycles_.modal.is_active;
+    of.has_no_frames = channel_.frames.are_off();
+    return of;
+}
+
 void Motions::move(const Block& block, const Actions& actions) {
     if (block.motion != Function::None) modal_.move_by(block.motion);
     if (nc::ends_modal_cycle(block)) channel_.cycles.end_by_motion_code();
@@ -93,95 +134,101 @@ void Motions::move(const Block& block, const Actions& actions) {
     // They have told where the compensation ends.
     if (arc_words != 0 && channel_.compensation.leave_direction(block))
         arc_words &= ~nc::kCenterSlots;
-    if (actions.soft != nullptr && (comp_3d_.is_on() || comp_.chosen() != CompKind::InPlane)) {
-        reporter_.report(diag::CompSpaceStart, block, actions.soft->function);
-        return;
-    }
-    if (actions.soft != nullptr) {
-        return actions.soft->function == Function::SmoothApproach
-                   ? channel_.approaches.approach_smoothly(block, actions)
-                   : channel_.approaches.retract_smoothly(block, actions);
-    }
-    if (actions.reference != nullptr) return refer(block, *actions.reference);
-    if (actions.measure != nullptr) return measure_length(block, *actions.measure);
-    if (actions.probes && comp_.is_on()) {
-        reporter_.report(diag::ProbeCompensated, block, Function::Probe);
-        return;
-    }
-    if (targets != 0 && (actions.machine_coordinates || actions.probes) &&
+    const MotionKind kind = classify(case_of(block, actions, arc_words));
+    const bool stands_alone = targets != 0 && (actions.machine_coordinates || actions.probes);
+    if (kind > MotionKind::CompensatedProbe && stands_alone &&
         !channel_.cycles.require_no_cycle(block, actions))
         return;
-    if (actions.calls_behind_motions) {
-        return channel_.cycles.call_behind_motions(actions.cycle != nullptr ? &block : nullptr);
-    }
-    if (actions.cycle_is_cancelled) return channel_.cycles.move_instead_of_cycle(block, actions);
-    if (actions.cycle != nullptr) return channel_.cycles.call_cycle(block, actions);
-    constexpr SlotMask kCycleSlots = nc::kTargetSlots | bit(Slot::Radius);
-    if (modal_cycles_.modal.is_active && (block.given & kCycleSlots) != 0 &&
-        !actions.machine_coordinates)
-        return channel_.cycles.repeat_cycle(block, actions);
-    if (!channel_.checks.require_no_move_before_tap(block, targets)) return;
-    if (actions.orient_reset != nullptr)
-        return channel_.tool_motion.reset_orientation(block, *actions.orient_reset);
-    const bool is_elsewhere = actions.machine_coordinates && !channel_.frames.are_off();
-    if (actions.tool.is_any() && !nc::has_fact(modal_.motion, nc::Fact::TakesOrientation)) {
-        reporter_.report(diag::IsoNotSupported, block).arg("a tool that turns beside a thread");
+    if (kind > MotionKind::CycleRepeat &&
+        !channel_.checks.require_no_move_before_tap(block, targets))
         return;
+    if (has_target(kind)) return move_to_target(block, actions, kind, arc_words);
+    move_otherwise(block, actions, kind, arc_words);
+}
+
+/// A block without a place of its own, or whose way others know.
+void Motions::move_otherwise(const Block& block, const Actions& actions, MotionKind kind,
+                             SlotMask arc_words) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    switch (kind) {
+        case MotionKind::ApproachInSpace:
+            reporter_.report(diag::CompSpaceStart, block, actions.soft->function);
+            return;
+        case MotionKind::Approach: return channel_.approaches.approach_smoothly(block, actions);
+        case MotionKind::Retract: return channel_.approaches.retract_smoothly(block, actions);
+        case MotionKind::ReferencePoint: return refer(block, *actions.reference);
+        case MotionKind::Measure: return measure_length(block, *actions.measure);
+        case MotionKind::CompensatedProbe:
+            reporter_.report(diag::ProbeCompensated, block, Function::Probe);
+            return;
+        case MotionKind::CallBehindMotions:
+            return channel_.cycles.call_behind_motions(actions.cycle != nullptr ? &block : nullptr);
+        case MotionKind::CancelledCycle:
+            return channel_.cycles.move_instead_of_cycle(block, actions);
+        case MotionKind::CycleCall: return channel_.cycles.call_cycle(block, actions);
+        case MotionKind::CycleRepeat: return channel_.cycles.repeat_cycle(block, actions);
+        case MotionKind::OrientationReset:
+            return channel_.tool_motion.reset_orientation(block, *actions.orient_reset);
+        case MotionKind::TurnBesideThread:
+            reporter_.report(diag::IsoNotSupported, block).arg("a tool that turns beside a thread");
+            return;
+        case MotionKind::Spline: return channel_.splines.spline(block, actions.tool);
+        case MotionKind::SplineThrough:
+            return channel_.splines.go_through(block, targets, actions.tool);
+        case MotionKind::Polynomial:
+            return channel_.splines.polynomial(
+                block, actions.tool, channel_.smoothing.stops_exactly(actions.exact_stop));
+        case MotionKind::Stays:
+            if (arc_words != 0) warn_arc_word(block, arc_words);
+            if (actions.switches_length) return channel_.tool.move_behind_switch(block);
+            if (actions.length_changed) channel_.tool.move_length_alone(block);
+            return;
+        case MotionKind::MachineCoordinates:
+        case MotionKind::WithoutLength:
+        case MotionKind::RapidOnce:
+        case MotionKind::FloatingTap:
+        case MotionKind::Probe:
+        case MotionKind::Thread:
+        case MotionKind::ArcThread:
+        case MotionKind::Involute:
+        case MotionKind::RigidTap:
+        case MotionKind::Arc:
+        case MotionKind::ArcThrough:
+        case MotionKind::ArcTangent:
+        case MotionKind::Straight: return;  // they have a target
     }
-    if (modal_.motion == Function::Spline && !is_elsewhere &&
-        (targets != 0 || block.find(Function::SplineKnot) != nullptr))
-        return channel_.splines.spline(block, actions.tool);
-    const bool goes_through =
-        modal_.motion == Function::AkimaSpline || modal_.motion == Function::CubicSpline;
-    if (goes_through && !is_elsewhere && targets != 0 && !channel_.splines.only_turns(block))
-        return channel_.splines.go_through(block, targets, actions.tool);
-    const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
-    if (modal_.motion == Function::Polynomial && !is_elsewhere && has_polynomial)
-        return channel_.splines.polynomial(block, actions.tool,
-                                           channel_.smoothing.stops_exactly(actions.exact_stop));
-    if (targets == 0 && !actions.tool.turns() &&
-        (arc_words == 0 || !nc::has_fact(modal_.motion, nc::Fact::Circle))) {
-        if (arc_words != 0) warn_arc_word(block, arc_words);
-        if (actions.switches_length) return channel_.tool.move_behind_switch(block);
-        if (actions.length_changed) channel_.tool.move_length_alone(block);
-        return;
+}
+
+/// Where the words of the block lead; nothing: it was reported.
+std::optional<Target> Motions::target_of(const Block& block, const Actions& actions) {
+    Target target = motion_words().target_of(block, block.given & nc::kTargetSlots);
+    if (orienting_.is_on && !channel_.tool_motion.orient(block, actions, target))
+        return std::nullopt;
+    if (comp_.takes_surface_normals() && !channel_.compensation.lay_surface(block, actions.tool))
+        return std::nullopt;
+    if (tilted_plane_.carries || tilted_plane_.on_tables) {
+        // In the base system every linear axis may move, whatever the block names.
+        target.moved = static_cast<AxisMask>(target.moved | (axes_.present & kLinearXYZ));
+        channel_.tilted_planes.check_carried(block);
     }
+    channel_.dangers.watch_turn_of_part(block, target);
+    if (actions.way_offset != 0 && !increase_by_tool_offset(block, actions.way_offset, target))
+        return std::nullopt;
+    return target;
+}
+
+void Motions::move_to_target(const Block& block, const Actions& actions, MotionKind kind,
+                             SlotMask arc_words) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
     if (!motion_words().require_axes(block, targets) ||
         !motion_words().require_rotary_approaches(block))
         return;
     if (actions.at_rapid && !channel_.transformation.require_no_lone_axis(block, targets)) return;
     if ((unplaced_ & targets) != 0) [[unlikely]]
         check_place(block, targets);
-    if (is_elsewhere) return move_in_machine_coordinates(block);
-
-    Target target = motion_words().target_of(block, targets);
-    if (orienting_.is_on && !channel_.tool_motion.orient(block, actions, target)) return;
-    if (comp_.takes_surface_normals() && !channel_.compensation.lay_surface(block, actions.tool))
-        return;
-    if (tilted_plane_.carries || tilted_plane_.on_tables) {
-        // In the base system every linear axis may move, whatever the block names.
-        target.moved = static_cast<AxisMask>(target.moved | (axes_.present & kLinearXYZ));
-        channel_.tilted_planes.check_carried(block);
-    }
-    if (is_lathe_ && (targets & bit(Slot::C)) != 0) {
-        constexpr auto kC = index(Axis::C);
-        const double turn = std::abs(target.here[kC] - position_.here()[kC]);
-        const bool turns =
-            spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
-        const bool cuts = modal_.motion == Function::Line && (targets & kLinearXYZ) != 0;
-        // From zero, as where nobody has used C as an axis: a chamfer without its comma.
-        const bool is_tiny =
-            position_.here()[kC] == 0 && turn > 0 && turn < danger::kLeastSpindleTurn;
-        const std::string hint = hint_at_comma(dialect_.tables(), Axis::C, block.at(Slot::C));
-        if (turns && cuts && is_tiny && !hint.empty() && !block.is_of_cycle()) {
-            reporter_.report(diag::TinyRotation, block, Slot::C)
-                .arg("C" + format_shortest(round_to(block.at(Slot::C), 4)))
-                .arg(round_to(target.here[kC], 4))
-                .fix(hint);
-        }
-    }
-    if (actions.way_offset != 0 && !increase_by_tool_offset(block, actions.way_offset, target))
-        return;
+    if (kind == MotionKind::MachineCoordinates) return move_in_machine_coordinates(block);
+    const std::optional<Target> target = target_of(block, actions);
+    if (!target) return;
     // At rapid a way to a place of the machine ends at rest on every control.
     const bool goes_to_machine = channel_.frames.are_off() && modal_.motion == Function::Rapid;
     const bool exact_stop = channel_.smoothing.stops_exactly(actions.exact_stop || goes_to_machine);
@@ -189,26 +236,27 @@ void Motions::move(const Block& block, const Actions& actions) {
         reporter_.report(diag::CompMotion, block);
         return;
     }
-    if (actions.suspends_length) return move_without_length(block, target, exact_stop);
-    if (actions.at_rapid) return line(block, target, Op::Rapid, true);
-    if (actions.taps) return line(block, target, Op::Line, exact_stop);
-    if (actions.probes && arc_words != 0) warn_arc_word(block, arc_words);
-    if (actions.probes)
-        return line(block, target, probes_at_rapid(block) ? Op::Rapid : Op::Probe, true);
-    if (modal_.motion == Function::Thread || nc::has_fact(modal_.motion, nc::Fact::VaryingThread))
-        return thread(block, target, actions);
-    if (nc::has_fact(modal_.motion, nc::Fact::ArcThread))
-        return thread_along_arc(block, target, actions);
-    if (nc::has_fact(modal_.motion, nc::Fact::Involute)) return involute(block, target, exact_stop);
-    if (is_tapping(modal_.motion)) return tap(block, target);
-    if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
-    if (modal_.motion == Function::ArcThrough) return arc_over_point(block, target, exact_stop);
-    if (modal_.motion == Function::ArcTangent) return arc_along(block, target, exact_stop);
+    switch (kind) {
+        case MotionKind::WithoutLength: return move_without_length(block, *target, exact_stop);
+        case MotionKind::RapidOnce: return line(block, *target, Op::Rapid, true);
+        case MotionKind::FloatingTap: return line(block, *target, Op::Line, exact_stop);
+        case MotionKind::Probe:
+            if (arc_words != 0) warn_arc_word(block, arc_words);
+            return line(block, *target, probes_at_rapid(block) ? Op::Rapid : Op::Probe, true);
+        case MotionKind::Thread: return thread(block, *target, actions);
+        case MotionKind::ArcThread: return thread_along_arc(block, *target, actions);
+        case MotionKind::Involute: return involute(block, *target, exact_stop);
+        case MotionKind::RigidTap: return tap(block, *target);
+        case MotionKind::Arc: return arc(block, *target, exact_stop);
+        case MotionKind::ArcThrough: return arc_over_point(block, *target, exact_stop);
+        case MotionKind::ArcTangent: return arc_along(block, *target, exact_stop);
+        default: break;  // a straight motion
+    }
     if (arc_words != 0 && channel_.cornering.has_square_corner(block))
-        channel_.cornering.wish_square_corner(block, target);
+        channel_.cornering.wish_square_corner(block, *target);
     else if (arc_words != 0) warn_arc_word(block, arc_words);
     if (reporter_.has_ended()) return;
-    line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
+    line(block, *target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
 }
 
 AxisMask Motions::plane_mask() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interp/channel_state.h"
+#include "interp/motion_kind.h"
 
 namespace kadr::interp {
 
@@ -28,6 +29,13 @@ class Motions {
     MotionWords motion_words();
 
   private:
+    MotionCase case_of(const nc::Block& block, const Actions& actions,
+                       nc::SlotMask arc_words) const;
+    void move_otherwise(const nc::Block& block, const Actions& actions, MotionKind kind,
+                        nc::SlotMask arc_words);
+    std::optional<Target> target_of(const nc::Block& block, const Actions& actions);
+    void move_to_target(const nc::Block& block, const Actions& actions, MotionKind kind,
+                        nc::SlotMask arc_words);
     void check_place(const nc::Block& block, nc::SlotMask targets);
     Target part_of_move(const Target& target, double part) const;
     Probing probe_along(const nc::Block& block, const Target& target, const ProgrammedMove& way);

@@ -89,7 +89,7 @@ void Spindles::with_spindle(const Block& block, const Invocation& invocation, Ac
     act();
     is_master_away_ = false;
     std::swap(spindle_, *other);
-    owes_speed_ = owed;
+    owe_speed(owed);
 }
 
 /// What the motion side is told of the spindle whose turn it is.
@@ -143,8 +143,8 @@ void Spindles::act_on_spindle(const Block& block, const Invocation& invocation) 
                 break;
             }
             case Function::SpindleTurn:
-                spindle_.mode = sense_by_code(
-                    count_of(block, invocation, parameter_of<Function::SpindleTurn>("sense")));
+                turn(sense_by_code(
+                    count_of(block, invocation, parameter_of<Function::SpindleTurn>("sense"))));
                 break;
             case Function::SpindleLimit:
                 limit_speed(

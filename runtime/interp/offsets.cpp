@@ -48,7 +48,7 @@ Write ToolInUse::set_tool_offset(ToolOffsets::Column column, std::int64_t number
     const bool is_tip = value >= 0 && value <= kMostTip && value == std::floor(value);
     if (column == ToolOffsets::Column::Tip && !is_tip) return Write::TooLarge;
     tool_offsets_.set(column, number, value);
-    if (rules_.tool_offsets_act_at_once) tool_.has_changed = true;
+    if (rules_.tool_offsets_act_at_once) expect_length();
     return Write::Done;
 }
 
@@ -86,7 +86,7 @@ Write ToolInUse::set_extra(Quantity quantity, std::int64_t first, double value) 
     }
     const bool is_of_radius = quantity == Quantity::ExtraRadius || quantity == Quantity::ExtraBoth;
     if (is_of_radius) extra_.radius = value;
-    tool_.has_changed = true;
+    expect_length();
     if (is_of_radius && comp_.is_on())
         channel_.compensation.send_comp(
             channel_.compensation.comp_change({}, CompChange::Kind::Set));

@@ -5,6 +5,7 @@
 #include "interp/block_functions.h"
 #include "interp/channel.h"
 #include "interp/radius_compensation.h"
+#include "interp/tool_in_use.h"
 #include "nc/tables.h"
 
 namespace kadr::interp {
@@ -40,7 +41,7 @@ void BlockFunctions::power_on() {
         for (const Function function : group.power_on)
             if (nc::info(function).group == Group::Once) begin_with(function);
     }
-    tool_.has_changed = tool_.source != Tool::Source::None;
+    channel_.tool.expect_length(tool_.source != Tool::Source::None);
 }
 
 void BlockFunctions::begin_with(Function function) {

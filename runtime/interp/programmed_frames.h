@@ -41,6 +41,8 @@ class ProgrammedFrames {
     void put_frames_back(const nc::Block& block);
     void frame_changed();
     void begin();
+    /// The frames that acted at another time; the position is seen in them by frame_changed.
+    void go_back_to(const control::Frames& frames) { frames_ = frames; }
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
     /// A block in machine coordinates has taken the frames off for its motion.
     bool are_off() const { return frames_off_.has_value(); }

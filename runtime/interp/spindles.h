@@ -20,7 +20,7 @@ class Spindles {
     /// rpm; the motion side is told with the next block.
     void set_speed_later(double speed) {
         spindle_.speed = speed;
-        owes_speed_ = true;
+        owe_speed(true);
     }
 
     bool has_spindle(std::int64_t number) const;
@@ -41,6 +41,7 @@ class Spindles {
     void dwell_by_spindle(const nc::Block& block, const nc::Invocation& invocation);
 
   private:
+    void owe_speed(bool is_due) { owes_speed_ = is_due; }
     SpeedLimits speed_limits() const;
     void put_speed_limits(const nc::Block& block, const SpeedLimits& before);
     double bounded_speed(const nc::Block& block);

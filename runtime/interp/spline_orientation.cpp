@@ -112,7 +112,7 @@ Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, cons
 
 Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& said,
                                       const path::Curve& span, Target& target) {
-    next_orientation_ = {};
+    forget_turn();
     course_.reset();
     if (said.direction) {
         if (said.direction->norm() < kNoDirection) {

@@ -50,7 +50,7 @@ ToolInUse::ToolInUse(Channel& channel)
 
 void ToolInUse::set_length_source(Tool::Source source, Actions& actions) {
     tool_.source = source;
-    tool_.has_changed = true;
+    expect_length();
     actions.length_changed = true;
 }
 
@@ -90,7 +90,7 @@ void ToolInUse::choose_sum_offset(const Block& block, const Invocation& invocati
             .arg(kMost);
         return;
     }
-    tool_.has_changed = true;
+    expect_length();
     actions.length_changed = true;
     actions.comp_changed |= comp_.is_on();
 }
@@ -157,8 +157,8 @@ void ToolInUse::change_tool(const Block& block) {
     if (rules_.tool_change_activates_length && block.find(Function::ToolEdge) == nullptr)
         tool_.source = Tool::Source::Edge;
     // A length by number stays that of its offset; that it is another tool's now is looked at.
-    tool_.has_changed |=
-        tool_.source == Tool::Source::Edge || (is_other && tool_.source == Tool::Source::Offset);
+    if (tool_.source == Tool::Source::Edge || (is_other && tool_.source == Tool::Source::Offset))
+        expect_length();
     channel_.feed.take_tooth_feed();
 }
 

@@ -17,7 +17,7 @@ class ToolInUse {
     ToolInUse& operator=(const ToolInUse&) = delete;
 
     /// The length that should act may have become another one: the next motion looks it up.
-    void expect_length() { tool_.has_changed = true; }
+    void expect_length(bool is_due = true) { tool_.has_changed = is_due; }
     /// The lengths in force are these, or those that should act, without a way of the axes.
     void set_lengths(const path::Vec3& lengths) { tool_.lengths = lengths; }
     void take_wanted_lengths() { tool_.lengths = wanted_lengths(); }
