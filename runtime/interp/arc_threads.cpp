@@ -86,7 +86,7 @@ void Motions::thread_along_arc(const Block& block, const Target& target, const A
         position_.note_motion();
         const Vec3 way = linear(at.here) - linear(position_.here());
         const double length = (linear(at.base) - linear(position_.base())).norm();
-        Command& command = channel_.stages.put(Op::Thread, block);
+        Command& command = channel_.stages.put(Op::Thread, block, i == 1 ? &target.turn : nullptr);
         command.to = at.base;
         command.moved = at.moved;
         command.exact_stop = i == lines && channel_.smoothing.stops_exactly(actions.exact_stop);

@@ -159,7 +159,7 @@ void Motions::put_base_arc(const Block& block, const path::Arc& arc, const Targe
     Target target = programmed;
     if (tool_.has_changed && !channel_.tool.activate_length_on_arc(block, arc.normal, target.moved))
         return;
-    if (course_) {
+    if (target.turn.waiting != nullptr) {
         const path::Curve way =
             path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep);
         if (!channel_.tool_motion.lay_directions(block, way, target)) return;
@@ -168,7 +168,7 @@ void Motions::put_base_arc(const Block& block, const path::Arc& arc, const Targe
     if (spindle_.has_cutting_speed) [[unlikely]]
         channel_.dangers.watch_cutting_speed(block, position_.here()[0], target.here[0]);
 
-    Command& command = channel_.stages.put(Op::Arc, block);
+    Command& command = channel_.stages.put(Op::Arc, block, &target.turn);
     command.to = target.base;
     command.moved = target.moved;
     command.exact_stop = exact_stop;

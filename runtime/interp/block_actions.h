@@ -75,6 +75,7 @@ struct Target {
     AxisValues base;
     AxisMask moved = 0;
     AxisMask carried = 0;  // of them by the tool's turn alone: what the program said of them stays
+    TurnPlan turn{};       // under a transformation
 };
 
 /// Where a soft approach or retract touches the contour, in the plane of the base system.

@@ -110,8 +110,6 @@ struct ChannelState {
         ActiveCarrier carrier{};
         Orienting orienting{};
         Tilting tilted_plane{};
-        NextOrientation next_orientation{};
-        std::optional<ToolWords> course{};  // of the block: waits until its path is known
         Virtual virtual_axes{};
     };
     ToolGroup tool;

@@ -58,7 +58,7 @@ void Motions::put_involute(const Block& block, const path::InvoluteWords& words,
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     if (!channel_.checks.require_box_within_limits(block, path::bounds(involute))) return;
     position_.note_motion();
-    path::Command& command = channel_.stages.put(path::Op::Involute, block);
+    path::Command& command = channel_.stages.put(path::Op::Involute, block, &target.turn);
     command.to = target.base;
     command.moved = target.moved;
     command.exact_stop = exact_stop;

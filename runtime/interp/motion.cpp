@@ -66,7 +66,6 @@ Motions::Motions(Channel& channel)
       tool_(channel.state.tool.tool),
       orienting_(channel.state.tool.orienting),
       tilted_plane_(channel.state.tool.tilted_plane),
-      course_(channel.state.tool.course),
       virtual_(channel.state.tool.virtual_axes),
       diameter_is_absolute_(channel.state.motion.diameter_is_absolute),
       corners_(channel.state.stage.corners),
@@ -288,8 +287,9 @@ void Motions::line(const Block& block, const Target& programmed, Op op, bool exa
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     if (spindle_.has_cutting_speed && op != Op::Probe) [[unlikely]]
         channel_.dangers.watch_cutting_speed(block, position_.here()[0], target.here[0]);
-    if (course_ && !channel_.tool_motion.lay_directions(
-                       block, straight_path(linear(position_.base()), linear(target.base)), target))
+    if (target.turn.waiting != nullptr &&
+        !channel_.tool_motion.lay_directions(
+            block, straight_path(linear(position_.base()), linear(target.base)), target))
         return;
     if (op == Op::Probe || probes_at_rapid(block)) {
         probing = probe_along(block, target, {position_.here(), target.here});
@@ -297,7 +297,7 @@ void Motions::line(const Block& block, const Target& programmed, Op op, bool exa
     }
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     position_.note_motion();
-    Command& command = channel_.stages.put(op, block);
+    Command& command = channel_.stages.put(op, block, &target.turn);
     command.to = target.base;
     command.moved = target.moved;
     command.exact_stop = exact_stop;

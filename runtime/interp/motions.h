@@ -85,7 +85,6 @@ class Motions {
     const Tool& tool_;
     const Orienting& orienting_;
     const Tilting& tilted_plane_;
-    const std::optional<ToolWords>& course_;
     const Virtual& virtual_;
     const bool& diameter_is_absolute_;
     const Corners& corners_;

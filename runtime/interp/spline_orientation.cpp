@@ -82,7 +82,7 @@ Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
 ///
 /// at  whose place messages show
 Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, const path::Curve& span,
-                            AxisValues& to) {
+                            AxisValues& to, TurnPlan& turn) {
     const Position read = position_;
     const FeedWords::Programmed feed = channel_.feed.exchange({said.feed, modal_.has_feed});
     const OrientModes modes = std::exchange(static_cast<OrientModes&>(orienting_), said.modes);
@@ -101,6 +101,7 @@ Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, cons
     static_cast<OrientModes&>(orienting_) = modes;
     position_ = read;
     if (!is_laid) return kFailed;
+    turn = target.turn;
     for (AxisMask rest = channel_.transformation.joint_axes(); rest != 0;
          rest = static_cast<AxisMask>(rest & (rest - 1))) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
@@ -112,8 +113,7 @@ Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, cons
 
 Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& said,
                                       const path::Curve& span, Target& target) {
-    forget_turn();
-    course_.reset();
+    target.turn = {};
     if (said.direction) {
         if (said.direction->norm() < kNoDirection) {
             reporter_.report(diag::OrientationOpposite, at);
@@ -122,8 +122,9 @@ Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& 
         if (!lay_orientation(at, said.direction->normalized(), target)) return kFailed;
         orienting_.lean_at_ends(false);
     } else {
-        if (!lay_tool_words(at, said.tool.value_or(ToolWords{}), target)) return kFailed;
-        if (course_) return lay_directions(at, span, target);
+        static const ToolWords kNone;
+        if (!lay_tool_words(at, said.tool ? *said.tool : kNone, target)) return kFailed;
+        if (target.turn.waiting != nullptr) return lay_directions(at, span, target);
     }
     settle_orientation(target);
     return kDone;

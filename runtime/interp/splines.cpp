@@ -77,7 +77,6 @@ Splines::Splines(Channel& channel)
       tool_(channel.state.tool.tool),
       position_words_(channel.state.motion.position_words),
       orienting_(channel.state.tool.orienting),
-      next_orientation_(channel.state.tool.next_orientation),
       spline_(channel.state.cycle.spline),
       through_(channel.state.cycle.through),
       spline_commands_(channel.state.cycle.spline_commands),
@@ -294,13 +293,15 @@ void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& sa
     if (!channel_.checks.require_box_within_limits(at, path::bounds(curve))) return;
     AxisValues to = said.to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = end[static_cast<Eigen::Index>(i)];
+    TurnPlan turn;
     puts_span_ = true;
-    const bool is_laid = !orienting_.is_on || channel_.tool_motion.turn_along(at, said, curve, to);
+    const bool is_laid =
+        !orienting_.is_on || channel_.tool_motion.turn_along(at, said, curve, to, turn);
     puts_span_ = false;
     if (!is_laid) return;
     position_.note_motion();
-    const bool turns = next_orientation_.turning != path::Turning::Axes;
-    Command& command = channel_.stages.put(Op::Spline, at);
+    const bool turns = turn.turning != path::Turning::Axes;
+    Command& command = channel_.stages.put(Op::Spline, at, &turn);
     if (is_in_spline()) as_programmed(command);
     command.to = to;
     command.moved =

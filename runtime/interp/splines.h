@@ -54,7 +54,6 @@ class Splines {
     const Tool& tool_;
     const PositionWords& position_words_;
     const Orienting& orienting_;
-    const NextOrientation& next_orientation_;
     std::optional<SplineRun>& spline_;
     std::optional<ThroughRun>& through_;
     SplineCommands& spline_commands_;

@@ -89,19 +89,19 @@ Command& Stages::behind_corners() {
     return compensation_.is_on() ? compensation_.next() : output_.next();
 }
 
-Command& Stages::put(Op op, const Block& block) {
+Command& Stages::put(Op op, const Block& block, const TurnPlan* turn) {
     if (path::is_motion(op)) dangers_.begin_motion(op, position_.base());
     const bool waits = channel_.splines.is_in_spline() && op != Op::Spline && !puts_span_;
     Command& command = waits                  ? spline_commands_.next()
                        : corners_.is_active() ? corners_.next()
                                               : behind_corners();
     command.op = op;
-    fill_in(command, block);
+    fill_in(command, block, turn);
     return command;
 }
 
 /// What the modal state says of a command.
-void Stages::fill_in(Command& command, const Block& block) {
+void Stages::fill_in(Command& command, const Block& block, const TurnPlan* turn) {
     const Op op = command.op;
     command.feed_mode = modal_.feed_mode;
     command.plane = modal_.plane;
@@ -124,7 +124,8 @@ void Stages::fill_in(Command& command, const Block& block) {
     if (comp_.is_face_milling_acting() && reaches_comp && path::is_motion(op))
         command.contact.push_back({face_, path::Vec3::Zero(), path::Vec3::Zero()});
     command.virtual_axes = {};
-    if (channel_.transformation.is_transformed()) channel_.tool_motion.put_orientation(command);
+    if (channel_.transformation.is_transformed())
+        channel_.tool_motion.put_orientation(command, turn);
     command.text.clear();
 }
 

@@ -18,8 +18,11 @@ class Stages {
     void settle(const nc::Block& block);
     void settle_stages(const nc::Block& block, const AxisValues& here, bool is_last);
     path::Command& behind_corners();
-    path::Command& put(path::Op op, const nc::Block& block);
-    void fill_in(path::Command& command, const nc::Block& block);
+    /// A command in its slot, with what the modal state says of it.
+    ///
+    /// turn  of the tool in a motion; null: it stays as it stands
+    path::Command& put(path::Op op, const nc::Block& block, const TurnPlan* turn = nullptr);
+    void fill_in(path::Command& command, const nc::Block& block, const TurnPlan* turn = nullptr);
     /// A block for messages, at the place of a command. Where that is the call of the cycle that
     /// runs, it is one of the cycle's.
     nc::Block block_at(SourceId source, std::uint32_t line) const;

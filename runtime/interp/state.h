@@ -269,14 +269,17 @@ struct Virtual {
     path::Plane plane_before = path::Plane::Xy;
 };
 
-/// How the tool turns in the motion that is put out next, as a Command says it.
-struct NextOrientation {
+/// How the tool turns in a motion, as a Command says it.
+struct TurnPlan {
     path::Turning turning = path::Turning::Axes;
     path::Vec3 direction = path::Vec3::UnitZ();  // at the end
     path::Vec3 from = path::Vec3::UnitZ();
     path::Vec3 axis = path::Vec3::Zero();
     double angle = 0;
     path::Lean lean;
+    bool is_made = false;  // else the tool stays as it stands
+    /// Words that can be laid only where the path of the motion is known; null: there are none.
+    const ToolWords* waiting = nullptr;
 };
 
 /// Polar coordinates, in the working plane of the programmed system.

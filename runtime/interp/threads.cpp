@@ -47,7 +47,7 @@ void Motions::tap(const Block& block, const Target& target) {
     const bool is_cw = (pitch > 0) == (modal_.motion == Function::TapIn);
     channel_.spindles.turn(is_cw ? SpindleMode::Cw : SpindleMode::Ccw);
     channel_.spindles.update_spindle(block);
-    Command& command = channel_.stages.put(Op::Line, block);
+    Command& command = channel_.stages.put(Op::Line, block, &target.turn);
     command.to = target.base;
     command.moved = target.moved;
     command.feed_mode = FeedMode::PerRevolution;
@@ -72,7 +72,7 @@ void Motions::thread(const Block& block, const Target& target, const Actions& ac
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     position_.note_motion();
-    Command& command = channel_.stages.put(Op::Thread, block);
+    Command& command = channel_.stages.put(Op::Thread, block, &target.turn);
     command.to = target.base;
     command.moved = target.moved;
     command.exact_stop = channel_.smoothing.stops_exactly(actions.exact_stop);

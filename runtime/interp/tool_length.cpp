@@ -177,12 +177,9 @@ void ToolInUse::move_behind_switch(const Block& block) {
     const AxisMask moved =
         orienting_.is_on ? static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes())
                          : kLinearXYZ;
-    if (orienting_.is_on) {
-        channel_.tool_motion.forget_turn();
-        channel_.tool_motion.settle_orientation({position_.here(), position_.base(), moved});
-    }
-    channel_.motions.line(block, {position_.here(), position_.base(), moved},
-                          modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
+    Target here{position_.here(), position_.base(), moved};
+    if (orienting_.is_on) channel_.tool_motion.settle_orientation(here);
+    channel_.motions.line(block, here, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
                           channel_.smoothing.stops_exactly());
 }
 

@@ -16,23 +16,22 @@ class ToolMotion {
     ToolMotion(const ToolMotion&) = delete;
     ToolMotion& operator=(const ToolMotion&) = delete;
 
-    /// The motion that is put out next does not turn the tool.
-    void forget_turn() { next_orientation_ = {}; }
-
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
                           Actions& actions);
     bool keeps_lead_tilt_to_surface() const;
     std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
                                                 nc::Function word);
     Done orient(const nc::Block& block, const Actions& actions, Target& target);
-    void settle_orientation(const Target& target);
+    /// What the end of the motion says of the tool, for its command and the blocks behind it.
+    void settle_orientation(Target& target);
     Done lay_directions(const nc::Block& block, const path::Curve& curve, Target& target);
     std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
                                                         const ToolWords& tool);
     void reset_orientation(const nc::Block& block, const nc::Invocation& invocation);
     machine::JointLimits joint_limits() const;
     void put_joints(const path::Vec3& joints, Target& target) const;
-    void put_orientation(path::Command& command);
+    /// plan  of the motion; null: the tool stays as it stands
+    void put_orientation(path::Command& command, const TurnPlan* plan);
     bool goes_straight(path::Op op) const;
     bool goes_straight(const nc::Block& block, const Actions& actions) const;
     Done require_point_to_point_way(const nc::Block& block, const Actions& actions);
@@ -41,7 +40,7 @@ class ToolMotion {
     Done orient_control_point(const nc::Block& block, const ToolWords& tool,
                               ControlPointBlock& pole);
     Done turn_along(const nc::Block& at, const ControlPointBlock& said, const path::Curve& span,
-                    AxisValues& to);
+                    AxisValues& to, TurnPlan& turn);
     Done share_orientation(const nc::Block& block, const ToolWords& tool,
                            const std::vector<double>& shares,
                            const std::vector<ControlPointBlock*>& pieces);
@@ -84,7 +83,7 @@ class ToolMotion {
                        Target& target);
     Done orient_first(const nc::Block& block, const path::Vec3& to);
     bool spins_with_path(const ToolWords& tool) const;
-    std::optional<path::Vec3> spin_reference(const path::Vec3& tool,
+    std::optional<path::Vec3> spin_reference(const path::Vec3& tool, const TurnPlan& turn,
                                              const path::Curve* curve) const;
     Done lay_spin(const nc::Block& block, const ToolWords& tool, Target& target,
                   const path::Curve* curve = nullptr);
@@ -107,13 +106,12 @@ class ToolMotion {
     Position& position_;
     const control::Frames& frames_;
     Orienting& orienting_;
-    NextOrientation& next_orientation_;
-    std::optional<ToolWords>& course_;
     const Virtual& virtual_;
     const RadiusCompState& comp_;
     const std::optional<SplineRun>& spline_;
     ReportedInRun& told_;
     const AxisData& axes_;
+    path::Vec3 direction_ = path::Vec3::UnitZ();  // of the tool behind the latest motion
 };
 
 }  // namespace kadr::interp

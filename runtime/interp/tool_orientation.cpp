@@ -103,8 +103,7 @@ Done ToolMotion::orient(const Block& block, const Actions& actions, Target& targ
     target.carried = static_cast<AxisMask>(kLinearXYZ & ~target.moved);
     target.moved =
         static_cast<AxisMask>(target.moved | kLinearXYZ | channel_.transformation.joint_axes());
-    next_orientation_ = {};
-    course_.reset();
+    target.turn = {};
     const ToolWords& tool = actions.tool;
     channel_.transformation.check_offset_programmed(block);
     if (!require_one_turn(block, tool) || !require_no_idle_words(block, tool)) return kFailed;
@@ -120,15 +119,14 @@ Done ToolMotion::orient(const Block& block, const Actions& actions, Target& targ
     return kDone;
 }
 
-/// How the tool turns by what a block says; what depends on the block's path waits for it in
-/// `course_`.
+/// How the tool turns by what a block says; what depends on the block's path waits for it.
 Done ToolMotion::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
     if (tool.programs_direction() || tool.point.is_said() ||
         (block.given & channel_.transformation.joint_axes()) != 0)
         orienting_.lean_at_ends(false);
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
     const bool waits = spins_with_path(tool);
-    if (is_led || waits) course_ = tool;
+    if (is_led || waits) target.turn.waiting = &tool;
     if (!is_led) {
         if (tool.programs_direction()) {
             if (!require_axes_for_direction(block)) return kFailed;
@@ -144,13 +142,14 @@ Done ToolMotion::lay_tool_words(const Block& block, const ToolWords& tool, Targe
 }
 
 /// What the block's end says of the tool, for the command and for the blocks behind it.
-void ToolMotion::settle_orientation(const Target& target) {
+void ToolMotion::settle_orientation(Target& target) {
     const Chain& chain = machine_.kinematics->chain;
-    next_orientation_.direction =
-        machine::tool_vector(chain, channel_.transformation.joints_of(target.base));
-    if (next_orientation_.turning == Turning::Cone)
-        orienting_.rate =
-            next_orientation_.axis.cross(next_orientation_.direction) * next_orientation_.angle;
+    TurnPlan& turn = target.turn;
+    turn.direction = machine::tool_vector(chain, channel_.transformation.joints_of(target.base));
+    turn.is_made = true;
+    direction_ = turn.direction;
+    if (turn.turning == Turning::Cone)
+        orienting_.rate = turn.axis.cross(turn.direction) * turn.angle;
 }
 
 /// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
@@ -165,6 +164,7 @@ Done ToolMotion::orient_by_axes(const Block& block, Target& target) {
         return kDone;
     Target end{position_.here(), position_.base(), target.moved};
     if (!lay_orientation(block, machine::tool_vector(chain, wanted), end)) return kFailed;
+    target.turn = end.turn;
     const Vec3 reached = channel_.transformation.joints_of(end.base);
     if ((reached - wanted).norm() < kSameJoint) return kDone;
     const std::size_t joint =
@@ -251,9 +251,9 @@ Done ToolMotion::lay_orientation(const Block& block, const Vec3& to, Target& tar
         reporter_.report(diag::PlaneLeft, block)
             .arg(degrees(angle_out_of(chain, arc->axis, joints, end->rotary)));
     if (end->mode == machine::PathMode::Vector && arc->turn > kSameDirection) {
-        next_orientation_.turning = Turning::Cone;
-        next_orientation_.axis = arc->axis;
-        next_orientation_.angle = arc->turn;
+        target.turn.turning = Turning::Cone;
+        target.turn.axis = arc->axis;
+        target.turn.angle = arc->turn;
     }
     return kDone;
 }
@@ -337,9 +337,9 @@ Done ToolMotion::lay_cone(const Block& block, const ToolWords& tool, const Vec3&
                                            channel_.transformation.joints_of(position_.base()));
     const auto arc = cone_to(block, tool, from, to);
     if (!arc) return kFailed;
-    next_orientation_.turning = Turning::Cone;
-    next_orientation_.axis = arc->axis;
-    next_orientation_.angle = arc->turn;
+    target.turn.turning = Turning::Cone;
+    target.turn.axis = arc->axis;
+    target.turn.angle = arc->turn;
     return follow_directions(block, {Turning::Cone, 1, from, arc->axis, arc->turn, {}},
                              path::Point{}, target);
 }
@@ -365,7 +365,7 @@ Done ToolMotion::follow_directions(const Block& block, const path::Turn& turn,
 
 /// What waited for the path of the block: along it the tool is led, or its end says how it stands.
 Done ToolMotion::lay_directions(const Block& block, const path::Curve& curve, Target& target) {
-    const ToolWords tool = *std::exchange(course_, std::nullopt);
+    const ToolWords& tool = *std::exchange(target.turn.waiting, nullptr);
     if (tool.point.is_said()) {
         if (!lead_by_point(block, tool, curve, target)) return kFailed;
     } else if (tool.lead) {
@@ -481,11 +481,11 @@ Done ToolMotion::lead_by_surface(const Block& block, const ToolWords& tool,
     const bool leans = lean.lead != 0 || lean.tilt != 0;
     if (leans && !require_small_rise_along(block, surface, curve)) return kFailed;
     if (!orient_first(block, *start)) return kFailed;
-    next_orientation_.turning = Turning::Surface;
-    next_orientation_.from = (*normals)[0];
-    next_orientation_.axis = arc->axis;
-    next_orientation_.angle = arc->turn;
-    next_orientation_.lean = lean;
+    target.turn.turning = Turning::Surface;
+    target.turn.from = (*normals)[0];
+    target.turn.axis = arc->axis;
+    target.turn.angle = arc->turn;
+    target.turn.lean = lean;
     return follow_directions(block, surface, curve, target);
 }
 
@@ -517,9 +517,9 @@ Done ToolMotion::lead_by_point(const Block& block, const ToolWords& tool, const 
     if (!orient_first(block, (start - tip).normalized())) return kFailed;
     const bool stands = path::length(curve) == 0;
     const double length = stands ? 1 : path::length(curve);
-    next_orientation_.turning = Turning::Point;
-    next_orientation_.from = start;
-    next_orientation_.axis = end - start;
+    target.turn.turning = Turning::Point;
+    target.turn.from = start;
+    target.turn.axis = end - start;
     orienting_.point = end;
     return follow_directions(block, {Turning::Point, length, start, (end - start) / length, 0, {}},
                              curve, target);
@@ -541,13 +541,12 @@ Done ToolMotion::orient_first(const Block& block, const Vec3& to) {
     orienting_.turning = turning;
     if (!is_laid) return kFailed;
     settle_orientation(here);
-    Command& command =
-        channel_.stages.put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block);
+    Command& command = channel_.stages.put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
+                                           block, &here.turn);
     command.to = here.base;
     command.moved = here.moved;
     command.feed = command.op == Op::Rapid ? 0 : modal_.feed;
     channel_.motions.arrive(here);
-    next_orientation_ = {};
     return kDone;
 }
 
@@ -559,14 +558,14 @@ bool ToolMotion::spins_with_path(const ToolWords& tool) const {
 }
 
 /// The direction across the tool from which its own angle counts; nothing if there is none.
-std::optional<Vec3> ToolMotion::spin_reference(const Vec3& tool, const path::Curve* curve) const {
+std::optional<Vec3> ToolMotion::spin_reference(const Vec3& tool, const TurnPlan& turn,
+                                               const path::Curve* curve) const {
     Vec3 reference = Vec3::Zero();
     switch (orienting_.spin) {
         case SpinFrom::Plane:
         case SpinFrom::Turn:
-            if (next_orientation_.turning == Turning::Cone)
-                reference =
-                    next_orientation_.axis.cross(tool) * (next_orientation_.angle < 0 ? -1 : 1);
+            if (turn.turning == Turning::Cone)
+                reference = turn.axis.cross(tool) * (turn.angle < 0 ? -1 : 1);
             break;
         case SpinFrom::Path:
             if (curve != nullptr) reference = path::evaluate(*curve, path::length(*curve)).tangent;
@@ -608,7 +607,7 @@ Done ToolMotion::lay_spin(const Block& block, const ToolWords& tool, Target& tar
         psi += sign * sense * rad_from_deg(*tool.spin_by);
     } else {
         const Vec3 direction = machine::tool_vector(chain, joints);
-        const auto reference = spin_reference(direction, curve);
+        const auto reference = spin_reference(direction, target.turn, curve);
         if (!reference) {
             reporter_.report(diag::SpinUndefined, block, Function::ToolSpin);
             return kFailed;
@@ -663,26 +662,28 @@ void ToolMotion::reset_orientation(const Block& block, const nc::Invocation& inv
     if (!channel_.checks.require_within_machine(block, target.base,
                                                 channel_.transformation.joint_axes()))
         return;
-    next_orientation_ = {};
     settle_orientation(target);
     channel_.motions.line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
                           false);
 }
 
 /// A motion under the transformation: the turn that waits, or the axes as they are programmed.
-void ToolMotion::put_orientation(Command& command) {
+void ToolMotion::put_orientation(Command& command, const TurnPlan* plan) {
     if (!path::is_motion(command.op)) return;
     if (virtual_.axes.is_on()) {
         command.turning = Turning::Axes;
         command.virtual_axes = virtual_.axes;
         return;
     }
-    command.turning = std::exchange(next_orientation_.turning, Turning::Axes);
-    command.direction = next_orientation_.direction;
-    command.turn_from = next_orientation_.from;
-    command.turn_axis = next_orientation_.axis;
-    command.turn_angle = next_orientation_.angle;
-    command.lean = next_orientation_.lean;
+    TurnPlan standing;
+    standing.direction = direction_;
+    const TurnPlan& turn = plan != nullptr && plan->is_made ? *plan : standing;
+    command.turning = turn.turning;
+    command.direction = turn.direction;
+    command.turn_from = turn.from;
+    command.turn_axis = turn.axis;
+    command.turn_angle = turn.angle;
+    command.lean = turn.lean;
     if (goes_straight(command.op)) command.turning = Turning::Straight;
 }
 

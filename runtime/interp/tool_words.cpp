@@ -51,8 +51,6 @@ ToolMotion::ToolMotion(Channel& channel)
       position_(channel.state.motion.position),
       frames_(channel.state.frame.frames),
       orienting_(channel.state.tool.orienting),
-      next_orientation_(channel.state.tool.next_orientation),
-      course_(channel.state.tool.course),
       virtual_(channel.state.tool.virtual_axes),
       comp_(channel.state.stage.comp),
       spline_(channel.state.cycle.spline),
