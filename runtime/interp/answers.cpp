@@ -9,6 +9,7 @@
 #include "interp/radius_compensation.h"
 #include "interp/spindles.h"
 #include "interp/splines.h"
+#include "interp/stages.h"
 #include "interp/tool_in_use.h"
 #include "interp/transformation.h"
 
@@ -36,12 +37,9 @@ Answers::Answers(Channel& channel)
       other_spindles_(channel.state.spindle.other_spindles),
       tool_(channel.state.tool.tool),
       extra_(channel.state.tool.extra),
-      corners_(channel.state.stage.corners),
       comp_(channel.state.stage.comp),
       smooth_approach_(channel.state.stage.smooth_approach),
       approached_(channel.state.stage.approached),
-      compensation_(channel.state.stage.compensation),
-      comp_3d_(channel.state.stage.comp_3d),
       coolant_(channel.state.spindle.coolant),
       dynamics_(channel.state.motion.dynamics),
       axes_(channel.state.axes),
@@ -130,11 +128,7 @@ double Answers::run_time() {
     count_time();
     RunClock clock = clocks_.run;
     const auto add = [&](const path::Command& command) { clock.add(command); };
-    for (const path::Command& command : output_.waiting()) add(command);
-    compensation_.look_at_waiting(add);
-    comp_3d_.look_at_waiting(add);
-    smooth_approach_.look_at_waiting(add);
-    corners_.look_at_waiting(add);
+    channel_.stages.visit_waiting(add);
     clocks_.latest = std::max(clocks_.latest, clock.seconds());
     clocks_.cutting = std::max(clocks_.cutting, clock.cutting_seconds());
     return clocks_.latest;

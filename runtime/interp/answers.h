@@ -59,12 +59,9 @@ class Answers {
     const std::vector<Spindle>& other_spindles_;
     Tool& tool_;
     const ExtraTool& extra_;
-    const Corners& corners_;
     const RadiusCompState& comp_;
     const SmoothApproach& smooth_approach_;
     const std::optional<Approached>& approached_;
-    const Compensation& compensation_;
-    const Compensation3d& comp_3d_;
     const path::CoolantMode& coolant_;
     ProgrammedDynamics& dynamics_;
     const AxisData& axes_;

@@ -91,8 +91,6 @@ Cycles::Cycles(Channel& channel)
       position_words_(channel.state.motion.position_words),
       corners_(channel.state.stage.corners),
       comp_(channel.state.stage.comp),
-      compensation_(channel.state.stage.compensation),
-      comp_3d_(channel.state.stage.comp_3d),
       taps_rigidly_(channel.state.cycle.taps_rigidly),
       axes_(channel.state.axes),
       modal_cycles_(channel.state.cycle.modal_cycles),
@@ -784,7 +782,7 @@ void Cycles::finish_cycle() {
         channel_.compensation.leave();
         channel_.compensation.stop_comp();
         if (reporter_.has_ended()) return;
-        position_.stand_at(comp_3d_.is_on() ? comp_3d_.place() : compensation_.place());
+        position_.stand_at(channel_.compensation.cutter_position());
         channel_.frames.frame_changed();
     }
     cycle_.blocks.reset();

@@ -109,8 +109,6 @@ class Cycles {
     PositionWords& position_words_;
     const Corners& corners_;
     const RadiusCompState& comp_;
-    const Compensation& compensation_;
-    const Compensation3d& comp_3d_;
     bool& taps_rigidly_;
     AxisData& axes_;
     ModalCycles& modal_cycles_;

@@ -71,7 +71,7 @@ Executor::Plainly Executor::move_plainly(const Block& block) {
     modal_.move_by(motion);
     if (!is_rapid && !channel_.checks.require_feed(block, "line")) return Plainly::Executed;
     position_.note_motion();
-    Command& command = channel_.stages.put(is_rapid ? Op::Rapid : Op::Line, block);
+    Command& command = channel_.stages.put_straight_out(is_rapid ? Op::Rapid : Op::Line, block);
     command.moved = static_cast<AxisMask>(block.given);
     command.exact_stop = channel_.smoothing.stops_exactly();
     command.feed = is_rapid ? 0 : modal_.feed;

@@ -40,6 +40,10 @@ class RadiusCompensation {
     CompChange comp_change(const nc::Block& block, CompChange::Kind kind);
     Done lay_surface(const nc::Block& block, const ToolWords& tool);
     Done require_no_peripheral_arc(const nc::Block& block);
+    /// Where the settled blocks have led the cutter: beside the contour.
+    AxisValues cutter_position() const {
+        return comp_3d_.is_on() ? comp_3d_.place() : compensation_.place();
+    }
     bool is_any_comp_on() const { return compensation_.is_on() || comp_3d_.is_on(); }
 
   private:

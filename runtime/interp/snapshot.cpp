@@ -4,7 +4,9 @@
 
 #include "interp/answers.h"
 #include "interp/channel.h"
+#include "interp/radius_compensation.h"
 #include "interp/spindles.h"
+#include "interp/stages.h"
 #include "interp/transformation.h"
 
 namespace kadr::interp {
@@ -14,9 +16,9 @@ Snapshot Answers::snapshot() const {
     now.axes = axes_.present;
     // Beside a contour the axes stand where the blocks have sent them that are settled.
     const AxisValues machine =
-        comp_3d_.is_on()        ? channel_.transformation.machine_axes_at(comp_3d_.place())
-        : compensation_.is_on() ? channel_.transformation.machine_axes_at(compensation_.place())
-                                : channel_.transformation.machine_axes();
+        channel_.compensation.is_any_comp_on()
+            ? channel_.transformation.machine_axes_at(channel_.compensation.cutter_position())
+            : channel_.transformation.machine_axes();
     for (std::size_t i = 0; i < kAxes; ++i) {
         now.work[i] = position_.here()[i] / axes_.word_scale[i];
         now.machine[i] = machine[i];

@@ -100,8 +100,16 @@ Command& Stages::put(Op op, const Block& block, const TurnPlan* turn) {
     return command;
 }
 
-/// What the modal state says of a command.
-void Stages::fill_in(Command& command, const Block& block, const TurnPlan* turn) {
+Command& Stages::put_straight_out(Op op, const Block& block) {
+    dangers_.begin_motion(op, position_.base());
+    Command& command = output_.next();
+    command.op = op;
+    fill_in_modal(command, block);
+    return command;
+}
+
+/// What the modal state says of a command; one that was something else before forgets it.
+void Stages::fill_in_modal(Command& command, const Block& block) {
     const Op op = command.op;
     command.feed_mode = modal_.feed_mode;
     command.plane = modal_.plane;
@@ -120,13 +128,18 @@ void Stages::fill_in(Command& command, const Block& block, const TurnPlan* turn)
     command.to = position_.base();
     command.turning = path::Turning::None;
     command.contact.clear();
+    command.virtual_axes = {};
+    command.text.clear();
+}
+
+void Stages::fill_in(Command& command, const Block& block, const TurnPlan* turn) {
+    fill_in_modal(command, block);
+    const Op op = command.op;
     const bool reaches_comp = comp_3d_.is_on() || corners_.is_active();
     if (comp_.is_face_milling_acting() && reaches_comp && path::is_motion(op))
         command.contact.push_back({face_, path::Vec3::Zero(), path::Vec3::Zero()});
-    command.virtual_axes = {};
     if (channel_.transformation.is_transformed())
         channel_.tool_motion.put_orientation(command, turn);
-    command.text.clear();
 }
 
 Block Stages::block_at(SourceId source, std::uint32_t line) const {

@@ -22,6 +22,18 @@ class Stages {
     ///
     /// turn  of the tool in a motion; null: it stays as it stands
     path::Command& put(path::Op op, const nc::Block& block, const TurnPlan* turn = nullptr);
+    /// … of a motion where nothing waits, nothing compensates and nothing turns the tool.
+    path::Command& put_straight_out(path::Op op, const nc::Block& block);
+    /// Every command that waits, in the order of the road backwards: what is out, but had no room,
+    /// comes first.
+    template <typename Visit>
+    void visit_waiting(Visit visit) const {
+        for (const path::Command& command : output_.waiting()) visit(command);
+        compensation_.look_at_waiting(visit);
+        comp_3d_.look_at_waiting(visit);
+        smooth_approach_.look_at_waiting(visit);
+        corners_.look_at_waiting(visit);
+    }
     void fill_in(path::Command& command, const nc::Block& block, const TurnPlan* turn = nullptr);
     /// A block for messages, at the place of a command. Where that is the call of the cycle that
     /// runs, it is one of the cycle's.
@@ -29,6 +41,8 @@ class Stages {
     void locate(nc::Block& at, SourceId source, std::uint32_t line) const;
 
   private:
+    void fill_in_modal(path::Command& command, const nc::Block& block);
+
     Channel& channel_;
     Reporter& reporter_;
     Output& output_;
