@@ -39,11 +39,15 @@ AxisData axis_data(const machine::Machine& machine, bool is_lathe) {
     return axes;
 }
 
+/// Blocks of a batch: enough to hide the cost of a pull, few enough to stay in the nearest cache.
+constexpr std::size_t kProgramBatch = 64;
+
 }  // namespace
 
 ChannelState::ChannelState(const nc::Dialect& of_dialect, const machine::Machine& of_machine,
-                           const nc::BlockLocations* locations, CycleExpander* cycles,
-                           const InterpreterOptions& given, DiagnosticSink& sink)
+                           Stream<nc::Block>& blocks, const nc::BlockLocations* locations,
+                           CycleExpander* cycles, const InterpreterOptions& given,
+                           DiagnosticSink& sink)
     : dialect(of_dialect),
       machine(of_machine),
       rules(dialect.rules()),
@@ -59,7 +63,7 @@ ChannelState::ChannelState(const nc::Dialect& of_dialect, const machine::Machine
            .tool_names = ToolNames(machine),
            .carriers = ToolCarriers(machine)},
       stage{.corners = Corners(corner_settings(rules))},
-      cycle{.cycles = cycles} {
+      cycle{.cycles = cycles, .callers = Callers(blocks, options.in_step ? 1 : kProgramBatch)} {
     AxisValues home{};
     for (const machine::MachineAxis& axis : machine.axes)
         home[index(axis.axis)] = in_degrees(axis, axis.home);

@@ -12,7 +12,7 @@
 #include "control/frames.h"
 #include "interp/axis_data.h"
 #include "interp/block_actions.h"
-#include "interp/block_queue.h"
+#include "interp/callers.h"
 #include "interp/compensation.h"
 #include "interp/contour_run.h"
 #include "interp/corners.h"
@@ -57,8 +57,8 @@ struct Approached {
 struct ChannelState {
     /// All references outlive it; see Interpreter.
     ChannelState(const nc::Dialect& dialect, const machine::Machine& machine,
-                 const nc::BlockLocations* locations, CycleExpander* cycles,
-                 const InterpreterOptions& options, DiagnosticSink& sink);
+                 Stream<nc::Block>& blocks, const nc::BlockLocations* locations,
+                 CycleExpander* cycles, const InterpreterOptions& options, DiagnosticSink& sink);
     ChannelState(const ChannelState&) = delete;
     ChannelState& operator=(const ChannelState&) = delete;
 
@@ -139,6 +139,7 @@ struct ChannelState {
 
     struct CycleGroup {
         CycleExpander* cycles;
+        Callers callers;
         ModalCycles modal_cycles{};
         CycleRun cycle{};
         std::vector<PatternRun> patterns{};   // a program called at places may hold another one

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "base/stream.h"
 #include "control/frames.h"
 #include "interp/block_actions.h"
-#include "interp/block_queue.h"
 #include "interp/state.h"
 #include "nc/block.h"
 
@@ -26,10 +23,8 @@ struct ModalCycles {
     bool returns_to_retract = false;
 };
 
-/// A cycle that runs: its blocks, who called it, and what to restore behind it.
+/// A cycle that runs: who called it, and what to restore behind it.
 struct CycleRun {
-    std::unique_ptr<Stream<nc::Block>> stream;
-    std::optional<BlockQueue> blocks;   // while it runs
     nc::BlockContext context{};         // of its blocks
     bool is_across = false;             // on a lathe: from the side, along X in radii
     bool lies_flat = false;             // its axes are those of the machine, whatever the plane
@@ -45,14 +40,11 @@ struct CycleRun {
     nc::Block remapped{};  // a block of it, in another plane than X-Y
 };
 
-/// A pattern of places: a cycle whose blocks are followed by the call behind motions.
+/// A pattern of positions: a cycle whose blocks are followed by the call behind motions.
 struct PatternRun {
-    std::unique_ptr<Stream<nc::Block>> stream;
-    BlockQueue places;
     nc::Block caller;
     Modal modal_before;
     bool calls_program = false;
-    bool is_held = false;  // while the program that is called there runs
 };
 
 }  // namespace kadr::interp

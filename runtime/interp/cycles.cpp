@@ -96,7 +96,8 @@ Cycles::Cycles(Channel& channel)
       modal_cycles_(channel.state.cycle.modal_cycles),
       cycle_(channel.state.cycle.cycle),
       shape_(channel.state.cycle.shape),
-      patterns_(channel.state.cycle.patterns) {}
+      patterns_(channel.state.cycle.patterns),
+      callers_(channel.state.cycle.callers) {}
 
 /// A form of the cycle that the call says by a letter ("E") is the number of the letter; 0: it is
 /// none.
@@ -145,7 +146,7 @@ void Cycles::call_cycle(const Block& block, const Actions& actions) {
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
     if (!info.curve.empty()) return channel_.motions.move_along_curve(block, invocation);
     if (names_contour(info)) return;  // the program keeps it for the cycles behind
-    if (cycles_ == nullptr || cycle_.blocks || shape_) {
+    if (cycles_ == nullptr || callers_.runs(Callers::Kind::Cycle) || shape_) {
         reporter_.report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
         return;
     }
@@ -205,7 +206,7 @@ void Cycles::call_behind_motion(const Block& block) {
     // An axis that moves by itself goes along no path.
     const bool is_path = ((block.given & nc::kTargetSlots) != 0 || is_circle_said) &&
                          block.find(Function::RapidOnce) == nullptr;
-    if (reporter_.has_ended() || cycle_.blocks || shape_ || !is_path) return;
+    if (reporter_.has_ended() || callers_.runs(Callers::Kind::Cycle) || shape_ || !is_path) return;
     Block call = *modal_cycles_.behind_motions;
     call.line = block.line;
     call.source = block.source;
@@ -262,7 +263,9 @@ void Cycles::move_instead_of_cycle(const Block& block, const Actions& actions) {
 /// a place.
 const Block& Cycles::with_depth_apart(const Block& block) {
     const Invocation* const said = block.find(Function::Cycle);
-    if (said == nullptr || cycle_.blocks || is_lathe_ || !is_modal(block.cycle)) return block;
+    if (said == nullptr || callers_.runs(Callers::Kind::Cycle) || is_lathe_ ||
+        !is_modal(block.cycle))
+        return block;
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
     const bool is_said =
         depth >= 0 && (said->given >> depth & 1u) != 0 && (block.cycle_by_form >> depth & 1u) == 0;
@@ -623,7 +626,6 @@ void Cycles::start_cycle(const Block& block, ModalCycle call, const CycleShape* 
 
 /// From here on the blocks of the cycle are executed.
 void Cycles::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blocks) {
-    cycle_.stream = std::move(blocks);
     cycle_.caller = block;
     cycle_.modal_before = modal_;
     cycle_.x_scale_before = axes_.word_scale[index(Axis::X)];
@@ -634,7 +636,7 @@ void Cycles::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> block
     modal_cycles_.modal.is_active = false;
     if (corners_.is_active()) channel_.stages.settle(block);
     channel_.cornering.leave_corners(diag::CornerWithoutMotion);
-    cycle_.blocks.emplace(*cycle_.stream, kCycleBatch, &cycle_.context);
+    callers_.call(Callers::Kind::Cycle, std::move(blocks), kCycleBatch, &cycle_.context);
 }
 
 /// A tapping cycle whose words do not say the pitch has it from the feed: F itself where it counts
@@ -785,8 +787,7 @@ void Cycles::finish_cycle() {
         position_.stand_at(channel_.compensation.cutter_position());
         channel_.frames.frame_changed();
     }
-    cycle_.blocks.reset();
-    cycle_.stream.reset();
+    callers_.leave(Callers::Kind::Cycle);
     take_back(cycle_.modal_before);
     axes_.count_x_as(cycle_.x_scale_before);
     modal_cycles_.modal.is_active = cycle_.is_modal_behind;

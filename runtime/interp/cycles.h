@@ -51,7 +51,8 @@ class Cycles {
     void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
     const nc::Block& with_depth_apart(const nc::Block& block);
     void finish_cycle();
-    void go_to_next_position();
+    /// null: the pattern has no more positions
+    void go_to_position(const nc::Block* position);
     void forget_ends();
     bool is_among_positions() const;
     Done require_no_cycle(const nc::Block& block, const Actions& actions);
@@ -115,6 +116,7 @@ class Cycles {
     CycleRun& cycle_;
     const std::optional<ShapeRun>& shape_;
     std::vector<PatternRun>& patterns_;
+    Callers& callers_;
     nc::Block place_{};   // of the pattern, at its caller's place in the text
     nc::Block called_{};  // a call whose word of Z is a place, in another plane than X-Y
 };

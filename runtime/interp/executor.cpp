@@ -36,17 +36,10 @@ using nc::Slot;
 using path::Command;
 using path::Op;
 
-namespace {
-
-/// Blocks of a batch: enough to hide the cost of a pull, few enough to stay in the nearest cache.
-constexpr std::size_t kProgramBatch = 64;
-
-}  // namespace
-
 // ------------------------------------------------------------------------------ the run
 
 /// All references have to live as long.
-Executor::Executor(Channel& channel, Stream<nc::Block>& blocks)
+Executor::Executor(Channel& channel)
     : channel_(channel),
       options_(channel.state.options),
       reporter_(channel.state.reporter),
@@ -77,8 +70,7 @@ Executor::Executor(Channel& channel, Stream<nc::Block>& blocks)
       cycle_(channel.state.cycle.cycle),
       shape_(channel.state.cycle.shape),
       contour_(channel.state.cycle.contour),
-      patterns_(channel.state.cycle.patterns),
-      program_(blocks, options_.in_step ? 1 : kProgramBatch) {}
+      callers_(channel.state.cycle.callers) {}
 
 /// The state of a control that has been switched on.
 void Executor::start() {
@@ -101,24 +93,13 @@ std::size_t Executor::pull(std::span<Command> out) {
 }
 
 void Executor::execute_next() {
-    if (cycle_.blocks) {
+    const Callers::Kind caller = callers_.kind();
+    const Block* block = callers_.next();
+    if (caller != Callers::Kind::Program) {
         look_again();
-        const Block* block = cycle_.blocks->next();
-        if (block == nullptr) {
-            channel_.cycles.finish_cycle();
-            if (channel_.stages.has_stages()) channel_.stages.settle(cycle_.caller);
-        } else {
-            const Block& own = channel_.cycles.in_plane_of_cycle(*block);
-            execute(own);
-            if (channel_.stages.has_stages()) channel_.stages.settle(own);
-        }
-        return;
+        return caller == Callers::Kind::Cycle ? execute_of_cycle(block)
+                                              : channel_.cycles.go_to_position(block);
     }
-    if (!patterns_.empty() && !patterns_.back().is_held) {
-        look_again();
-        return channel_.cycles.go_to_next_position();
-    }
-    const Block* block = program_.next();
     if (block == nullptr) return end_of_blocks();
     if (reporter_.locations() != nullptr && reporter_.locations()->is_behind_fault(*block)) {
         reporter_.stop();  // the control stops at the line that could not be read
@@ -141,6 +122,18 @@ void Executor::execute_next() {
     if (shape_ && !reporter_.has_ended()) channel_.shapes.end_shape_block(*block);
     if (contour_ && !reporter_.has_ended()) channel_.contours.note_contour_block(*block);
     if (virtual_.axes.is_on() && !reporter_.has_ended()) channel_.virtual_plane.follow_rotary();
+}
+
+/// A block of the cycle that runs; null: it has come to its end.
+void Executor::execute_of_cycle(const Block* block) {
+    if (block == nullptr) {
+        channel_.cycles.finish_cycle();
+        if (channel_.stages.has_stages()) channel_.stages.settle(cycle_.caller);
+        return;
+    }
+    const Block& own = channel_.cycles.in_plane_of_cycle(*block);
+    execute(own);
+    if (channel_.stages.has_stages()) channel_.stages.settle(own);
 }
 
 /// The program goes on behind this place, which nobody reads: what waits for its blocks goes as far
@@ -263,7 +256,7 @@ void Executor::run_functions(const Block& said) {
     if (reporter_.has_ended()) return;
     channel_.functions.act_before_motion(block, actions);
     if (reporter_.has_ended()) return;
-    const bool was_in_cycle = cycle_.blocks.has_value();
+    const bool was_in_cycle = callers_.runs(Callers::Kind::Cycle);
     if (channel_.frames.is_without_frames(actions) && !channel_.frames.take_frames_off(block))
         return;
     const Block* places = with_positions(block);
@@ -278,7 +271,7 @@ void Executor::run_functions(const Block& said) {
     if (actions.calls_defined && !reporter_.has_ended() && !shape_)
         channel_.cycles.call_defined(block);
     if (reporter_.has_ended()) return;
-    if (cycle_.blocks && !was_in_cycle) {
+    if (callers_.runs(Callers::Kind::Cycle) && !was_in_cycle) {
         cycle_.after = actions;  // what the calling block does after its motion waits for the cycle
     } else {
         channel_.functions.act_after_motion(block, actions);
@@ -289,7 +282,7 @@ void Executor::run_functions(const Block& said) {
 /// modal one does again.
 void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
     if (!actions.feed_once) return channel_.motions.move(places, actions);
-    const bool was_in_cycle = cycle_.blocks.has_value();
+    const bool was_in_cycle = callers_.runs(Callers::Kind::Cycle);
     const bool was_in_shape = shape_.has_value();
     const FeedWords::Programmed before = channel_.feed.exchange({*actions.feed_once, true});
     channel_.motions.move(places, actions);
@@ -297,7 +290,7 @@ void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
         modal.feed = before.feed;
         modal.has_feed = before.is_given;
     };
-    if (cycle_.blocks && !was_in_cycle) return take_back(cycle_.modal_before);
+    if (callers_.runs(Callers::Kind::Cycle) && !was_in_cycle) return take_back(cycle_.modal_before);
     if (shape_ && !was_in_shape) take_back(shape_->modal);
     (void)channel_.feed.exchange(before);
 }

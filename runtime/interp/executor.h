@@ -10,7 +10,7 @@ struct Channel;
 /// Block after block: its functions, its motion, and what is due behind them.
 class Executor {
   public:
-    Executor(Channel& channel, Stream<nc::Block>& blocks);
+    explicit Executor(Channel& channel);
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
 
@@ -26,6 +26,7 @@ class Executor {
 
   private:
     void execute_next();
+    void execute_of_cycle(const nc::Block* block);
     void run(const nc::Block& block);
     void run_functions(const nc::Block& block);
     void end_of_blocks();
@@ -69,8 +70,7 @@ class Executor {
     CycleRun& cycle_;
     std::optional<ShapeRun>& shape_;
     const std::optional<ContourRun>& contour_;
-    const std::vector<PatternRun>& patterns_;
-    BlockQueue program_;
+    Callers& callers_;
     std::optional<bool> is_plain_;        // is_plain_state; nothing: to be looked at again
     std::optional<nc::Block> open_line_;  // waits for the one that tells its end
 };

@@ -48,8 +48,7 @@ struct Interpreter::State {
     State(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
           const nc::BlockLocations* places, CycleExpander* expander,
           const InterpreterOptions& options, DiagnosticSink& sink)
-        : channel_state(dialect, machine, places, expander, options, sink),
-          executor(channel, blocks) {
+        : channel_state(dialect, machine, blocks, places, expander, options, sink) {
         executor.start();
     }
 
@@ -88,7 +87,7 @@ struct Interpreter::State {
     DangerWatch dangers{channel};
     Answers answers{channel};
     BlockFunctions functions{channel};
-    Executor executor;
+    Executor executor{channel};
     Executed executed{executor};
     FeedCharacteristics characteristics{
         executed, [this] { return channel_state.motion.dynamics.has_feed_characteristic(); },

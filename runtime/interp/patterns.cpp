@@ -24,19 +24,17 @@ void Cycles::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> pl
     if (corners_.is_active()) channel_.stages.settle(block);
     channel_.cornering.leave_corners(diag::CornerWithoutMotion);
     if (reporter_.has_ended()) return;
-    Stream<Block>& stream = *places;
-    patterns_.push_back({std::move(places), BlockQueue(stream, kPlaceBatch), block, modal_,
-                         calls_program_at(block), false});
+    callers_.call(Callers::Kind::Pattern, std::move(places), kPlaceBatch);
+    patterns_.push_back({block, modal_, calls_program_at(block)});
     begin_blocks();
 }
 
-void Cycles::go_to_next_position() {
-    PatternRun& pattern = patterns_.back();
-    const Block* const place = pattern.places.next();
-    if (place == nullptr) return finish_pattern();
-    place_ = in_plane_of_cycle(*place);
+void Cycles::go_to_position(const Block* position) {
+    if (position == nullptr) return finish_pattern();
+    const PatternRun& pattern = patterns_.back();
+    place_ = in_plane_of_cycle(*position);
     place_.line = pattern.caller.line;
-    pattern.is_held = pattern.calls_program;
+    if (pattern.calls_program) callers_.hold_pattern();
     // A modal cycle is repeated by places; a motion code would end it.
     if (modal_cycles_.modal.is_active) place_.motion = Function::None;
     channel_.executor.execute(place_);
@@ -53,6 +51,7 @@ void Cycles::finish_pattern() {
     }
     take_back(after);
     patterns_.pop_back();
+    callers_.leave(Callers::Kind::Pattern);
     if (const auto words = cycles_->refusal()) refuse_cycle(caller, *words);
 }
 
@@ -61,11 +60,9 @@ bool Cycles::calls_program_at(const Block& block) const {
     return reporter_.locations() != nullptr && reporter_.locations()->calls_at_positions(block);
 }
 
-bool Cycles::is_at_pattern_position() const {
-    return !patterns_.empty() && patterns_.back().is_held;
-}
+bool Cycles::is_at_pattern_position() const { return callers_.is_pattern_held(); }
 
-void Cycles::leave_pattern_position() { patterns_.back().is_held = false; }
+void Cycles::leave_pattern_position() { callers_.release_pattern(); }
 
 void Cycles::leave_pattern() {
     if (!patterns_.empty()) finish_pattern();

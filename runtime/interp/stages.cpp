@@ -48,6 +48,7 @@ Stages::Stages(Channel& channel)
       dynamics_(channel.state.motion.dynamics),
       dangers_(channel.state.stage.dangers),
       cycle_(channel.state.cycle.cycle),
+      callers_(channel.state.cycle.callers),
       shape_(channel.state.cycle.shape),
       contour_(channel.state.cycle.contour) {}
 
@@ -151,7 +152,7 @@ Block Stages::block_at(SourceId source, std::uint32_t line) const {
 void Stages::locate(Block& at, SourceId source, std::uint32_t line) const {
     at.source = source;
     at.line = line;
-    const bool is_call = cycle_.blocks && cycle_.caller.line == line;
+    const bool is_call = callers_.runs(Callers::Kind::Cycle) && cycle_.caller.line == line;
     at.context = is_call ? &cycle_.context : nullptr;
 }
 

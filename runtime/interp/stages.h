@@ -60,6 +60,7 @@ class Stages {
     const ProgrammedDynamics& dynamics_;
     Dangers& dangers_;
     CycleRun& cycle_;
+    const Callers& callers_;
     std::optional<ShapeRun>& shape_;
     std::optional<ContourRun>& contour_;
 };
