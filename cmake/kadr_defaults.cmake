@@ -2,6 +2,13 @@
 set(KADR_SANITIZE "" CACHE STRING "sanitizers of this build, for example address,undefined")
 option(KADR_TIDY "run clang-tidy while compiling" OFF)
 
+option(KADR_UNITY "compile the files of a room eight at a time; off where single files are worked on" ON)
+
+# The fronts of most files cost more than what they are about: together they are compiled once.
+function(kadr_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${KADR_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
 function(kadr_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/runtime)

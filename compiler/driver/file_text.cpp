@@ -9,11 +9,11 @@ namespace kadr::driver {
 
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 16;  // bytes read at a time
+constexpr std::size_t kBytesAtOnce = std::size_t{1} << 16;  // bytes read at a time
 
 }  // namespace
 
-FileText::FileText(std::FILE* file) : file_(file), piece_(kPiece) { filled_ = fill(); }
+FileText::FileText(std::FILE* file) : file_(file), piece_(kBytesAtOnce) { filled_ = fill(); }
 
 FileText::~FileText() {
     if (file_ != stdin) std::fclose(file_);

@@ -17,7 +17,7 @@ namespace kadr::driver {
 namespace {
 
 // Blocks evaluated at a time: few enough to stay in the cache.
-constexpr std::size_t kPiece = 64;
+constexpr std::size_t kBlocksAtOnce = 64;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
 
 write::WriteOptions write_options(const Options& options) {
@@ -58,7 +58,7 @@ GeneratedText::GeneratedText(Session& session, const Program& program, const nc:
       map_(map),
       line_map_(std::make_unique<LineMap>()),
       call_map_(keeps_calls ? std::make_unique<CallMap>() : nullptr),
-      batch_(kPiece),
+      batch_(kBlocksAtOnce),
       deadline_(session.options().max_time) {}
 
 GeneratedText::~GeneratedText() = default;
@@ -218,7 +218,7 @@ std::vector<Diagnostic::Note> GeneratedText::calls_of_block(std::uint64_t number
     options.shown = nullptr;
     expand::Expander again(*program_.code, target_, options, said_before);
     if (!start_ || !start_(again)) return notes;
-    std::vector<nc::Block> batch(kPiece);
+    std::vector<nc::Block> batch(kBlocksAtOnce);
     std::uint64_t first = 0;
     std::size_t count = again.pull(batch);
     for (; count > 0 && first + count <= number; count = again.pull(batch)) first += count;

@@ -13,7 +13,7 @@ namespace {
 
 // Tolerance of the first pass, mm and deg: a tenth of a pixel where a part of 100 mm fills a
 // screen.
-constexpr double kFirstTolerance = 0.01;
+constexpr double kFirstPageTolerance = 0.01;
 // A read-out of the feed may be as far off in the first pass: 5 mm/min and 2 percent of it. Ramps
 // up and down in every block would else need more room than where the axes are.
 constexpr double kFeed = 5;
@@ -30,14 +30,14 @@ PageTrace::PageTrace(const machine::Machine& machine, std::size_t most_samples,
     : machine_(machine),
       most_samples_(most_samples),
       most_blocks_(most_blocks),
-      step_(kFirstTolerance),
-      tolerance_(kFirstTolerance) {
+      step_(kFirstPageTolerance),
+      tolerance_(kFirstPageTolerance) {
     KADR_ASSERT(most_samples >= 4 && most_blocks >= 4, "a page without room");
 }
 
 double PageTrace::column_tolerance(const Sample& sample, std::size_t i) const {
     if (i < kAxes) return step_;
-    return step_ / kFirstTolerance * (kFeed + kFeedShare * sample.feed);
+    return step_ / kFirstPageTolerance * (kFeed + kFeedShare * sample.feed);
 }
 
 void PageTrace::add(const motion::Setpoint& setpoint) {

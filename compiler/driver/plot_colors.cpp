@@ -19,13 +19,14 @@ constexpr std::array<const char*, 7> kDistinct = {"#0072b2", "#d55e00", "#00916a
 constexpr std::array<const char*, 7> kRamp = {"#2c3e91", "#2467ac", "#16899f", "#27a077",
                                               "#7fae3a", "#d09a1c", "#e06a1b"};
 
-std::string number(double value) { return format_shortest(round_to(value, 3)); }
+std::string short_number(double value) { return format_shortest(round_to(value, 3)); }
 
 /// A limit of a group: nobody needs its decimals.
 double rounded(double value) { return round_to(value, value < 20 ? 2 : 0); }
 
 std::string range_label(PlotColor color, double from, double to) {
-    const std::string text = from == to ? number(from) : number(from) + " to " + number(to);
+    const std::string text =
+        from == to ? short_number(from) : short_number(from) + " to " + short_number(to);
     return color == PlotColor::Line ? (from == to ? "line " : "lines ") + text : text;
 }
 

@@ -11,6 +11,8 @@ namespace kadr {
 inline constexpr double kMmPerInch = 25.4;  // exact by definition (ISO 31-1)
 
 constexpr double rad_from_deg(double angle_deg) { return angle_deg * (std::numbers::pi / 180.0); }
+/// A whole turn, rad.
+inline constexpr double kTurnRad = 2 * std::numbers::pi;
 constexpr double deg_from_rad(double angle) { return angle * (180.0 / std::numbers::pi); }
 constexpr double feed_from_mm_min(double feed_mm_min) { return feed_mm_min / 60.0; }
 constexpr double mm_min_from_feed(double feed) { return feed * 60.0; }

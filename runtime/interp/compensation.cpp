@@ -13,12 +13,11 @@ namespace kadr::interp {
 using path::Command;
 using path::CompFault;
 using path::Element;
+using path::is_straight;
 using path::Op;
 using path::Vec2;
 
 namespace {
-
-bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
 bool is_curve(nc::CompStart start) {
     return start == nc::CompStart::Tangent || start == nc::CompStart::Smooth;

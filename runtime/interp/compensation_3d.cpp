@@ -19,6 +19,7 @@ namespace kadr::interp {
 using path::Command;
 using path::Contact;
 using path::ContactKind;
+using path::is_straight;
 using path::linear;
 using path::Op;
 using path::set_linear;
@@ -28,9 +29,7 @@ using std::numbers::pi;
 namespace {
 
 // Directions that differ by rounding.
-constexpr double kSameTool = 1e-12;
-
-bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
+constexpr double kSameToolDirection = 1e-12;
 
 /// By so much a vector turns about an axis to become another, −π … π, both square to it.
 double angle_about(const Vec3& axis, const Vec3& from, const Vec3& to) {
@@ -252,7 +251,7 @@ Compensation3d::Fault Compensation3d::join(Side& next) {
 /// Both sides end where the cutter touches both of them as it stands at the corner. A tool that
 /// turns there touches both lines while it does.
 Compensation3d::Fault Compensation3d::join_inside(Side& next, const Corner& corner) {
-    const bool turns = (corner.behind - corner.tool).norm() > kSameTool;
+    const bool turns = (corner.behind - corner.tool).norm() > kSameToolDirection;
     const bool are_lines = last_->is_line() && next.is_line();
     if (turns && !are_lines) return &diag::CompTurnsInside;
     if (are_lines) {

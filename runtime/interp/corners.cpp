@@ -17,6 +17,7 @@ namespace kadr::interp {
 using path::Command;
 using path::CornerCut;
 using path::Element;
+using path::is_straight;
 using path::Op;
 using path::Vec2;
 using std::numbers::pi;
@@ -25,8 +26,6 @@ namespace {
 
 /// Arcs at rapid are lines that touch them, one for each 10 degrees.
 constexpr double kRapidPart = pi / 18;
-
-bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
 /// Whether the tool is led under a transformation, which its block ends with whatever a corner cuts
 /// off its path. Where it keeps to a surface or a line in space, the path says how it stands.

@@ -14,11 +14,7 @@ using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
 
-namespace {
-
-constexpr double kFullTurn = 360;  // deg
-
-}  // namespace
+namespace {}  // namespace
 
 /// Angle and radius have words of their own.
 std::optional<Block> MotionWords::with_polar_slots(const Block& block, Polar& polar) {

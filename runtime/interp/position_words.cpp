@@ -19,11 +19,7 @@ using nc::SlotMask;
 using path::cross;
 using path::Vec2;
 
-namespace {
-
-constexpr double kFullTurn = 360;  // deg
-
-}  // namespace
+namespace {}  // namespace
 
 Vec2 direction_at(double angle_deg) {
     const double angle = rad_from_deg(angle_deg);

@@ -48,6 +48,7 @@ class PositionWords {
 
 /// The direction in a plane at an angle.
 path::Vec2 direction_at(double angle_deg);
+inline constexpr double kFullTurn = 360;  // deg
 /// Sine of the angle below which two directions are one.
 inline constexpr double kParallelLines = 1e-9;
 

@@ -31,7 +31,7 @@ constexpr std::size_t kLeast = 30;
 constexpr std::size_t kGreatest = 32;
 
 /// Two directions that differ by less are one: components are written with some six digits.
-constexpr double kSameDirection = 1e-6;
+constexpr double kSameAxisDirection = 1e-6;
 /// Angles may lie so far outside of their limits, rad: the rounding of what was worked out.
 constexpr double kRounding = 1e-9;
 
@@ -101,7 +101,7 @@ double turn_between(const Vec3& direction, const Vec3& from, const Vec3& to) {
 }
 
 bool lies_along(const Vec3& direction, const Vec3& vector) {
-    return direction.cross(vector).norm() < kSameDirection;
+    return direction.cross(vector).norm() < kSameAxisDirection;
 }
 
 /// A turn of `to` about `outer` and of `from` about `inner`, so that both meet:
@@ -117,7 +117,7 @@ struct TwoRotations {
 /// One of them where the other axis does not exist.
 void solve_one(const TwoRotations& turns, std::size_t axis, std::vector<Angles>& out) {
     const Vec3& direction = axis == 0 ? turns.outer : turns.inner;
-    if (std::abs(direction.dot(turns.from) - direction.dot(turns.to)) > kSameDirection) return;
+    if (std::abs(direction.dot(turns.from) - direction.dot(turns.to)) > kSameAxisDirection) return;
     Angles angles{};
     angles[axis] = lies_along(direction, turns.from)
                        ? turns.near[axis]
@@ -130,7 +130,7 @@ void solve_both(const TwoRotations& turns, std::vector<Angles>& out) {
     const double cosine = turns.outer.dot(turns.inner);
     const Vec3 across = turns.outer.cross(turns.inner);
     const double square = across.squaredNorm();
-    if (square < kSameDirection * kSameDirection) {
+    if (square < kSameAxisDirection * kSameAxisDirection) {
         TwoRotations one = turns;  // about one line: the second axis stands
         one.from = machine::rotation_about(turns.inner, turns.near[1]) * turns.from;
         const std::size_t before = out.size();
@@ -143,10 +143,10 @@ void solve_both(const TwoRotations& turns, std::vector<Angles>& out) {
     const double a = (along_outer - cosine * along_inner) / square;
     const double b = (along_inner - cosine * along_outer) / square;
     const double rest = (1 - a * a - b * b - 2 * a * b * cosine) / square;
-    if (rest < -kSameDirection) return;
+    if (rest < -kSameAxisDirection) return;
     const double beside = std::sqrt(std::max(0.0, rest));
     for (const double sign : {1.0, -1.0}) {
-        if (sign < 0 && beside < kSameDirection) break;
+        if (sign < 0 && beside < kSameAxisDirection) break;
         const Vec3 meet = a * turns.outer + b * turns.inner + sign * beside * across;
         Angles angles;
         angles[1] = lies_along(turns.inner, turns.from)
@@ -166,7 +166,7 @@ std::vector<Angles> solve(const TwoRotations& turns) {
         solve_both(turns, out);
     } else if (has_outer || has_inner) {
         solve_one(turns, has_outer ? 0 : 1, out);
-    } else if ((turns.from - turns.to).norm() < kSameDirection) {
+    } else if ((turns.from - turns.to).norm() < kSameAxisDirection) {
         out.push_back({});
     }
     return out;

@@ -49,6 +49,7 @@ enum class Op : std::uint8_t {
 
 /// Whether the tool moves along a path.
 constexpr bool is_motion(Op op) { return op <= Op::Probe; }
+constexpr bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
 enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
 enum class Plane : std::uint8_t { Xy, Zx, Yz };

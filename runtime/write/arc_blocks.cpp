@@ -5,12 +5,11 @@
 #include <numbers>
 
 #include "base/done.h"
+#include "base/units.h"
 
 namespace kadr::write {
 
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;  // rad
 
 /// Leaves in the part those functions of the block that act in it: what stops is the last one's.
 void keep_functions_of_part(const Block& block, bool is_first, bool is_last, Block& part) {
@@ -50,7 +49,7 @@ bool has_direction(const Block& block) { return block.find(Fact::ToolWord) != nu
 /// The ends of the parts, as shares of the angle: no part is close to half a turn or to a full one,
 /// and by its radius none above a third.
 void set_ends(ArcParts& parts, bool has_centers) {
-    constexpr double kThird = kTurn / 3;
+    constexpr double kThird = kTurnRad / 3;
     constexpr double kAlmostFull = 5.5;  // rad
     const double sweep = parts.arc.sweep;
     if (!has_centers && sweep > 2 * kThird) {
@@ -80,8 +79,8 @@ PlanePoint end_of(const ArcParts& parts, std::size_t part) {
 
 /// How much of the whole angle lies before the end of a part.
 double share_at(const ArcParts& parts, std::size_t part) {
-    const double total = kTurn * parts.turns + parts.arc.sweep;
-    return (kTurn * parts.turns + parts.arc.sweep * parts.ends[part]) / total;
+    const double total = kTurnRad * parts.turns + parts.arc.sweep;
+    return (kTurnRad * parts.turns + parts.arc.sweep * parts.ends[part]) / total;
 }
 
 /// What a part has of the block beside its points.
@@ -210,7 +209,7 @@ std::optional<HelixTurns> turns_of(const TextView& text, Messages& messages, con
     helix.shares_time =
         text.modal.meant_of(Group::FeedMode) == Function::FeedInverseTime && block.has(Slot::Feed);
     if (helix.shares_time)
-        helix.inverse_time = block.at(Slot::Feed) * (kTurn * helix.turns + helix.rest);
+        helix.inverse_time = block.at(Slot::Feed) * (kTurnRad * helix.turns + helix.rest);
     return helix;
 }
 
@@ -226,15 +225,15 @@ Block circle_of(const HelixTurns& helix, int turn, const TextView& text) {
     circle.source = block.source;
     circle.skip = block.skip;
     circle.motion = helix.motion;
-    if (helix.shares_time) circle.set(Slot::Feed, helix.inverse_time / kTurn);
+    if (helix.shares_time) circle.set(Slot::Feed, helix.inverse_time / kTurnRad);
     for (std::size_t i = 0; i < 2; ++i)
         circle.set(center_slot(helix.axes[i]), helix.center[i] - helix.from[i]);
-    const double total = kTurn * helix.turns + helix.rest;
+    const double total = kTurnRad * helix.turns + helix.rest;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const auto slot = static_cast<Slot>(axis);
         if (axis == helix.axes[0] || axis == helix.axes[1] || !block.has(slot)) continue;
         const double at =
-            helix.begin[axis] + (helix.end[axis] - helix.begin[axis]) * kTurn * turn / total;
+            helix.begin[axis] + (helix.end[axis] - helix.begin[axis]) * kTurnRad * turn / total;
         const bool as_distance = text.is_distance(block, axis);
         circle.set(slot, as_distance ? at - text.modal.position.meant[axis] : at);
         if (as_distance && !helix.is_incremental) circle.incremental |= bit(slot);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/numbers.h"
+#include "base/units.h"
 
 namespace kadr::write {
 
@@ -32,7 +33,6 @@ PlanePoint towards_bisector(const PlanePoint& p, const PlanePoint& a, const Plan
     return {p[0] - step * dx, p[1] - step * dy};
 }
 
-constexpr double kTurn = 2 * std::numbers::pi;
 // A control that shifts the centre refuses an arc that would be turned by more (path/arc.h), rad.
 constexpr double kMostShift = 1.7 * std::numbers::pi / 180;
 
@@ -116,11 +116,11 @@ double path_error(const ArcPoints& arc, const PlanePoint& center, double sweep, 
                   const TracedArc& traced, double increment) {
     constexpr double kNoAnswer = std::numeric_limits<double>::infinity();
     if (traced.is_refused) return kNoAnswer;
-    if (std::fabs(traced.sweep - sweep) > kTurn / 2) return kNoAnswer;
+    if (std::fabs(traced.sweep - sweep) > kTurnRad / 2) return kNoAnswer;
     // Ends side by side as seen from the centre: whether the arc is nothing or a full circle hangs
     // on the last digit of a word.
     constexpr double kAside = 0.25;  // increments
-    const double aside = std::fmin(traced.sweep, kTurn - traced.sweep) * traced.start_radius;
+    const double aside = std::fmin(traced.sweep, kTurnRad - traced.sweep) * traced.start_radius;
     if (arc.text_start != arc.text_end && aside < kAside * increment) return kNoAnswer;
     const double begin =
         std::atan2(arc.text_start[1] - traced.center[1], arc.text_start[0] - traced.center[0]);
@@ -148,8 +148,8 @@ double sweep_angle(const PlanePoint& start, const PlanePoint& end, const PlanePo
     const double from = std::atan2(start[1] - center[1], start[0] - center[0]);
     const double to = std::atan2(end[1] - center[1], end[0] - center[0]);
     double sweep = is_clockwise ? from - to : to - from;
-    while (sweep <= kNothing) sweep += kTurn;
-    while (sweep > kTurn + kNothing) sweep -= kTurn;
+    while (sweep <= kNothing) sweep += kTurnRad;
+    while (sweep > kTurnRad + kNothing) sweep -= kTurnRad;
     return sweep;
 }
 
