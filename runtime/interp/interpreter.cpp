@@ -29,8 +29,6 @@
 
 namespace kadr::interp {
 
-namespace {
-
 /// The executor as a stream.
 class Executed final : public Stream<path::Command> {
   public:
@@ -40,8 +38,6 @@ class Executed final : public Stream<path::Command> {
   private:
     Executor& executor_;
 };
-
-}  // namespace
 
 /// One channel of a control: its state, its parts, and the road of the blocks through them.
 struct Interpreter::State {
