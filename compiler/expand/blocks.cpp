@@ -273,8 +273,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         if ((modal.is_edge_off || modal.is_feed_deleted) && !check_move(block, at)) [[unlikely]]
             return kFailed;
         const bool owes_incremental = modal.owes_incremental;
-        if (((modal.has_drift | modal.lost_drift | modal.unplaced) & block.given) != 0 &&
-            !adapt_increments(block, plan, at)) [[unlikely]]
+        if ((modal.adapts() & block.given) != 0 && !adapt_increments(block, plan, at)) [[unlikely]]
             return kFailed;
         if (owes_incremental && block.find(Function::Absolute) == nullptr) [[unlikely]]
             return_to_increments(block);

@@ -448,29 +448,34 @@ Done Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std
                                 block.find(Function::Cycle) == nullptr;
     if (!source_travels && !target_travels && !wants_position) return kDone;
     if (block.find(nc::Fact::AtMachinePosition) != nullptr) return kDone;
+    const Drift none;
+    const Drift& of_source = source_travels ? modal.drift : none;
+    const Drift& of_target = target_travels ? modal.text_drift : none;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if ((block.given & bit) == 0 || !is_increment(block, bit)) continue;
-        const bool is_lost = (modal.lost_drift >> i & 1u) != 0;
-        const bool is_known = (modal.known >> i & 1u) != 0;
+        const bool is_known = (modal.known & bit) != 0;
+        const bool is_lost = ((of_source.lost | of_target.lost) & bit) != 0;
         const bool needs_place = wants_position && (modal.unplaced & bit) != 0;
-        if (source_travels && target_travels) {
-            modal.position[i] -= modal.drift[i];
+        const bool travels_alike = source_travels && target_travels &&
+                                   of_source.by[i] == of_target.by[i] &&
+                                   ((of_source.lost ^ of_target.lost) & bit) == 0;
+        if (travels_alike && !needs_place) {
+            modal.position[i] -= of_source.by[i];
             if (is_lost) modal.known &= static_cast<AxisMask>(~bit);
             continue;
         }
-        if ((is_lost && (source_travels || target_travels)) || (needs_place && !is_known)) {
+        if (is_lost || (needs_place && !is_known)) {
             fault(diag::IncrementAfterFrame, at)
                 .arg(kAxisNames[i])
                 .arg(target.name())
                 .fix("name a coordinate of " + std::string(kAxisNames[i]) + " first");
             return kFailed;
         }
-        if (source_travels) block.values[i] -= modal.drift[i];
-        const bool has_drifted = ((modal.has_drift | modal.lost_drift) & bit) != 0;
-        if (!target_travels || !has_drifted) continue;
+        block.values[i] -= of_source.by[i];
+        if ((of_target.has & bit) == 0) continue;
         if (is_known) become_place(block, i);
-        else block.values[i] += modal.drift[i];
+        else block.values[i] += of_target.by[i];
     }
     return !wants_position ? kDone : name_positions(block, at);
 }
@@ -512,6 +517,7 @@ Done Expander::State::name_positions(Block& block, std::uint32_t at) {
             if (is_increment(block, bit)) become_place(block, i);
         } else if ((modal.unplaced & bit) != 0) {
             block.set(static_cast<nc::Slot>(i), modal.position[i]);
+            modal.named_by_text |= static_cast<AxisMask>(bit);
             if (is_modal) block.absolute |= bit;
         }
     }

@@ -81,23 +81,43 @@ void ModalState::set_frame(const control::ProgramFrame& next, SourceId source) {
     frame_by = source;
 }
 
-void ModalState::note_drift(std::size_t axis, bool is_known, double by) {
+void Drift::add(std::size_t axis, double distance) {
     constexpr double kRounding = 1e-9;  // mm: what a frame and its end leave of a coordinate
     const auto bit = static_cast<AxisMask>(1u << axis);
+    by[axis] += distance;
+    if (std::fabs(by[axis]) < kRounding) by[axis] = 0;
+    has = static_cast<AxisMask>(by[axis] != 0 ? has | bit : has & ~bit);
+}
+
+void Drift::forget(AxisMask axes) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((axes >> i & 1u) != 0) by[i] = 0;
+    }
+    has &= static_cast<AxisMask>(~axes);
+    lost &= static_cast<AxisMask>(~axes);
+}
+
+void ModalState::note_drift(std::size_t axis, bool is_known, double by) {
     // Frames move X by its radius.
-    if (!is_known || (axis == 0 && is_diameter)) lost_drift |= bit;
-    drift[axis] += by;
-    if (std::fabs(drift[axis]) < kRounding) drift[axis] = 0;
-    has_drift = static_cast<AxisMask>(drift[axis] != 0 ? has_drift | bit : has_drift & ~bit);
+    if (!is_known || (axis == 0 && is_diameter)) lose_drift(static_cast<AxisMask>(1u << axis));
+    drift.add(axis, by);
+    text_drift.add(axis, by);
 }
 
 void ModalState::forget_drift(AxisMask axes) {
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        if ((axes >> i & 1u) != 0) drift[i] = 0;
-    }
-    has_drift &= static_cast<AxisMask>(~axes);
-    lost_drift &= static_cast<AxisMask>(~axes);
+    drift.forget(axes);
+    text_drift.forget(axes);
     unplaced &= static_cast<AxisMask>(~axes);
+}
+
+void ModalState::lose_drift(AxisMask axes) {
+    drift.lose(axes);
+    text_drift.lose(axes);
+}
+
+void ModalState::lose_all_drift() {
+    drift.lose_all();
+    text_drift.lose_all();
 }
 
 void ModalState::name_position(const nc::FrameChange& change) {
@@ -114,7 +134,8 @@ void ModalState::set_diameter(bool is_on, bool was_known) {
     else if (is_on != is_diameter) position[0] *= is_on ? 2 : 0.5;
     is_diameter = is_on;
     diameter_due = Function::None;
-    lost_drift |= has_drift & 1u;
+    drift.lose(drift.has & bit(Axis::X));
+    text_drift.lose(text_drift.has & bit(Axis::X));
 }
 
 /// The zero point moves along one axis (1 is X), in a frame that turns along some.
@@ -168,7 +189,7 @@ void ModalState::rotate(const nc::FrameChange& change, SourceId source, const nc
 
 void ModalState::lose_axes(AxisMask axes) {
     known &= static_cast<AxisMask>(~axes);
-    lost_drift |= axes;
+    lose_drift(axes);
 }
 
 /// Another system, and the control alone knows where the tool stands in it.
@@ -204,7 +225,7 @@ void ModalState::lose_words(const nc::Block& block, const nc::Effect& effect) {
     if (is_machine && turns_axes && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
     known &= static_cast<AxisMask>(~axes);
     // The control may count an increment from the number that was said there.
-    if (is_machine) lost_drift |= axes;
+    if (is_machine) lose_drift(axes);
 }
 
 void ModalState::go_to_point(const nc::Block& block, const nc::Effect& effect) {
@@ -228,7 +249,7 @@ void ModalState::change_tool(const nc::Block& block, const nc::Rules& target) {
     has_tool_in = has_tool;
     tool_in = tool;
     known = 0;
-    lost_drift |= has_drift;
+    lose_all_drift();
     if (nc::stops_at_tool_change(target, changer()))
         switch_spindle(Function::SpindleStop, block.source);
 }
@@ -496,8 +517,16 @@ void ModalState::take_targets(const nc::Block& block) {
     nc::SlotMask targets = block.given & nc::kTargetSlots;
     if ((targets & (bit(Axis::A) | bit(Axis::B) | bit(Axis::C))) != 0) note_rotary(block);
     // The operator may leave the block out: then they have gone nowhere.
-    if (block.skip >= 0) lost_drift |= has_drift & static_cast<AxisMask>(targets);
-    else if ((has_drift | lost_drift | unplaced) != 0) forget_drift(static_cast<AxisMask>(targets));
+    const auto named = static_cast<AxisMask>(targets);
+    const auto said = static_cast<AxisMask>(targets & ~std::exchange(named_by_text, AxisMask{0}));
+    if (block.skip >= 0) {
+        drift.lose(drift.has & said);
+        text_drift.lose(text_drift.has & named);
+    } else if (adapts() != 0) {
+        drift.forget(said);
+        text_drift.forget(named);
+        unplaced &= static_cast<AxisMask>(~named);
+    }
     const PlaneIndices axes = indices_of(plane_of((*this)[Group::Plane]));
     if (((targets >> axes.first | targets >> axes.second) & 1u) != 0) {
         const bool is_doubtful = block.skip >= 0 && is_compensation_due();

@@ -25,6 +25,22 @@ struct LostBy {
     Loss how = Loss::Control;  // Control: it alone knows what its block has done
 };
 
+/// Position less the coordinate that was programmed last: what changes of the frame have made of it
+/// since. Some controls travel it with the next increment. mm.
+struct Drift {
+    AxisValues by{};
+    AxisMask has = 0;   // axes of which it is not 0
+    AxisMask lost = 0;  // … and of which it is not known
+
+    void add(std::size_t axis, double distance);
+    void lose(AxisMask axes) { lost |= axes; }
+    /// The tool is where only the control knows.
+    void lose_all() { lost |= has; }
+    /// Coordinates of these axes were named: increments count from there.
+    void forget(AxisMask axes);
+    AxisMask acts() const { return has | lost; }
+};
+
 struct ModalState {
     std::array<nc::Function, nc::kGroups> active{};  // None: not known
     std::array<SourceId, nc::kGroups> changed_by{};  // statement behind the present member
@@ -45,11 +61,9 @@ struct ModalState {
     AxisValues position{};                         // in the programmable frame, mm, degrees
     AxisMask known = 0;                            // which of them are known
     std::array<LostBy, kAxes> position_lost_by{};  // holds if it was known before
-    // Position less the coordinate that was programmed last: what changes of the frame have made
-    // of it since. Some controls travel it with the next increment.
-    AxisValues drift{};
-    AxisMask has_drift = 0;         // of which axes it is not 0
-    AxisMask lost_drift = 0;        // … and of which it is not known
+    Drift drift;                                   // from what the program has said …
+    Drift text_drift;               // … and from what its text has, which names more
+    AxisMask named_by_text = 0;     // axes of the block that is made which the program has not said
     bool is_position_due = false;   // the frame has changed since a block was made
     AxisMask unplaced = 0;          // of which no place was named since a rotation began or ended
     bool owes_incremental = false;  // the text is under absolute dimensions for one block
@@ -155,8 +169,12 @@ struct ModalState {
     void set_frame(const control::ProgramFrame& frame, SourceId source);
     /// The frame, as blocks have said it anew.
     void say_frame(const control::ProgramFrame& frame, SourceId source);
-    /// Coordinates of these axes were named: increments count from there.
+    /// Of the program and of its text alike.
     void forget_drift(AxisMask axes);
+    void lose_drift(AxisMask axes);
+    void lose_all_drift();
+    /// Axes whose words a block may have to say otherwise than the program does.
+    AxisMask adapts() const { return drift.acts() | text_drift.acts() | unplaced; }
     /// 3, 4, 5 as in M3, M4, M5.
     void turn_spindle(const nc::Block& block, const nc::Effect& effect);
     void lose_spindle(SourceId source);

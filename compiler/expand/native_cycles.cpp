@@ -179,7 +179,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         return p.name == "initial" && (given >> (&p - parameters.data()) & 1u) != 0;
     });
     if (drills_in_z) modal.forget_drift(bit(Axis::Z));
-    else modal.lost_drift |= modal.has_drift;
+    else modal.lose_all_drift();
     const AxisMask before = modal.known;
     go_back(parameters, given, values);
     modal.note_lost_positions(before, source, Loss::Control);

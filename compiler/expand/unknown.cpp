@@ -94,7 +94,7 @@ void ModalState::forget(SourceId source) {
     length_offset.reset();
     master_spindle = 0;
     lacks_tool = lacks_speed = false;
-    lost_drift |= has_drift;
+    lose_all_drift();
     restate_motion = false;
     has_ended = spindle_in_doubt = is_feed_lost = false;
     restate = 0;
