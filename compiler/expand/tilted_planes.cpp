@@ -45,6 +45,26 @@ constexpr double kNoAngle = 1e-9;
 
 double neat_angle(double angle_deg) { return std::fabs(angle_deg) < kNoAngle ? 0 : angle_deg; }
 
+/// The motion that the program has said. Rotary axes go to a plane at rapid, whatever it is.
+struct SaidMotion {
+    Function member;
+    SourceId by;
+    bool is_lost;
+};
+
+SaidMotion said_motion(const ModalState& modal) {
+    constexpr auto kMotion = static_cast<std::size_t>(Group::Motion);
+    return {modal[Group::Motion], modal.changed_by[kMotion],
+            (modal.lost & sema::group_bit(Group::Motion)) != 0};
+}
+
+/// Behind a block at rapid: the next move says what the program has said, or must say it itself.
+void keep_motion(ModalState& modal, const SaidMotion& said) {
+    modal.assume(Group::Motion, said.member, said.by);
+    if (said.is_lost) modal.lost |= sema::group_bit(Group::Motion);
+    else if (said.member != Function::Rapid) modal.restate_motion = true;
+}
+
 }  // namespace
 
 /// Whether the plan says a tilted plane, or something that does not stand in one.
@@ -138,9 +158,17 @@ Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     for (std::size_t i = 0; i < said.size(); ++i) said[i] = {i, values[i]};
     for (std::size_t i = 0; i < 3; ++i)
         said[kAngles + i].value = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
+    // `G53.1` turns them as the modal motion says, and stands next to the plane. F 4.8 G53.1.
+    const SaidMotion motion = said_motion(modal);
+    if (!require_room(at)) return kFailed;
+    Block& block = next_block(source);
+    block.motion = Function::Rapid;
+    modal.take_block(block, target.rules());
+    if (options.trace) keep_trace(at, depth, source);
     if (modal.tilt != ModalState::Tilt::None) add(Function::TiltedPlaneOff, {});
     add(Function::TiltedPlaneEuler, said);
     add(Function::AlignTool, std::array{Argument{nc::parameter_of<Function::AlignTool>("way"), 0}});
+    keep_motion(modal, motion);
     return Done(!has_failed);
 }
 
@@ -221,12 +249,9 @@ Done Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints
         block.set(slot, neat(neat_angle(deg_from_rad(joints[static_cast<Eigen::Index>(k)]))));
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(slot);
     }
-    const Function motion = modal[Group::Motion];
+    const SaidMotion motion = said_motion(modal);
     modal.take_block(block, target.rules());
-    if (motion != Function::Rapid) {
-        modal.assume(Group::Motion, motion);
-        modal.restate_motion = true;
-    }
+    keep_motion(modal, motion);
     if (options.trace) keep_trace(at, depth, source);
     return kDone;
 }

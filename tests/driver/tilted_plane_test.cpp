@@ -131,6 +131,90 @@ TEST_F(Tilt, TheTipGoesTheSameWayOnThePart) {
     }
 }
 
+/// Whatever motion acts: `G53.1` of a FANUC turns the axes by the modal one.
+TEST_F(Tilt, TheRotaryAxesGoAtRapid) {
+    save("part.kadr", R"(
+program tilted() {
+    tool(1); S2000 M3; F500;
+    tilt(b: 10deg);
+    G0 X0 Y0 Z200;
+    G1 Z180;
+    tilt(a: 30deg);
+    Z170;
+    tilt(a: 20deg);
+    tilt_off();
+    X0 Y0 Z160;
+    G2 X10 Y0 CR=5;
+    tilt(a: 10deg);
+    G1 X0 Y0;
+    M30;
+}
+)");
+    EXPECT_NE(expanded("fanuc").find("T01 M06\n"
+                                     "S2000 M03\n"
+                                     "F500.\n"
+                                     "G00\n"
+                                     "G68.2 X0. Y0. Z0. I90. J10. K-90.\n"
+                                     "G53.1\n"
+                                     "G43 H01 X0. Y0. Z200.\n"
+                                     "G01 Z180.\n"
+                                     "G00\n"
+                                     "G69\n"
+                                     "G68.2 X0. Y0. Z0. I0. J30. K0.\n"
+                                     "G53.1\n"
+                                     "G01 Z170.\n"
+                                     "G00\n"
+                                     "G69\n"
+                                     "G68.2 X0. Y0. Z0. I0. J20. K0.\n"
+                                     "G53.1\n"
+                                     "G69\n"
+                                     "G01 X0. Y0. Z160.\n"
+                                     "G02 X10. Y0. R5.\n"
+                                     "G00\n"
+                                     "G68.2 X0. Y0. Z0. I0. J10. K0.\n"
+                                     "G53.1\n"
+                                     "G01 X0. Y0.\n"),
+              std::string::npos)
+        << expanded("fanuc");
+    for (const char* control : {"sinumerik", "fanuc", "axioma"}) {
+        SCOPED_TRACE(control);
+        cuts(control);
+        std::istringstream lines(kadr::read_file(file("all.jsonl")).value_or(""));
+        json before = {{"A", 0}, {"C", 0}};
+        for (std::string line; std::getline(lines, line);) {
+            const json command = json::parse(line);
+            if (!command.contains("to") || !command["to"].contains("A")) continue;
+            const json& to = command["to"];
+            const bool turns = to["A"] != before["A"] || to["C"] != before["C"];
+            if (turns) {
+                EXPECT_EQ(command["op"], "rapid") << line;
+            }
+            before = {{"A", to["A"]}, {"C", to["C"]}};
+        }
+    }
+}
+
+/// Behind raw text nobody knows the motion, and the rapid of the plane is none that was said.
+TEST_F(Tilt, TheMotionOfRawTextStaysUnknown) {
+    save("part.kadr", R"(
+program tilted() {
+    tool(1); S2000 M3; F500;
+    G0 X0 Y0 Z200;
+    raw "M88";
+    shift(); G90 G17 G40 G94 G97 G54; F500; S2000 M3;
+    tilt(a: 10deg);
+    X0 Y0 Z150;
+    M30;
+}
+)");
+    for (const char* control : {"fanuc", "axioma"}) {
+        const auto result =
+            kadr({"expand", file("part.kadr"), "-d", control, "-m", file("trunnion-ac.xml")});
+        EXPECT_NE(result.status, 0) << control << result.out;
+        EXPECT_NE(result.err.find("8:5: error[K3212]"), std::string::npos) << result.err;
+    }
+}
+
 TEST_F(Tilt, WhatCannotBeWorkedOutIsRefused) {
     const struct {
         std::string body, control, machine, code;
