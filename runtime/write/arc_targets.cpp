@@ -193,6 +193,7 @@ void place_radius(const TextView& text, Messages& messages, const Block& block,
     // On a lathe X is a diameter. While nothing says whether it is, the centre cannot stand for a
     // radius that rounding moves a little.
     if (axes[1] == kX && !text.knows_diameter()) arc.fits = arc.fits_fairly;
+    bool is_arc_of_diameter = false;
     if (axes[1] == kX && !arc.fits && !text.knows_diameter()) {
         const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw, scale);
         if (arc.exact && other.exact && is_chord_known(text, block, start)) {
@@ -204,17 +205,24 @@ void place_radius(const TextView& text, Messages& messages, const Block& block,
                 "whether X is a diameter (`DIAMON`, `DIAMOF`),");
             return;
         }
-        if (other.fits_fairly || (!arc.exact && other.exact)) arc = other;
+        // An arc that the radius does not reach is none where X is no diameter, and nobody says
+        // that it is one.
+        is_arc_of_diameter = !arc.exact && !arc.reached && (other.exact || other.reached);
+        if (!is_arc_of_diameter && (other.fits_fairly || (!arc.exact && other.exact))) arc = other;
     }
     const auto& [points, exact, reached, fits, fits_fairly] = arc;
     // Without a position of start and end nothing can be converted; the control judges.
     const bool is_comparable = is_chord_known(text, block, start);
     if (is_comparable && !exact && !reached) {
         if (!messages.fails_first_time(block, "an arc by its radius")) return;
-        messages.report(diag::ArcRadiusImpossible, block)
-            .arg(length_in_words(text, radius))
+        DiagnosticBuilder builder = messages.report(diag::ArcRadiusImpossible, block);
+        builder.arg(length_in_words(text, radius))
             .arg(length_in_words(text, std::hypot(points.end[0] - points.start[0],
                                                   points.end[1] - points.start[1])));
+        if (is_arc_of_diameter)
+            builder.fix(text.has_code(Function::DiameterOn)
+                            ? "if X is a diameter, say so before it: `DIAMON`"
+                            : "for a lathe take the dialect of one, as `fanuc-lathe` is");
         return;
     }
     if (has_word && !is_comparable && !is_exact_arc(text, block, radius)) {

@@ -256,8 +256,7 @@ TEST(Writer, ArcsOfLathes) {
     for (const char* name : {"sinumerik", "iso"}) {
         expect_text(
             name, {
-                      // From the radius 10 to 12: the chord is 2.83, not 4.47.
-                      {"G18\nG0 X20 Z0\nG3 X24 Z-2 CR=2", "G18\nG0 X20 Z0\nG3 X24 Z-2 CR=2\n"},
+                      // From the radius 10 to 12, on whose circle the end lies.
                       {"G18\nG0 X20 Z0\nG3 X24 Z-2 I0 K-2", "G18\nG0 X20 Z0\nG3 X24 Z-2 I0 K-2\n"},
                       // A radius on a mill.
                       {"G18\nG0 X10 Z0\nG3 X12 Z-2 CR=2", "G18\nG0 X10 Z0\nG3 X12 Z-2 CR=2\n"},
@@ -267,6 +266,10 @@ TEST(Writer, ArcsOfLathes) {
     expect_text("fanuc", {{"G18\nG0 X20 Z0\nG3 X24.0005 Z-2.00025 I0 K-2.00025",
                            "G18\nX20. Z0.\nG03 X24. Z-2. I0. K-2.\n"}});
     EXPECT_EQ(write("fanuc", "G18\nG0 X20 Z0\nG3 X40 Z-2 CR=2").codes, "K4208");
+    // As a diameter the chord is 2.83, but no number shows that X is one, and as a radius it
+    // is 4.47.
+    for (const char* name : {"sinumerik", "iso", "fanuc"})
+        EXPECT_EQ(write(name, "G18\nG0 X20 Z0\nG3 X24 Z-2 CR=2").codes, "K4208") << name;
     // Where it is known what X is, nothing is guessed.
     expect_text("sinumerik", {{"G18 DIAMON\nG0 X20 Z0\nG3 X24 Z-2 CR=2",
                                "G18 DIAMON\nG0 X20 Z0\nG3 X24 Z-2 CR=2\n"}});
