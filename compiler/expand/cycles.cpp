@@ -37,6 +37,22 @@ bool is_given(const ActiveCycle& cycle, std::optional<std::size_t> parameter) {
     return parameter && (cycle.given >> *parameter & 1u) != 0;
 }
 
+/// By what a scaling would change this argument on its way to the library, where all ways of a
+/// cycle are scaled, while the control of its source spares it.
+///
+/// source       F 3.7 G51: Q and d of G83 and G73, the shifts of G76 and G87
+double spared_factor(const SourceCycle& said, const control::ProgramFrame& frame,
+                     std::string_view parameter) {
+    using Spared = std::pair<std::string_view, Axis>;
+    constexpr std::array kSpared = {Spared{"peck", Axis::Z},   Spared{"draw", Axis::Z},
+                                    Spared{"lift_x", Axis::X}, Spared{"lift_y", Axis::Y},
+                                    Spared{"lift_z", Axis::Z}, Spared{"shift_x", Axis::X},
+                                    Spared{"shift_y", Axis::Y}};
+    if (said.rules.cycle_distances_scaled || !frame.has_scale()) return 1;
+    const auto spared = std::ranges::find(kSpared, parameter, &Spared::first);
+    return spared == kSpared.end() ? 1 : frame.scale[index(spared->second)];
+}
+
 bool has(const sema::Plan& plan, Function function) {
     return std::ranges::find(plan.functions, function, &nc::Invocation::function) !=
            plan.functions.end();
@@ -364,8 +380,9 @@ Done Expander::State::call_cycle(const Instruction& instruction, const sema::Slo
     reserve_stack(std::size_t{base} + function.registers + 8);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         if ((active_cycle.given >> i & 1u) == 0) continue;
-        set_number(function.parameters[i], active_cycle.arguments[i],
-                   stack[base + function.parameters[i].slot]);
+        const sema::ParameterInfo& parameter = function.parameters[i];
+        const double factor = spared_factor(*active_cycle.said, modal.frame, parameter.name);
+        set_number(parameter, active_cycle.arguments[i] / factor, stack[base + parameter.slot]);
     }
     return kDone;
 }

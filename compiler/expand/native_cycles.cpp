@@ -60,10 +60,17 @@ void Expander::State::go_back(std::span<const sema::ParameterInfo> parameters, s
     modal.known = static_cast<AxisMask>(back.level ? modal.known | axis : modal.known & ~axis);
 }
 
+/// Whether the call is that of a source whose control spares strokes and shifts from a scaling.
+static bool is_spared_by_source(const ActiveCycle& cycle, const sema::Code& code,
+                                const CallFrame& call) {
+    return cycle.is_running && !cycle.said->rules.cycle_distances_scaled &&
+           call.function == &code.functions[cycle.said->function];
+}
+
 /// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own
 /// program does not say the cycle.
 bool Expander::State::spares_distances(nc::CycleId cycle, std::uint32_t given) const {
-    if (active_cycle.is_active && active_cycle.is_running) return false;
+    if (is_spared_by_source(active_cycle, code, frames.back())) return false;
     const nc::CycleInfo::Roles& roles = target.cycles()[cycle].roles;
     const auto is_given = [&](int role) { return role >= 0 && (given >> role & 1u) != 0; };
     return (is_given(roles.stroke) || is_given(roles.shift)) &&
@@ -111,6 +118,8 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         return failed(refuse_beside_cycle("another cycle", frame.return_to - 1));
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
+    const bool is_as_said =
+        !target.rules().cycle_distances_scaled && is_spared_by_source(active_cycle, code, frame);
     std::uint32_t given = 0;
     std::array<double, nc::kMaxArguments> values{};
     KADR_ASSERT(parameters.size() <= values.size(), "a cycle has more parameters than a block");
@@ -123,6 +132,8 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         if (!is_given) continue;
         given |= 1u << i;
         values[i] = is_number ? slot.number : static_cast<double>(slot.integer);
+        if (kind == Kind::Number && is_as_said && (active_cycle.given >> i & 1u) != 0)
+            values[i] = active_cycle.arguments[i];
         if (kind != Kind::Feed && kind != Kind::Speed) continue;
         // Cycles of controls know feeds per minute and speeds in turns only.
         if (sema::is_second_form(values[i])) return CycleOutcome::Moves;
