@@ -176,6 +176,7 @@ static inline void copy_constants(const sema::Plan& plan, int default_skip, Bloc
     block.number = plan.number;
     block.feed_along_arc = (plan.customs & sema::custom::kFeedOfArc) != 0;
     block.feed_of_all_axes = (plan.customs & sema::custom::kFeedOfAxes) != 0;
+    block.length_waits = (plan.customs & sema::custom::kLengthMoves) == 0;
     block.function_count = static_cast<std::uint8_t>(plan.functions.size());
     for (std::size_t i = 0; i < plan.functions.size(); ++i) block.functions[i] = plan.functions[i];
     for (const auto& [place, value] : plan.arguments) block.arguments[place] = value;

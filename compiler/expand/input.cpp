@@ -87,6 +87,54 @@ control::ProgramFrame frame_behind(control::FrameSteps steps, const sema::Plan& 
     return steps.frame().frame;
 }
 
+/// Whether the block says words of axes.
+bool names_axes(const sema::Plan& plan, const Instruction& instruction) {
+    return (instruction.op == Op::Emit && instruction.b != 0) ||
+           (plan.given & nc::kTargetSlots) != 0 ||
+           std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
+               return !filling.is_argument && filling.place < kAxes;
+           });
+}
+
+/// The number of the length that acts behind the block; 0: none. Nothing: nobody knows.
+std::optional<double> length_behind(const ModalState& modal, const Block& block) {
+    bool is_on = modal[Group::LengthComp] == Function::LengthCompOn;
+    std::optional<double> number = modal.length.offset;
+    if (modal[Group::LengthComp] == Function::None) number.reset();
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Invocation& invocation = block.functions[i];
+        static_assert(kLengthOffset == parameter_of<Function::LengthOffset>("offset"));
+        const bool is_length = invocation.function == Function::LengthCompOn;
+        if (is_length) is_on = true;
+        if (invocation.function == Function::LengthCompOff) return 0;
+        if ((is_length || invocation.function == Function::LengthOffset) &&
+            invocation.has(kLengthOffset))
+            number = block.argument(invocation, kLengthOffset);
+    }
+    if (!is_on && modal[Group::LengthComp] != Function::None) return 0;
+    return number;
+}
+
+/// `G49;` of a control that travels the change of the length at once: the axis goes where its
+/// coordinate is the same with the new length.
+///
+/// returns  the function whose way nobody can say, because the coordinate is not known; None
+Function name_length_axis(ModalState& modal, Block& block) {
+    const std::optional<double> before = length_behind(modal, Block{});
+    const std::optional<double> behind = length_behind(modal, block);
+    if (before && behind && *before == *behind) return Function::None;
+    // Where its axis is no length acts, and none is left to be taken off.
+    if (modal.length.is_away && behind == 0) return Function::None;
+    const Function motion = block.motion != Function::None ? block.motion : modal[Group::Motion];
+    const bool is_straight = motion == Function::Rapid || motion == Function::Line;
+    const bool is_changed = block.find(Function::ToolChange) != nullptr;
+    if (!is_straight || is_changed || (modal.known & bit(Axis::Z)) == 0)
+        return behind == 0 ? Function::LengthCompOff : Function::LengthCompOn;
+    block.set(nc::Slot::Z, modal.position[index(Axis::Z)]);
+    if (modal[Group::Distance] == Function::Incremental) block.absolute |= bit(nc::Slot::Z);
+    return Function::None;
+}
+
 }  // namespace
 
 bool Expander::State::needs_frame(const sema::Plan& plan) const {
@@ -272,6 +320,19 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
                 modal.is_edge_off = block.argument(invocation, kEdge) == 0;
         }
     }
+    if ((customs & custom::kLengthMoves) != 0 && !target.rules().length_moves_alone &&
+        !names_axes(plan, code.instructions[at])) {
+        const Function lost = name_length_axis(modal, block);
+        if (lost != Function::None) {
+            const bool is_off = lost == Function::LengthCompOff;
+            fault(diag::SourceLengthAlone, at)
+                .arg(is_off ? "G49" : "G43")
+                .arg(target.name())
+                .fix(std::string("say it in a block that moves the axis: `G0 Z… ") +
+                     (is_off ? "G49`" : "G43 H…`"));
+            return kFailed;
+        }
+    }
     const bool by_tool = (customs & custom::kOffsetsByTool) != 0;
     if ((by_tool || (customs & custom::kEdges) != 0) &&
         by_tool != target.counts_offsets_by_tool()) {
@@ -366,10 +427,7 @@ Done Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::u
 /// On the control of the source a work offset acts from the start; the target has another one.
 void Expander::State::say_offset(const sema::Plan& plan, const Instruction& instruction,
                                  std::uint32_t at) {
-    const bool moves = instruction.b != 0 || (plan.given & nc::kTargetSlots) != 0 ||
-                       std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
-                           return !filling.is_argument && filling.place < kAxes;
-                       });
+    const bool moves = names_axes(plan, instruction);
     // A return that the target does not have goes over its place with a block of its own.
     const bool has_return = target.can_write(Function::ReferenceReturn);
     const bool is_elsewhere =
@@ -420,7 +478,7 @@ Done Expander::State::check_move(const Block& block, std::uint32_t at) {
     if ((block.given & kMoves) == 0 || block.find(Function::MachineCoordinates) != nullptr)
         return kDone;
     // A move without tool length, where the target takes the length with the next move again.
-    if (modal.is_edge_off && target.counts_offsets_by_tool()) {
+    if (modal.is_edge_off && !modal.length.has_ended && target.counts_offsets_by_tool()) {
         fault(diag::SourceOffset, at)
             .arg(target.name())
             .arg("a move with the edge")
@@ -709,7 +767,7 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
         if (!is_radius) {  // what a `with` around it sets back
             modal.assume(Group::LengthComp,
                          number == 0 ? Function::LengthCompOff : Function::LengthCompOn);
-            modal.length_offset = number != 0 ? std::optional(number) : std::nullopt;
+            modal.length.offset = number != 0 ? std::optional(number) : std::nullopt;
         }
         become(block, invocation, Function::ToolEdge, kEdge, number == 0 ? 0 : 1);
         ++i;
@@ -766,11 +824,27 @@ Done Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::u
 }
 
 /// The first edge acts with the change of its tool; it has the offsets with the tool's number.
+/// `D0` ends its length, and `D1` behind that brings it again; both wait for the next move.
 Done Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
     for (std::size_t i = block.function_count; i-- > 0;) {
         if (block.functions[i].function != Function::ToolEdge) continue;
         const double edge = block.argument(block.functions[i], kEdge);
         const bool is_off = edge == 0 && block.find(Function::MachineCoordinates) != nullptr;
+        // An edge that is switched off takes its radius along.
+        const bool is_plain = modal[Group::RadiusComp] == Function::RadiusCompOff ||
+                              block.find(Function::RadiusCompOff) != nullptr;
+        if (edge == 0 && !is_off && is_plain && target.can_write(Function::LengthCompOff)) {
+            block.functions[i].function = Function::LengthCompOff;
+            block.functions[i].given = 0;
+            modal.length.has_ended = true;
+            continue;
+        }
+        if (edge == 1 && modal.length.has_ended && modal.has_tool_in &&
+            block.find(Function::ToolChange) == nullptr) {
+            become(block, block.functions[i], Function::LengthCompOn, kLengthOffset, modal.tool_in);
+            modal.length.has_ended = false;
+            continue;
+        }
         if (edge != 1 && !is_off) {
             fault(diag::SourceOffset, at)
                 .arg(target.name())

@@ -230,10 +230,13 @@ void ModalState::lose_words(const nc::Block& block, const nc::Effect& effect) {
 
 void ModalState::go_to_point(const nc::Block& block, const nc::Effect& effect) {
     known = 0;
+    length.is_away |= block.has(nc::Slot::Z);
     if (effect.function != Function::ReferencePoint) return;
     constexpr std::size_t kFirstAxis = parameter_of<Function::ReferencePoint>("x");
-    forget_drift(
-        static_cast<AxisMask>(effect.invocation_in(block).given >> kFirstAxis & kLinearXYZ));
+    const auto named =
+        static_cast<AxisMask>(effect.invocation_in(block).given >> kFirstAxis & kLinearXYZ);
+    length.is_away |= (named & bit(Axis::Z)) != 0;
+    forget_drift(named);
 }
 
 /// Where the tools of a program are, as far as it says: what turns in G18, or has diameters, is the
@@ -245,7 +248,7 @@ nc::Changer ModalState::changer() const {
 
 /// The changer stands somewhere else and takes the spindle over.
 void ModalState::change_tool(const nc::Block& block, const nc::Rules& target) {
-    lacks_tool = is_edge_off = false;
+    lacks_tool = is_edge_off = length.has_ended = false;
     has_tool_in = has_tool;
     tool_in = tool;
     known = 0;
@@ -329,7 +332,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
             told.renew(Once::AfterEnd);
             break;
         case Kind::SelectsLength:
-            length_offset = number(parameter_of<Function::LengthOffset>("offset"));
+            length.offset = number(parameter_of<Function::LengthOffset>("offset"));
             break;
         case Kind::SelectsEdge:
         case Kind::WritesLength:
@@ -448,7 +451,7 @@ void ModalState::take_length_offset(const nc::Block& block, const nc::Effect& ef
     constexpr std::size_t kOffset =
         parameter_of_all<"offset", Function::LengthCompOn, Function::LengthCompMinus>();
     const nc::Invocation& invocation = effect.invocation_in(block);
-    if (invocation.has(kOffset)) length_offset = block.argument(invocation, kOffset);
+    if (invocation.has(kOffset)) length.offset = block.argument(invocation, kOffset);
 }
 
 void ModalState::note_lost_positions(AxisMask before, SourceId by, Loss how) {
@@ -516,6 +519,7 @@ void ModalState::take_words(const nc::Block& block) {
 void ModalState::take_targets(const nc::Block& block) {
     nc::SlotMask targets = block.given & nc::kTargetSlots;
     if ((targets & (bit(Axis::A) | bit(Axis::B) | bit(Axis::C))) != 0) note_rotary(block);
+    if (block.has(nc::Slot::Z)) length.is_away = false;
     // The operator may leave the block out: then they have gone nowhere.
     const auto named = static_cast<AxisMask>(targets);
     const auto said = static_cast<AxisMask>(targets & ~std::exchange(named_by_text, AxisMask{0}));
@@ -570,7 +574,7 @@ sema::ModalMask difference(const ModalState& a, const ModalState& b, sema::Modal
         if (a.active[i] == Function::WorkOffset)
             differs = differs || a.work_offset != b.work_offset;
         if (a.active[i] == Function::LengthCompOn) {
-            differs = differs || a.length_offset != b.length_offset;
+            differs = differs || a.length.offset != b.length.offset;
         }
         if (differs) result |= bit;
     }

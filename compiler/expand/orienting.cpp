@@ -150,8 +150,8 @@ std::string Expander::State::tcp_hindrance() const {
 
 /// The number of the offset that has the tool's length.
 std::optional<double> Expander::State::length_number() const {
-    if (modal[Group::LengthComp] == Function::LengthCompOn && modal.length_offset)
-        return modal.length_offset;
+    if (modal[Group::LengthComp] == Function::LengthCompOn && modal.length.offset)
+        return modal.length.offset;
     if (modal.has_tool_in) return modal.tool_in;
     return std::nullopt;
 }

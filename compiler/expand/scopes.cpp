@@ -74,6 +74,7 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     if (!groups && !feed && !speed) return kDone;
     if (!require_room(at)) return kFailed;
     Block& block = next_block(source);
+    block.length_waits = true;
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((changed >> i & 1u) == 0) continue;
         const Function member = before[static_cast<Group>(i)];
@@ -87,9 +88,9 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
             block.set_argument(*invocation, nc::parameter_of<Function::WorkOffset>("number"),
                                before.work_offset);
         }
-        if (member == Function::LengthCompOn && before.length_offset) {
+        if (member == Function::LengthCompOn && before.length.offset) {
             block.set_argument(*invocation, nc::parameter_of<Function::LengthCompOn>("offset"),
-                               *before.length_offset);
+                               *before.length.offset);
         }
     }
     if (feed) block.set(nc::Slot::Feed, before.feed);

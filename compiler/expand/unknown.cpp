@@ -91,7 +91,7 @@ void ModalState::forget(SourceId source) {
     const Function diameter = (*this)[Group::Diameter];
     active.fill(Function::None);
     has_feed = has_speed = has_tool = has_tool_in = false;
-    length_offset.reset();
+    length.offset.reset();
     master_spindle = 0;
     lacks_tool = lacks_speed = false;
     lose_all_drift();
@@ -128,7 +128,7 @@ void ModalState::join(const ModalState& without, SourceId block) {
     has_tool &= without.has_tool && tool == without.tool;
     has_tool_in &= without.has_tool_in && tool_in == without.tool_in;
     if (master_spindle != without.master_spindle) master_spindle = 0;
-    if (length_offset != without.length_offset) length_offset.reset();
+    if (length.offset != without.length.offset) length.offset.reset();
     if (has_feed != without.has_feed || feed != without.feed) restate |= sema::kFeedBit;
     if (has_speed != without.has_speed || speed != without.speed) restate |= sema::kSpeedBit;
     for (std::size_t i = 0; i < nc::kGroups; ++i)

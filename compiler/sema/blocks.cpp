@@ -289,6 +289,10 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
         add(nc::info(invocation.function).group == nc::Group::FeedMode &&
                 differs(&Rules::feed_deleted_on_mode_change),
             custom::kFeedDeleted);
+        add(differs(&Rules::length_moves_alone) &&
+                (nc::info(invocation.function).group == nc::Group::LengthComp ||
+                 invocation.function == Function::LengthOffset),
+            custom::kLengthMoves);
         const bool is_of_tool = invocation.function == Function::ToolChange ||
                                 nc::has_fact(invocation.function, nc::Fact::CallsOffset) ||
                                 nc::has_fact(invocation.function, nc::Fact::CallsEdge);

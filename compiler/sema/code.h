@@ -238,11 +238,11 @@ inline constexpr std::uint32_t kFeedDeleted = 2048;   // another kind of feed de
 // An increment counts from the coordinate that was programmed last, and so travels a change of the
 // frame as well.
 inline constexpr std::uint32_t kIncrementTravels = 4096;
-inline constexpr std::uint32_t kCyclePosition =
-    16384;                                            // the cycle of the block begins at its place
-inline constexpr std::uint32_t kPlaces = 32768;       // while a cycle is modal, a place of it
-inline constexpr std::uint32_t kCoreOffsets = 65536;  // `G43 H1` and `D1` of the common core
-inline constexpr std::uint32_t kRepeats = 131072;     // `K5`: the cycle that is modal, so often
+inline constexpr std::uint32_t kLengthMoves = 8192;     // a tool length is travelled at once
+inline constexpr std::uint32_t kCyclePosition = 16384;  // its cycle begins at its place
+inline constexpr std::uint32_t kPlaces = 32768;         // while a cycle is modal, a place of it
+inline constexpr std::uint32_t kCoreOffsets = 65536;    // `G43 H1` and `D1` of the common core
+inline constexpr std::uint32_t kRepeats = 131072;       // `K5`: the cycle that is modal, so often
 inline constexpr std::uint32_t kFrameDiameter =
     262144;                                            // X of a frame is a diameter where X is one
 inline constexpr std::uint32_t kFeedOfArc = 524288;    // F of a helix is meant along its arc

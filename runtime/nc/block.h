@@ -114,6 +114,7 @@ struct Block {
     bool feed_along_arc : 1 = false;        // F of a helix is meant along its arc, not its path
     bool feed_of_all_axes : 1 = false;      // F of a straight block is meant over rotary axes, too
     bool has_inch_feed : 1 = false;         // of what was read: F is in inches
+    bool length_waits : 1 = false;          // a tool length is travelled with the axis' next move
     std::uint16_t further_skip_levels = 0;  // bit n: the block is left out at level n as well
     std::uint8_t rotary_approaches = 0;     // of A, B, C: two bits each, a RotaryApproach
     CycleId cycle = 0;                      // holds if Function::Cycle is among the functions
@@ -138,7 +139,7 @@ struct Block {
         skip = -1;
         further_skip_levels = 0;
         x_measure = XMeasure::Modal;
-        feed_along_arc = feed_of_all_axes = has_inch_feed = false;
+        feed_along_arc = feed_of_all_axes = has_inch_feed = length_waits = false;
         rotary_approaches = 0;
         cycle = 0;
         cycle_by_form = 0;

@@ -75,13 +75,20 @@ bool BlockWriter::has_feed_word(const Block& block, const Choice& choice,
 
 /// Words that a tool change left for the block that moves the tool axis, or says a function.
 void BlockWriter::add_deferred(const Block& block, const Choice& choice, Items& items) {
-    if (state_.pending().empty()) return;
+    if (state_.pending().empty() && !modal_.edge.is_end_due) return;
     const bool is_cycle = block.function_count != 0 && block.find(Function::Cycle) != nullptr;
     const bool is_machine = block.find(Fact::AtMachinePosition) != nullptr;
+    const Function length =
+        block.function_count == 0 ? Function::None : programmed_in(block, Group::LengthComp);
+    if (modal_.edge.is_end_due && length == Function::None && !is_machine &&
+        (block.has(Slot::Z) || is_cycle)) {
+        add_code(block, Function::LengthCompOff, items);
+        state_.length_is_said(Function::LengthCompOff);
+    }
     for (std::size_t i = 0; i < state_.pending().size();) {
         const Deferred& deferred = *state_.pending()[i].deferred;
         bool acts = false;
-        if (deferred.axis >= 0 && !is_machine)
+        if (deferred.axis >= 0 && !is_machine && length != Function::LengthCompOff)
             acts = block.has(static_cast<Slot>(deferred.axis)) || is_cycle;
         for (const Function function : deferred.functions) acts |= block.find(function) != nullptr;
         if (deferred.axis < 0) acts &= block.find(Function::RadiusOffset) == nullptr;
@@ -95,6 +102,7 @@ void BlockWriter::add_deferred(const Block& block, const Choice& choice, Items& 
             Item::of_words(tables_.addresses[deferred.words[0].address].order, deferred.words));
         // Functions may come again for the same tool; an axis word acts once.
         if (deferred.axis >= 0) {
+            state_.length_is_said(Function::LengthCompOn);
             state_.drop_pending(i);
         } else {
             ++i;

@@ -55,6 +55,8 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
 // ---------------------------------------------------------------- blocks
 
 void BlockWriter::write_long(const Block& block, std::string& out) {
+    if (block.length_waits && rules_.length_moves_alone && holds_length(block))
+        return write_without_length(block, out);
     lines_.bring_number(block.number);
     check_front(block);
     check_arc_words(block);
@@ -66,7 +68,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
         const std::size_t waiting = state_.pending().size();
         const WriterModal before = modal_;
         write_block(block, out);
-        if (state_.pending().size() < waiting) {
+        if (state_.pending().size() < waiting || before.edge.is_end_due != modal_.edge.is_end_due) {
             messages_.cannot_express(
                 block, "a block that may be left out where the tool length begins to act");
         }
@@ -358,6 +360,10 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         write_block(feed, out);
     }
     if (modal_.edge.waiting != 0) say_waiting_edge(block, out);
+    if (modal_.edge.is_end_due)
+        messages_.cannot_express(block,
+                                 "raw text between the end of the tool length and the next move "
+                                 "along the tool");
     Items items;
     const Function dimensions = modal_.meant_of(Group::Distance);
     if (dimensions != Function::None && modal_.text_of(Group::Distance) != dimensions &&

@@ -78,6 +78,8 @@ class BlockWriter {
     void say_waiting_edge(const Block& block, std::string& out);
     void check_length_due(const Block& block);
     void add_edge(const Block& block, Items& items);
+    bool holds_length(const Block& block) const;
+    void write_without_length(const Block& block, std::string& out);
     void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out);
     void check_message(const Block& block);

@@ -1,4 +1,7 @@
 // Where the length of a tool does not act, and where it acts again.
+#include <algorithm>
+#include <span>
+
 #include "write/block_writer.h"
 
 namespace kadr::write {
@@ -53,6 +56,58 @@ void BlockWriter::add_edge(const Block& block, Items& items) {
         items.add(Item::of_edge(tables_.forms[edges[0]].order, 0));
         return;
     }
+}
+
+/// `G43 H1`, `G49`, `H2` of the block; null: it says none.
+static const Invocation* length_in(const Rules& rules, const Block& block) {
+    const Invocation* length = nullptr;
+    for (const Effect& effect : effects_of(rules, block, nc::Changer::Magazine)) {
+        const bool is_length =
+            effect.kind == EffectKind::ChangesLength || effect.kind == EffectKind::SelectsLength;
+        if (is_length) length = &effect.invocation_in(block);
+    }
+    return length;
+}
+
+/// Whether the block changes a length that its program travels with the next move of the axis, and
+/// the control at once.
+bool BlockWriter::holds_length(const Block& block) const {
+    const bool is_move = block.has(Slot::Z) || block.find(Function::Cycle) != nullptr;
+    if (block.function_count == 0 || is_move) return false;
+    const bool has_length =
+        modal_.text_of(Group::LengthComp) != Function::LengthCompOff || modal_.edge.is_end_due ||
+        std::ranges::any_of(state_.pending(),
+                            [](const Pending& pending) { return pending.deferred->axis >= 0; });
+    const Invocation* length = length_in(rules_, block);
+    if (length == nullptr) return false;
+    // `G43` without a number is the control's own matter.
+    return length->function == Function::LengthCompOn
+               ? length->has(parameter_of<Function::LengthCompOn>("offset"))
+               : has_length;
+}
+
+/// The words of the length wait for the block that moves the axis.
+void BlockWriter::write_without_length(const Block& block, std::string& out) {
+    const auto of_axis = std::ranges::find_if(
+        tables_.deferred, [](const Deferred& deferred) { return deferred.axis >= 0; });
+    if (block.skip >= 0 || of_axis == tables_.deferred.end()) {
+        messages_.cannot_express(
+            block, "a change of the tool length in a block that moves no axis along it");
+        return;
+    }
+    Block rest = block;
+    rest.length_waits = false;
+    rest.function_count = 0;
+    const Invocation* length = length_in(rules_, block);
+    for (const Invocation& invocation : std::span(block.functions).first(block.function_count))
+        if (&invocation != length) rest.functions[rest.function_count++] = invocation;
+    write_long(rest, out);
+    const bool is_end = length->function == Function::LengthCompOff ||
+                        (length->function == Function::LengthOffset && modal_.edge.is_end_due);
+    constexpr std::size_t kNumber = parameter_of<Function::LengthCompOn>("offset");
+    static_assert(kNumber == parameter_of<Function::LengthOffset>("offset"));
+    state_.hold_length(block, is_end ? nullptr : &*of_axis,
+                       is_end ? 0 : block.argument(*length, kNumber));
 }
 
 }  // namespace kadr::write

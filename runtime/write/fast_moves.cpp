@@ -51,8 +51,9 @@ bool FastMoves::is_fast(const Block& block) const {
     if (targets == 0 || (block.given & ~(plan_.slots | bit(Slot::Feed))) != 0) return false;
     if (((block.incremental | block.absolute) & block.given) != 0) return false;
     if (!block.comment.empty() || !state_.pending().empty() || modal_.edge.waiting != 0 ||
-        modal_.edge.is_length_due || modal_.units.inverse_time || modal_.feed_is_other ||
-        modal_.doubtful != 0 || modal_.frame.turn.miss > 0 || modal_.frame.tilt.miss > 0)
+        modal_.edge.is_length_due || modal_.edge.is_end_due || modal_.units.inverse_time ||
+        modal_.feed_is_other || modal_.doubtful != 0 || modal_.frame.turn.miss > 0 ||
+        modal_.frame.tilt.miss > 0)
         return false;
     const Function motion = text_.effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;

@@ -11,20 +11,31 @@ void TextState::follow(const Block& block) {
     for (const Effect& effect : effects_of(rules_, block, changer_)) follow_effect(block, effect);
 }
 
-/// Whether the tool length acts behind a reference return differs between series of a control: what
-/// a tool change holds back for its axis is said again.
+/// Whether the tool length acts behind a reference return differs between series of a control: the
+/// one that the program has is said again with its axis.
 void TextState::defer_length(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kFirstAxis = parameter_of<Function::ReferencePoint>("x");
     for (const Deferred& deferred : tables_.deferred) {
-        if (deferred.axis < 0 || !modal_.tool.is_known) continue;
+        if (deferred.axis < 0 || !modal_.tool.is_known || modal_.edge.length == 0) continue;
         const auto axis = static_cast<std::size_t>(deferred.axis);
         const bool is_named = invocation.function == Function::ReferencePoint
                                   ? invocation.has(kFirstAxis + axis)
                                   : block.has(static_cast<Slot>(axis));
         if (!is_named) continue;
         std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
-        pending_.push_back({&deferred, modal_.tool.value});
+        pending_.push_back({&deferred, modal_.edge.length});
     }
+}
+
+/// The number of the length behind the words of the block; 0: none.
+static double length_behind(const Block& block, const Effect& effect, double before) {
+    constexpr std::size_t kOffset = parameter_of<Function::LengthCompOn>("offset");
+    static_assert(kOffset == parameter_of<Function::LengthOffset>("offset"));
+    if (effect.function == Function::LengthCompOff) return 0;
+    const bool is_number =
+        effect.function == Function::LengthCompOn || effect.kind == EffectKind::SelectsLength;
+    if (!is_number) return before;
+    return block.argument(effect.invocation_in(block), kOffset, before);
 }
 
 /// What an effect means for positions, frames and held-back words. Groups were followed before the
@@ -92,8 +103,10 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
         case EffectKind::ChangesTool: call_tool(block, effect); break;
         case EffectKind::SelectsEdge: call_edge(block, effect); break;
         case EffectKind::ChangesLength: drop_pending_length(); [[fallthrough]];
-        case EffectKind::WritesLength:
-        case EffectKind::SelectsLength: change_length(block); break;
+        case EffectKind::SelectsLength:
+            modal_.edge.length = length_behind(block, effect, modal_.edge.length);
+            [[fallthrough]];
+        case EffectKind::WritesLength: change_length(block); break;
         case EffectKind::SelectsRadius: drop_pending_radius(); break;
         case EffectKind::LeavesWords: forget_words(block, effect); break;
         case EffectKind::GoesToPoint:
@@ -107,6 +120,7 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
 }
 
 void TextState::drop_pending_length() {
+    modal_.edge.is_end_due = false;
     std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
 }
 
@@ -156,9 +170,11 @@ void TextState::call_tool(const Block& block, const Effect& effect) {
             std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
             pending_.push_back({&deferred, modal_.tool.value});
         }
+        modal_.edge.length = modal_.tool.value;
     }
     modal_.edge.number = {true, 1};
     modal_.edge.is_lost = false;
+    modal_.edge.is_end_due = false;
     // Behind a move without length the new one is not travelled yet, either.
     modal_.edge.is_length_due = modal_.edge.is_length_due || modal_.edge.waiting != 0;
     modal_.edge.waiting = 0;

@@ -99,6 +99,8 @@ struct TextEdge {
     bool is_lost = false;        // one acted, and nobody knows which one does now
     bool is_length_due = false;  // it acts again; its axis has not moved since
     double waiting = 0;          // the one that a block without tool length has put aside; 0: none
+    bool is_end_due = false;     // the length ends with the next move of its axis
+    double length = 0;           // number of the offset that the program has as length; 0: none
 };
 
 /// What is so of the letter F beside its number.

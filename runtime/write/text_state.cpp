@@ -262,6 +262,20 @@ void TextState::edge_is_said(const WrittenPosition& position) {
 
 void TextState::length_acts() { modal_.edge.is_length_due = false; }
 
+void TextState::hold_length(const Block& block, const Deferred* deferred, double number) {
+    drop_pending_length();
+    if (deferred != nullptr) pending_.push_back({deferred, number});
+    modal_.edge.is_end_due = deferred == nullptr;
+    modal_.edge.length = number;
+    mean(Group::LengthComp, deferred != nullptr ? Function::LengthCompOn : Function::LengthCompOff);
+    change_length(block);
+}
+
+void TextState::length_is_said(Function function) {
+    assume(function);
+    modal_.edge.is_end_due = false;
+}
+
 Standing TextState::drop_edge() { return std::exchange(modal_.edge.number, Standing{true, 0}); }
 
 void TextState::let_wait(double edge) { modal_.edge.waiting = edge; }

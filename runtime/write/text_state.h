@@ -82,6 +82,11 @@ class TextState {
     double call_waiting_edge();
     void edge_is_said(const WrittenPosition& position);
     void length_acts();
+    /// A change of the length, which words of the block say that moves the axis next.
+    ///
+    /// deferred  what stands for the length with the number; null: it ends
+    void hold_length(const Block& block, const Deferred* deferred, double number);
+    void length_is_said(Function function);
     /// Edge 0 acts; returns the one before.
     Standing drop_edge();
     void let_wait(double edge);
