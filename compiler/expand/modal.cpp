@@ -336,9 +336,11 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
             break;
         case Kind::SelectsEdge:
         case Kind::WritesLength:
-        case Kind::SelectsRadius:  // what lengths and radii are, the control knows
-        case Kind::RunsCycle:      // native_cycles.cpp
-        case Kind::Own: break;
+        case Kind::SelectsRadius: break;  // what lengths and radii are, the control knows
+        case Kind::RunsCycle: break;      // native_cycles.cpp
+        case Kind::Own:
+            if (effect.function == Function::SpindleSpeed) take_numbered_speed(block, effect);
+            break;
     }
 }
 
@@ -438,6 +440,27 @@ void ModalState::turn_spindle(const nc::Block& block, const nc::Effect& effect) 
     if (master_spindle != before) lose_spindle(block.source);
 }
 
+/// `S1=1000`: of the master spindle it is what `S1000` is.
+void ModalState::take_numbered_speed(const nc::Block& block, const nc::Effect& effect) {
+    const nc::Invocation& invocation = effect.invocation_in(block);
+    const double spindle =
+        block.argument(invocation, parameter_of<Function::SpindleSpeed>("spindle"));
+    if (master_spindle != 0 && spindle != master_spindle) return;
+    take_speed(block.argument(invocation, parameter_of<Function::SpindleSpeed>("speed")), block);
+    // Which one is the master nobody knows, and so not whose speed it is either.
+    if (master_spindle == 0) has_speed = false;
+}
+
+void ModalState::take_speed(double value, const nc::Block& block) {
+    speed = value;
+    has_speed = true;
+    lacks_speed = false;
+    had_cutting_speed |= (*this)[Group::SpeedMode] == Function::CuttingSpeedOn;
+    speed_by = block.source;
+    lost &= ~sema::kSpeedBit;
+    if (block.skip < 0) restate &= ~sema::kSpeedBit;
+}
+
 void ModalState::lose_spindle(SourceId source) {
     active[static_cast<std::size_t>(Group::Spindle)] = Function::None;
     lost |= sema::group_bit(Group::Spindle);
@@ -503,15 +526,7 @@ void ModalState::take_words(const nc::Block& block) {
         lost &= ~sema::kFeedBit;
         if (block.skip < 0) restate &= ~sema::kFeedBit;
     }
-    if (block.has(nc::Slot::Speed)) {
-        speed = block.at(nc::Slot::Speed);
-        has_speed = true;
-        lacks_speed = false;
-        had_cutting_speed |= (*this)[Group::SpeedMode] == Function::CuttingSpeedOn;
-        speed_by = block.source;
-        lost &= ~sema::kSpeedBit;
-        if (block.skip < 0) restate &= ~sema::kSpeedBit;
-    }
+    if (block.has(nc::Slot::Speed)) take_speed(block.at(nc::Slot::Speed), block);
     if ((block.given & nc::kTargetSlots) != 0) take_targets(block);
 }
 

@@ -185,6 +185,8 @@ struct ModalState {
     /// 3, 4, 5 as in M3, M4, M5.
     void turn_spindle(const nc::Block& block, const nc::Effect& effect);
     void lose_spindle(SourceId source);
+    void take_speed(double value, const nc::Block& block);
+    void take_numbered_speed(const nc::Block& block, const nc::Effect& effect);
     void take_length_offset(const nc::Block& block, const nc::Effect& effect);
     void set_spindle(double code, SourceId source);
 

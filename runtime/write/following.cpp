@@ -115,7 +115,10 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
             break;
         case EffectKind::RunsCycle: forget_motion(); break;
         case EffectKind::EndsProgram: has_ended_ = true; break;
-        case EffectKind::Own: break;
+        case EffectKind::Own:
+            // Whose speed it is, the master at that time says.
+            if (effect.function == Function::SpindleSpeed) modal_.speed.is_known = false;
+            break;
     }
 }
 
