@@ -40,7 +40,7 @@ bool has_direction(const Block& block) { return block.find(Fact::ToolWord) != nu
             is_in_plane && (block.absolute & block.given & bit(center_slot(axis))) != 0;
         const bool is_coordinate = block.has(slot) && !text.is_distance(block, axis);
         if ((start.known >> axis & 1u) != 0 || !(is_coordinate || is_center_absolute)) continue;
-        messages.position_unknown(block, kAxisNames[axis]);
+        messages.position_unknown(block, kAxisNames[axis], axis);
         return kFailed;
     }
     return kDone;

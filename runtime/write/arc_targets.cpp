@@ -53,12 +53,12 @@ void place_center_as_given(const TextView& text, Messages& messages, const Block
             if (!is_coordinate && is_start_known)
                 number += text.to_text(slot, start.text[axis] * text.on_part(axis));
             if (!is_coordinate && !is_start_known)
-                messages.position_unknown(block, text.address_of(slot).name);
+                messages.position_unknown(block, text.address_of(slot).name, axis);
         } else if (is_coordinate) {
             // A coordinate, where the control takes distances only, needs the start.
             if (text.tables.notation.has_modes) targets.wrapped_absolute |= bit(slot);
             else if (is_start_known) number -= text.to_text(slot, start.text[axis]);
-            else messages.position_unknown(block, text.address_of(slot).name);
+            else messages.position_unknown(block, text.address_of(slot).name, axis);
         }
         targets.written |= bit(slot);
         targets.number[static_cast<std::size_t>(slot)] = number;
@@ -77,7 +77,7 @@ void place_center_as_coordinates(const TextView& text, Messages& messages, const
         const Slot slot = center_slot(axes[i]);
         if (!text.has_address(slot)) return messages.cannot_express(block, "an arc centre");
         if ((start.known >> axes[i] & 1u) == 0)
-            return messages.position_unknown(block, kAxisNames[axes[i]]);
+            return messages.position_unknown(block, kAxisNames[axes[i]], axes[i]);
         const SlotMask end = bit(static_cast<Slot>(axes[i]));
         if ((targets.written & end) == 0) {
             const auto slot_of_end = static_cast<Slot>(axes[i]);
@@ -272,7 +272,8 @@ void place_arc_as_given(const TextView& text, Messages& messages, const Block& b
 void place_arc_feed(const TextView& text, Messages& messages, const Block& block,
                     const WrittenPosition& start, Targets& targets) {
     if (!text.modal.units.inverse_time || !text.feed_word.arc_by_radius) return;
-    if (!is_chord_known(text, block, start)) return messages.position_unknown(block, "F");
+    if (!is_chord_known(text, block, start))
+        return messages.position_unknown(block, "F", text.unknown_ends(block, start));
     targets.feed_factor = meant_arc(text, block, start).sweep;
 }
 
@@ -286,11 +287,13 @@ void place_helix_feed(const TextView& text, Messages& messages, const Block& blo
     const auto third = static_cast<Slot>(axes[2]);
     if (!block.has(third)) return;
     const bool is_way = text.is_distance(block, axes[2]);
-    if (!is_way && (start.known >> axes[2] & 1u) == 0) return messages.position_unknown(block, "F");
+    if (!is_way && (start.known >> axes[2] & 1u) == 0)
+        return messages.position_unknown(block, "F", text.unknown_ends(block, start));
     const double height = (block.at(third) - (is_way ? 0 : start.meant[axes[2]])) *
                           text.on_part(axes[2]) * text.modal.frame.factors[axes[2]];
     if (std::fabs(height) < kSame) return;
-    if (!is_chord_known(text, block, start)) return messages.position_unknown(block, "F");
+    if (!is_chord_known(text, block, start))
+        return messages.position_unknown(block, "F", text.unknown_ends(block, start));
     const auto [sweep, radius] = meant_arc(text, block, start);
     const double turns = block.has(Slot::Turns) ? std::nearbyint(block.at(Slot::Turns)) : 0;
     const double arc = radius * (sweep + 2 * std::numbers::pi * turns) *

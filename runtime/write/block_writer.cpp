@@ -332,7 +332,7 @@ BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& 
     } else {
         const std::optional<std::size_t> axis = longer_travel(block);
         if (!axis) {
-            messages_.position_unknown(block, "F");
+            messages_.position_unknown(block, "F", text_.unknown_ends(block, modal_.position));
             return Written::Already;
         }
         said.given &= ~bit(Slot::Feed);

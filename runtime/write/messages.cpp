@@ -64,13 +64,23 @@ bool Messages::first_time(const Block& block, std::string_view what) {
     return reported_.insert(key).second;
 }
 
-void Messages::position_unknown(const Block& block, std::string_view name) {
+void Messages::position_unknown(const Block& block, std::string_view name, SlotMask axes) {
     if (!fails_first_time(block, name)) return;
+    std::string names;
+    std::string words;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if ((axes >> axis & 1u) == 0) continue;
+        axes &= ~(SlotMask{1} << axis);
+        const bool is_last = (axes & kTargetSlots) == 0;
+        names += names.empty() ? "" : is_last ? " and " : ", ";
+        names += kAxisNames[axis];
+        words += ' ' + std::string(kAxisNames[axis]) + "…";
+    }
     DiagnosticBuilder builder = sink_.report(diag::WriterPositionUnknown, word_place(block, name));
-    builder.arg(name);
+    builder.arg(name).arg(names);
     if (name == "F" && !block.has(Slot::Feed))
         builder.note("the feed that acts is worked out again for this block");
-    builder.fix("name the coordinates of the axes in a block before it: `G0 X… Y…`, `Z…`");
+    builder.fix("say where it is in a block before it: `G0" + words + '`');
 }
 
 void Messages::cannot_express(const Block& block, const std::string& what) {

@@ -46,7 +46,11 @@ class Messages {
     void fail() { failed_ = true; }
 
     void cannot_express(const Block& block, const std::string& what);
-    void position_unknown(const Block& block, std::string_view name);
+    /// name  of the word that needs the positions of the axes
+    void position_unknown(const Block& block, std::string_view name, SlotMask axes);
+    void position_unknown(const Block& block, std::string_view name, std::size_t axis) {
+        position_unknown(block, name, SlotMask{1} << axis);
+    }
     /// value: in the unit of the text, before what a form makes of it.
     void number_fault(const Block& block, NumberFault fault, double value, Dimension dimension,
                       std::string_view name);

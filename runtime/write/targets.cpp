@@ -67,7 +67,7 @@ void place_target(TextState& state, Messages& messages, const Block& block, std:
     } else if (by_itself) {
         writes_distance = text_distance == Function::Incremental || targets.needs_incremental;
         if (writes_distance != is_distance && !was_known)
-            messages.position_unknown(block, kAxisNames[axis]);
+            messages.position_unknown(block, kAxisNames[axis], axis);
     }
     const double text = state.modal().position.text[axis];
     targets.number[axis] = (writes_distance ? text - old_text : text) * scale;
@@ -112,7 +112,8 @@ void place_axes_feed(const TextView& text, Messages& messages, const Block& bloc
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (!block.has(static_cast<Slot>(axis))) continue;
         const std::optional<double> distance = text.meant_way(block, start, axis);
-        if (!distance) return messages.position_unknown(block, "F");
+        if (!distance)
+            return messages.position_unknown(block, "F", text.unknown_ends(block, start));
         const bool turns = is_rotary(static_cast<Axis>(axis));
         const double unit = turns && text.modal.units.inch_feed ? kMmPerInch : 1;
         (turns ? turn : axis < 3 ? way : parallel) += *distance * *distance * unit * unit;

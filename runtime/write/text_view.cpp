@@ -126,6 +126,13 @@ std::optional<double> TextView::meant_way(const Block& block, const WrittenPosit
                                              : way;
 }
 
+SlotMask TextView::unknown_ends(const Block& block, const WrittenPosition& start) const {
+    SlotMask axes = block.given & kTargetSlots & ~start.known;
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+        if (is_distance(block, axis)) axes &= ~(SlotMask{1} << axis);
+    return axes;
+}
+
 bool TextView::is_standing(Slot slot, double value, const Standing& standing) const {
     return standing.is_known && standing.value == round_to(to_text(slot, value), decimals(slot));
 }

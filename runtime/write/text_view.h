@@ -62,6 +62,9 @@ struct TextView {
     std::optional<double> meant_way(const Block& block, const WrittenPosition& start,
                                     std::size_t axis) const;
 
+    /// Axes that the block brings to coordinates from where nobody knows.
+    SlotMask unknown_ends(const Block& block, const WrittenPosition& start) const;
+
     /// Whether the number that would be written is in force already.
     bool is_standing(Slot slot, double value, const Standing& standing) const;
     /// The form of a shift that stays, if a line with this code is one.
