@@ -31,6 +31,16 @@ static bool says_feed(const sema::ParameterInfo& parameter) {
     return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
 }
 
+/// `SST` and `SST1` alike: a way out with the speed of the way in is none of its own.
+static void forget_equal_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
+                              std::span<double> values) {
+    const auto at = nc::find_parameter(parameters, "at");
+    const auto back = nc::find_parameter(parameters, "back");
+    if (!at || !back || parameters[*back].kind != sema::ParameterInfo::Kind::Speed) return;
+    const bool are_given = (given >> *at & 1u) != 0 && (given >> *back & 1u) != 0;
+    if (are_given && values[*at] == values[*back]) values[*back] = 0;
+}
+
 /// How a cycle leaves the spindle if the last of its own blocks that is about it makes it stand;
 /// None: it turns on, or nothing is said of it.
 static Function standing_behind(const sema::Code& code, const sema::FunctionCode& cycle) {
@@ -140,6 +150,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         values[i] = neat(values[i] * kMinute);
     }
     const std::span<const double> arguments(values.data(), parameters.size());
+    forget_equal_back(parameters, given, values);
     if (!target.has_native_cycle(cycle, given, arguments, options.refusals)) {
         // A call in the control's own words: what it does not say, the control has by itself.
         given &= frame.given;
