@@ -44,8 +44,14 @@ Done Expander::State::check_factor(double factor, std::uint32_t at) {
     if (is_sized && factor > 0) return kDone;
     auto builder = fault(is_sized || factor == 0 ? diag::FrameScale : diag::FrameScaleRange, at);
     builder.arg(factor);
-    if (is_sized) builder.fix("use `mirror(…)` to turn a side over");
-    else if (factor == 0) builder.fix("`scale_off()` ends a scale");
+    if (is_sized)
+        builder.fix(
+            "use `mirror(…)` to turn a side over, in a FANUC's source `G51.1`, in a "
+            "SINUMERIK's `AMIRROR`");
+    else if (factor == 0)
+        builder.fix(
+            "`scale_off()` ends a scale, in a FANUC's source `G50`, in a SINUMERIK's "
+            "`SCALE`");
     else builder.fix("is it a percentage? 1 is the size as programmed");
     return kFailed;
 }

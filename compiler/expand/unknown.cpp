@@ -188,9 +188,9 @@ void Expander::State::report_loss(DiagnosticBuilder builder, std::string_view wh
         builder.note(code.statements[modal.lost_by.index], words_of(modal.lost_in));
     }
     builder.fix(std::string(fix));
-    if (modal.lost_in == Loss::RawText)
-        builder.fix("or say behind the raw text all at once what the part needs: " +
-                    words_of_lost(modal.lost));
+    const std::string words = words_of_lost(modal.lost);
+    if (modal.lost_in == Loss::RawText && !words.empty())
+        builder.fix("or say behind the raw text all at once what the part needs: " + words);
 }
 
 Done Expander::State::require_state(const Block& block, std::uint32_t at) {

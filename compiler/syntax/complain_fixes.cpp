@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "nc/tables.h"
 #include "syntax/habits.h"
 #include "syntax/keyword.h"
 #include "syntax/parse.h"
@@ -310,6 +311,17 @@ void Complaints::fix_value_of_word(const Lexeme& word, DiagnosticBuilder& report
     }
 }
 
+/// A form that begins with the address; null: the control has no such address.
+static const nc::Form* form_of_address(const nc::Dialect& dialect, std::string_view name) {
+    const nc::AddressId address = dialect.tables().find_address(name);
+    if (address == nc::kNoAddress) return nullptr;
+    const auto& forms = dialect.tables().forms;
+    const auto found = std::ranges::find_if(forms, [&](const nc::Form& form) {
+        return !form.words.empty() && form.words[0].address == address;
+    });
+    return found == forms.end() ? nullptr : &*found;
+}
+
 /// `X d`, `X-d`, `X(d)`, `X[d*2]`: the address with its value behind `=`.
 void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) const {
     const Token token = place.offending.token;
@@ -322,9 +334,19 @@ void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) c
         return;
     }
     const std::size_t close = matching(place.index);
-    // `R[1]=5`: a variable of a control.
-    if (stream_.lexeme(close + 1).token == Token::Assign)
-        return fix_control_variable(place.previous, report);
+    // `R[1]=5`: a variable of a control; `SPOS[1]=90`: a word of it.
+    if (stream_.lexeme(close + 1).token == Token::Assign) {
+        const std::string_view said = file_.text.substr(
+            place.previous.begin, stream_.lexeme(close).end - place.previous.begin);
+        const nc::Form* form = form_of_address(dialect_, said);
+        const std::string address(file_.spelling(place.previous));
+        if (form == nullptr && address.size() > 1 && form_of_address(dialect_, address) != nullptr)
+            return static_cast<void>(report.fix(
+                "`" + address + "` takes no number in brackets here: `" + address + "=…`"));
+        if (form == nullptr) return fix_control_variable(place.previous, report);
+        report.fix("a function says it: `" + std::string(nc::info(form->function).name) + "(…)`");
+        return;
+    }
     const bool is_whole = ends_value(stream_.lexeme(close + 1).token);
     const std::string inside = round_brackets(place.index);
     report.fix(file_.range(place.previous.end, stream_.lexeme(close).end),
