@@ -290,7 +290,11 @@ FormId FormChooser::choose_form(const Block& block, const Invocation& invocation
     }
     const std::string_view name = info(invocation.function).name;
     if (blocking != Function::None) {
-        if (messages_.fails_first_time(block, name)) {
+        const bool is_frame = has_fact(invocation.function, Fact::ChangesFrame) &&
+                              has_fact(blocking, Fact::ChangesFrame);
+        const bool follows = is_frame && modal_.frame.is_refused;
+        if (is_frame) state_.refuse_frame();
+        if (messages_.fails_first_time(block, name) && !follows) {
             DiagnosticBuilder builder = messages_.report(diag::WriterFrameOrder, block);
             builder.arg(tables_.name).arg(name).arg(info(blocking).name);
             if (info(blocking).group == Group::RadiusComp)

@@ -275,6 +275,7 @@ void TextState::follow_shift(const FrameChange& change) {
         origin = {true, shift};
     }
     modal_.frame.rotation = modal_.frame.mirror = modal_.frame.scale = Activity::No;
+    modal_.frame.is_refused = false;
     modal_.frame.factors = {1, 1, 1};
     modal_.frame.turned = 0;
 }

@@ -27,6 +27,7 @@ void TextFrame::join(const TextFrame& other) {
         keep(origin[i], other.origin[i]);
     }
     turned |= other.turned;
+    is_refused |= other.is_refused;
     if (rotation != other.rotation) rotation = Activity::Unknown;
     if (mirror != other.mirror) mirror = Activity::Unknown;
     if (scale != other.scale) scale = Activity::Unknown;

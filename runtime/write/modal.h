@@ -81,9 +81,10 @@ struct TextFrame {
     Activity rotation = Activity::No;
     Activity mirror = Activity::No;
     Activity scale = Activity::No;
-    Activity tilted = Activity::No;             // whether the working plane is
-    TurnMiss turn;                              // of the rotation
-    TurnMiss tilt;                              // of the tilted plane
+    Activity tilted = Activity::No;  // whether the working plane is
+    bool is_refused = false;  // a change of it has its message, and what follows meets another one
+    TurnMiss turn;            // of the rotation
+    TurnMiss tilt;            // of the tilted plane
     std::array<double, 3> factors = {1, 1, 1};  // of the scale, X Y Z
     SlotMask turned = 0;                        // axes on which a rotation or mirroring acts
     std::array<Standing, 3> shift{};            // arguments of a function that remembers them

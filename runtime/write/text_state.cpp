@@ -102,6 +102,8 @@ void TextState::mean_all(const Block& block) {
     }
 }
 
+void TextState::refuse_frame() { modal_.frame.is_refused = true; }
+
 void TextState::end_lead(const Standing& feed, bool is_other) {
     feed_word_.is_lead = false;
     modal_.meant_feed = feed.value;

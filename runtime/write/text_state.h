@@ -49,6 +49,8 @@ class TextState {
     void say_shift(std::size_t argument, double value);
     /// A word of a start line with a shift that stays: from the beginning the axis has it.
     void start_shift(const Form& form, AddressId address, double value);
+    /// A frame that no word of the text says: until a shift replaces all of them.
+    void refuse_frame();
     /// The angle of a frame, whose rounding the positions behind it pay for.
     void say_turn(const Block& block, const Invocation& invocation, double angle_deg, int places);
 
