@@ -54,7 +54,9 @@ TEST(Command, CopiesShareNothing) {
     Command command(Op::Spline);
     command.motion().spline().degree = 2;
     command.motion().dynamics.made().feed = 0.5;
-    command.motion().tool_turn = ToolTurn{.angle = 1};
+    ToolTurn turn;
+    turn.angle = 1;
+    command.motion().tool_turn = turn;
     Command copy = command;
     copy.motion().spline().degree = 3;
     copy.motion().dynamics->feed = 1;
