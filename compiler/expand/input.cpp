@@ -223,7 +223,7 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
             steps.shift_add({values[kX], values[kX + 1], values[kX + 2]},
                             {given[kX], given[kX + 1], given[kX + 2]});
         } else {
-            constexpr std::size_t kAngle = parameter_of<Function::Rotate>("angle");
+            constexpr std::size_t kRotation = parameter_of<Function::Rotate>("angle");
             constexpr std::size_t kX = parameter_of<Function::Rotate>("x");
             const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
             for (const std::size_t axis : {plane.first, plane.second}) {
@@ -232,7 +232,7 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
                 return kFailed;
             }
             steps.rotate_off();
-            steps.rotate(values[kAngle], modal[Group::Plane],
+            steps.rotate(values[kRotation], modal[Group::Plane],
                          {values[kX], values[kX + 1], values[kX + 2]});
         }
         return say();
