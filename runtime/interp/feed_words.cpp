@@ -55,18 +55,19 @@ bool FeedWords::may_count_degrees(const Block& block) const {
 /// A degree is as much in F as a unit of length: an inch where F is in inches. So it is on every
 /// control in a block in which rotary axes move alone, of which none has a radius of its own
 /// (SINUMERIK programming manual, FGREF); with other axes where F is the speed of all of them.
-void FeedWords::count_degrees(const Block& block, path::Motion& motion) const {
+void FeedWords::count_degrees(const Block& block, path::Command& command) const {
     AxisMask moving = 0;
     for (const machine::MachineAxis& axis : machine_.axes) {
         const std::size_t i = index(axis.axis);
-        if (motion.to[i] != position_.base()[i]) moving |= bit(axis.axis);
+        if (command.to[i] != position_.base()[i]) moving |= bit(axis.axis);
     }
     const auto turning = static_cast<AxisMask>(moving & kRotaryABC);
     const bool turns_alone = moving == turning;
     const bool counts_all = rules_.feed_of_all_axes && !turns_alone && (moving & ~kLinearXYZ) != 0;
     const bool has_inches = block.has_inch_feed && turning != 0 && (turns_alone || counts_all);
     if (!counts_all && !has_inches) return;
-    path::Dynamics& said = motion.dynamics.made();
+    if (command.dynamics.empty()) command.dynamics.emplace_back();
+    path::Dynamics& said = command.dynamics.front();
     if (counts_all) said.feed_axes = axes_.present;
     constexpr double kSame = 1e-9;  // mm: a program may say the control's radius
     for (double& radius : said.feed_radius)

@@ -35,7 +35,7 @@ class FeedWords {
     void take_tooth_feed();
     void take_polynomial(const nc::Block& block, const nc::Invocation& invocation);
     bool may_count_degrees(const nc::Block& block) const;
-    void count_degrees(const nc::Block& block, path::Motion& motion) const;
+    void count_degrees(const nc::Block& block, path::Command& command) const;
 
   private:
     Channel& channel_;

@@ -23,7 +23,7 @@ class Stages {
     /// turn  of the tool in a motion; null: it stays as it stands
     path::Command& put(path::Op op, const nc::Block& block, const TurnPlan* turn = nullptr);
     /// … of a motion where nothing waits, nothing compensates and nothing turns the tool.
-    path::Motion& put_straight_out(path::Op op, const nc::Block& block);
+    path::Command& put_straight_out(path::Op op, const nc::Block& block);
     /// Every command that waits, in the order of the road backwards: what is out, but had no room,
     /// comes first.
     template <typename Visit>
@@ -41,8 +41,7 @@ class Stages {
     void locate(nc::Block& at, SourceId source, std::uint32_t line) const;
 
   private:
-    void fill_in_head(path::Command& command, const nc::Block& block);
-    void fill_in_modal(path::Motion& motion, const nc::Block& block);
+    void fill_in_modal(path::Command& command, const nc::Block& block);
 
     Channel& channel_;
     Reporter& reporter_;

@@ -68,7 +68,7 @@ class ToolInUse {
     void move_behind_switch(const nc::Block& block);
     path::Vec3 length_shift_of(const path::Vec3& lengths) const;
     void set_length_shift(const path::Vec3& shift);
-    path::ToolLength& put_tool_length(const nc::Block& block, Axis axis);
+    path::Command& put_tool_length(const nc::Block& block, Axis axis);
 
   private:
     void put_tool_offset(const nc::Block& block, const nc::Invocation& invocation,

@@ -31,7 +31,7 @@ class ToolMotion {
     machine::JointLimits joint_limits() const;
     void put_joints(const path::Vec3& joints, Target& target) const;
     /// plan  of the motion; null: the tool stays as it stands
-    void put_orientation(path::Motion& motion, const TurnPlan* plan);
+    void put_orientation(path::Command& command, const TurnPlan* plan);
     bool goes_straight(path::Op op) const;
     bool goes_straight(const nc::Block& block, const Actions& actions) const;
     Done require_point_to_point_way(const nc::Block& block, const Actions& actions);

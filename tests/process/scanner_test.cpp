@@ -197,7 +197,7 @@ TEST(Scanner, ABeamMayComeBeforeTheMark) {
 
 TEST(Scanner, ADwellWaitsOrExposes) {
     Command dwell = simple(Op::Dwell);
-    dwell.dwell().time = 0.0015;
+    dwell.time = 0.0015;
     Command off = simple(Op::Spindle);
     Scanned done;
     run(scanner_of(),
@@ -345,15 +345,15 @@ TEST(Scanner, BatchesDoNotShow) {
 TEST(Scanner, WhatItCannotDoIsAnAlarm) {
     Command tool = simple(Op::Tool);
     Command machine_place = rapid_to({1, 1, 0});
-    machine_place.motion().machine_coordinates = true;
+    machine_place.machine_coordinates = true;
     Command thread = line_to({1, 0, 0}, 1);
-    thread.become(Op::Thread);
+    thread.op = Op::Thread;
     Command no_feed = line_to({1, 0, 0}, 0);
     Command turns = simple(Op::Dwell);
-    turns.dwell().revolutions = 2;
+    turns.revolutions = 2;
     Command rotary = line_to({1, 0, 0}, kFeed);
-    rotary.motion().to[index(Axis::C)] = 5;
-    rotary.motion().moved |= bit(Axis::C);
+    rotary.to[index(Axis::C)] = 5;
+    rotary.moved |= bit(Axis::C);
     const struct {
         const char* name;
         Command command;
