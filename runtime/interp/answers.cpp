@@ -47,7 +47,6 @@ Answers::Answers(Channel& channel)
       preset_(channel.state.motion.preset),
       modal_cycles_(channel.state.cycle.modal_cycles) {}
 
-/// A count of the machine's axes from 1, or a name: −1 X, −2 Y …
 std::optional<Axis> Answers::axis_of(std::int64_t index) const {
     if (index < 0) {
         const auto axis = static_cast<std::size_t>(-index - 1);
@@ -116,14 +115,11 @@ double Answers::mirrored_axes() const {
     return bits;
 }
 
-/// The clock takes notice of the commands that came out since it was last asked.
 void Answers::count_time() {
     for (; clocks_.timed < output_.written(); ++clocks_.timed)
         clocks_.run.add(output_.at(clocks_.timed));
 }
 
-/// How long the program has run, s: what waits for its corner has been executed by then. A corner
-/// may make it a little shorter than it was taken for; time never goes back for that.
 double Answers::run_time() {
     count_time();
     RunClock clock = clocks_.run;

@@ -14,20 +14,35 @@ class Answers {
     Answers(const Answers&) = delete;
     Answers& operator=(const Answers&) = delete;
 
+    /// The modal state behind the latest block, for people.
     std::vector<StateItem> state() const;
+    /// The same and positions, as numbers.
     Snapshot snapshot() const;
+    /// Nothing: the control does not have it.
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
+    /// acts_at_once  or with the next word that calls it
     ControlAccess::Write set_quantity(nc::Quantity quantity, std::int64_t first,
                                       std::int64_t second, double value, bool acts_at_once);
+    /// Whether the axis of this number is counted in mm.
     bool is_length(std::int64_t axis) const;
+    /// A name; nothing: there is none of this number.
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
+    /// Likewise.
     ControlAccess::Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text);
+    /// By which programs count axes, from 1.
     std::optional<std::int64_t> axis_number(Axis axis) const;
+    /// By which a word of the axis is larger than its way: 2 where X is a diameter.
     double word_factor(std::int64_t axis) const;
+    /// A count of the machine's axes from 1, or a name: −1 X, −2 Y …
     std::optional<Axis> axis_of(std::int64_t index) const;
+    /// mm or degrees; nothing: it is no position.
     std::optional<double> place_of(nc::Quantity quantity, Axis axis) const;
+    /// The clock takes notice of the commands that came out since it was last asked.
     void count_time();
+    /// How long the program has run, s: what waits for its corner has been executed by then. A
+    /// corner may make it a little shorter than it was taken for; time never goes back for that.
     double run_time();
+    /// Whether the cutter is led beside the contour, or comes to it.
     bool is_compensated() const;
 
   private:

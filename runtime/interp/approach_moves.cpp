@@ -195,7 +195,6 @@ void SmoothApproaches::approach_smoothly(const Block& block, const Actions& acti
     channel_.motions.arrive(target);
 }
 
-/// What a block has put while an approach waits; when its contour has begun, all goes on.
 void SmoothApproaches::settle_approach(const Block& block) {
     if (reporter_.has_alarm()) return;
     if (const DiagnosticRow* fault = smooth_approach_.end_block(rules_.comp_empty_blocks)) {

@@ -17,11 +17,18 @@ class BlockFunctions {
 
     /// M functions that take the machine time, at one side of the block's motion.
     enum class Side : std::uint8_t { Before, Behind };
+    /// Every default is executed as if it stood in a block of its own. Nobody has written it: there
+    /// is no place to tell anything of it. Units are the reader's matter.
     void power_on();
+    /// What they do at once; what waits for the motion is the answer.
     Actions apply_functions(const nc::Block& block);
+    /// Spindle, tool, coolant, data, in the control's order.
     void act_before_motion(const nc::Block& block, const Actions& actions);
+    /// Stops, the end, what the rules put there.
     void act_after_motion(const nc::Block& block, const Actions& actions);
+    /// Whether the function chooses another working plane.
     bool is_other_plane(nc::Function function) const;
+    /// Whether the path stops until the machine has acknowledged a function of a block.
     bool is_awaited(const nc::Block& block, const nc::Invocation& invocation) const;
     nc::Changer changer() const { return is_lathe_ ? nc::Changer::Turret : nc::Changer::Magazine; }
 

@@ -84,7 +84,6 @@ void Carriers::choose_carrier(const Block& block, const Invocation& invocation, 
     actions.programs_carrier = true;
 }
 
-/// Whether the carrier has to be worked out anew: it, its angles, or a tool on it is said.
 bool Carriers::takes_carrier(const Block& block, const Actions& actions) const {
     if (actions.programs_carrier)
         return carrier_.number != 0 || carrier_.stand || block.find(Function::ToolCarrier);
@@ -151,7 +150,6 @@ std::optional<Carrier> Carriers::standing_carrier(const Block& block, const Carr
     return std::nullopt;
 }
 
-/// Frames lie on the carrier's table; no axis moves.
 void Carriers::lay_on_carrier() {
     path::Frame tables = path::translation(carrier_.stand->table_shift());
     if (tilted_plane_.on_tables) tables.linear = carrier_.stand->table();
@@ -171,8 +169,6 @@ void Carriers::end_carrier() {
     channel_.tool.expect_length();
 }
 
-/// The plane that is being swivelled to has its own: the lengths are those of the tool again.
-/// False: no carrier acted.
 bool Carriers::leave_carrier() {
     if (!carrier_.stand) return false;
     carrier_.number = 0;
@@ -181,7 +177,6 @@ bool Carriers::leave_carrier() {
     return true;
 }
 
-/// No transformation is switched on beside a carrier.
 Done Carriers::require_no_carrier(const Block& block, Function function) {
     if (!carrier_.stand || function == Function::TcpOff) return kDone;
     reporter_.report(diag::IsoNotSupported, block, function)
@@ -189,12 +184,10 @@ Done Carriers::require_no_carrier(const Block& block, Function function) {
     return kFailed;
 }
 
-/// Whether a carrier has turned the tool.
 bool Carriers::is_turned_by_carrier() const {
     return carrier_.stand && !carrier_.stand->head().isApprox(path::Mat3::Identity(), 1e-12);
 }
 
-/// … and the working plane of the program is square to it.
 bool Carriers::is_plane_on_carrier() const {
     const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
     const Vec3 tool = carrier_.stand->head() * normal;
@@ -228,8 +221,6 @@ std::optional<double> Carriers::carrier_quantity(Quantity quantity, std::int64_t
     return axis ? -1.0 - static_cast<double>(index(*axis)) : 0.0;
 }
 
-/// What of a carrier that acts is written counts from its next call on. `$TC_CARR1[0]=0` forgets
-/// all carriers.
 Write Carriers::set_carrier(Quantity quantity, std::int64_t first, std::int64_t second,
                             double value) {
     const auto datum = static_cast<std::size_t>(second / nc::kDatum);

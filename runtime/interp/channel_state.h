@@ -1,7 +1,7 @@
 // channel_state.h — what more than one part of a channel reads. Internal to interp.
 //
-// A part that may change something of it has a reference that is not const: tests/house counts
-// them.
+// A part that may change something of it has a reference that is not const, and tests/house holds
+// that no member is written in more than two files.
 #pragma once
 
 #include <cstdint>

@@ -57,7 +57,6 @@ MotionChecks::MotionChecks(Channel& channel)
       length_shift_(channel.state.motion.length_shift),
       contour_(channel.state.cycle.contour) {}
 
-/// Between the code that gears the spindle and the tapping cycle no axis moves.
 Done MotionChecks::require_no_move_before_tap(const Block& block, SlotMask targets) {
     if (!taps_rigidly_ || targets == 0 || block.is_of_cycle()) return kDone;
     if (block.find(Function::TapRigid) != nullptr) return kDone;
@@ -105,16 +104,12 @@ Done MotionChecks::require_feed(const Block& block, std::string_view what) {
     return kDone;
 }
 
-/// Nothing is cut: the spindle may stand, and what is in it need not be a tool. A feed per
-/// revolution would wait for ever where it stands.
 Done MotionChecks::require_probe_feed(const Block& block) {
     const bool has_feed = modal_.has_feed && modal_.feed > 0;
     if (has_feed && modal_.feed_mode == FeedMode::PerMinute) return kDone;
     return require_feed(block, "probing move");
 }
 
-/// A rapid that dives below the workpiece zero of a mill while the spindle stands. On a lathe, and
-/// in another plane, Z is not the way into the workpiece.
 void MotionChecks::check_rapid(const Block& block, const Target& target) {
     constexpr auto kZ = static_cast<std::size_t>(Axis::Z);
     const bool stands = spindle_.mode == SpindleMode::Stop;
@@ -126,7 +121,6 @@ void MotionChecks::check_rapid(const Block& block, const Target& target) {
     reporter_.report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
 }
 
-/// A cut on a machine that changes tools, with whatever turns in the spindle.
 void MotionChecks::check_tool(const Block& block) {
     const bool asks = options_.asks_for_tool && machine_.tool_change_time != 0;
     if (!asks || tool_.current != 0 || !told_.first_time(Once::NoTool)) return;

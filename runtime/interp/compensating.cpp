@@ -135,7 +135,6 @@ void RadiusCompensation::choose_comp_side(const Block& block, Function function,
     actions.radius_comp = side;
 }
 
-/// The choices of a block count together, whatever their order in it.
 void RadiusCompensation::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == CompSide::Off) {
         comp_.side = CompSide::Off;
@@ -177,7 +176,6 @@ std::optional<path::Vec2> RadiusCompensation::direction_in_base(
     return direction.normalized();
 }
 
-/// The direction that the centre's words say beside the code that ends the compensation.
 std::optional<path::Vec2> RadiusCompensation::leave_direction(const Block& block) const {
     if (!rules_.comp_end_by_center || block.find(Function::RadiusCompOff) == nullptr)
         return std::nullopt;
@@ -189,7 +187,6 @@ std::optional<path::Vec2> RadiusCompensation::leave_direction(const Block& block
     return direction_in_base(direction);
 }
 
-/// An arc about the corner at which the cutter is, in a block of its own.
 void RadiusCompensation::round_comp_corner(const Block& block, const Invocation& invocation) {
     if ((block.given & nc::kTargetSlots) != 0) {
         reporter_.report(diag::CompCornerMoves, block, invocation.function);
@@ -212,7 +209,6 @@ void RadiusCompensation::round_comp_corner(const Block& block, const Invocation&
     send_comp(change);
 }
 
-/// At its place among the commands: behind a corner that is not known yet.
 void RadiusCompensation::send_comp(const CompChange& change) {
     if (corners_.is_active()) return corners_.change(change);
     change_comp(change);
@@ -403,16 +399,12 @@ CompSettings RadiusCompensation::comp_settings() const {
     return settings;
 }
 
-/// How the plane lies in which the cutter is compensated: that of the base system, or that of the
-/// program, if frames have tilted it; there left and right are the program's. A carrier that turns
-/// the tool turns its plane, and that has to be the program's.
 path::Mat3 RadiusCompensation::comp_lie() const {
     const bool is_in_base = rules_.comp_in_base_plane && !tilted_plane_.is_on &&
                             !comp_.is_in_frame && !channel_.carriers.is_turned_by_carrier();
     return is_in_base ? path::Mat3::Identity() : plane_lie();
 }
 
-/// How the plane of the program lies, if frames have tilted it.
 path::Mat3 RadiusCompensation::plane_lie() const {
     if (!frames_.is_plane_tilted(modal_.plane)) return path::Mat3::Identity();
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
@@ -458,10 +450,6 @@ void RadiusCompensation::take_comp_tool(const Block& block, std::int64_t number,
     if (is_turned) change.aside = radius * tip_direction(tip);
 }
 
-/// What a block has put goes through the compensation; what is settled of it goes out.
-///
-/// here     where the tool is behind the block, not compensated
-/// is_last  no block waits behind it
 void RadiusCompensation::settle_comp(const Block& block, const AxisValues& here, bool is_last) {
     std::optional<CompAlarm> alarm;
     if (comp_3d_.is_on()) {
@@ -505,7 +493,6 @@ void RadiusCompensation::report_comp(const CompAlarm& alarm) {
     reporter_.report(*alarm.row, at);
 }
 
-/// Whether cutter radius compensation must have ended before the function.
 bool RadiusCompensation::needs_comp_off(const Block& block, Function function) const {
     const bool acts = comp_.is_on() && block.find(Function::RadiusCompOff) == nullptr;
     if (!rules_.comp_is_innermost || !acts || block.is_of_cycle()) return false;

@@ -14,9 +14,13 @@ class ContourTables {
     ContourTables(const ContourTables&) = delete;
     ContourTables& operator=(const ContourTables&) = delete;
 
+    /// Empty: from here on blocks become a table; else what hinders it.
     std::string_view begin_contour();
+    /// The elements; nothing: one was reported.
     std::optional<ContourElements> end_contour();
+    /// The block is one that a contour can have.
     Done require_contour_block(const nc::Block& block);
+    /// What acted in a block that was executed, for the elements that come of it.
     void note_contour_block(const nc::Block& block);
 
   private:

@@ -67,7 +67,6 @@ std::string_view ContourTables::begin_contour() {
     return {};
 }
 
-/// The block is one that a contour can have.
 Done ContourTables::require_contour_block(const Block& block) {
     if (!channel_.executor.acts(block)) return kDone;
     const auto refuse = [&](const DiagnosticRow& row, Function function) {
@@ -91,7 +90,6 @@ Done ContourTables::require_contour_block(const Block& block) {
     return kDone;
 }
 
-/// What acted in a block that was executed, for the elements that come of it.
 void ContourTables::note_contour_block(const Block& block) {
     if (block.kind != Block::Kind::Nc) return;
     ContourRun::Said said;

@@ -100,7 +100,6 @@ void Cornering::take_corner_feed(const Block& block, const Invocation& invocatio
     else reporter_.report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
 }
 
-/// Tells the corners what this block wants, before it puts its motion.
 void Cornering::wish_corner(const Block& block, const Actions& actions) {
     if (block.is_of_cycle()) return;
     if (channel_.tool_motion.goes_straight(block, actions)) {
@@ -167,13 +166,10 @@ void Cornering::put_wish(const Block& block, CornerWish wish) {
     if (const DiagnosticRow* why = corners_.wish_behind(wish, place)) reporter_.report(*why, block);
 }
 
-/// Whether the words of arcs beside a line say a corner.
 bool Cornering::has_square_corner(const Block& block) const {
     return rules_.corner_by_arc_words && !block.is_of_cycle() && modal_.motion == Function::Line;
 }
 
-/// A chamfer or a rounding at a square corner, said by the words of arcs beside a line: the centre
-/// word of the other axis, or a radius, whose sign is the way on.
 void Cornering::wish_square_corner(const Block& block, const Target& target) {
     const SlotMask words = block.given & nc::kArcSlots;
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
@@ -209,7 +205,6 @@ void Cornering::wish_square_corner(const Block& block, const Target& target) {
 
 // ------------------------------------------------------------------------------ out
 
-/// A cycle, or the end of the text, has no corner with the motion before it.
 void Cornering::leave_corners(const DiagnosticRow& why) {
     if (!corners_.is_active()) return;
     const std::optional<CornerMessage> message = corners_.leave(why);

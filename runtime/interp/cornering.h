@@ -14,12 +14,20 @@ class Cornering {
     Cornering(const Cornering&) = delete;
     Cornering& operator=(const Cornering&) = delete;
 
+    /// A chamfer, a rounding, or their feed, at the end of the block's motion.
     void choose_corner(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    /// Tells the corners what this block wants, before it puts its motion.
     void wish_corner(const nc::Block& block, const Actions& actions);
+    /// Whether the words of arcs beside a line say a corner.
     bool has_square_corner(const nc::Block& block) const;
+    /// A chamfer or a rounding at a square corner, said by the words of arcs beside a line: the
+    /// centre word of the other axis, or a radius, whose sign is the way on.
     void wish_square_corner(const nc::Block& block, const Target& target);
+    /// A cycle, or the end of the text, has no corner with the motion before it.
     void leave_corners(const DiagnosticRow& why);
+    /// What is settled goes on to the next stage.
     void pass_corners();
+    /// At the block that asked for the corner.
     void report_corner(const CornerMessage& message);
     /// Whether a corner at the end of a motion may still be wished for, by a block behind it.
     bool wishes_corners() const { return rounding_ > 0 || rules_.corner_in_own_block; }

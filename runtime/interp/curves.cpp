@@ -70,7 +70,6 @@ std::string joined(const std::vector<std::string_view>& names) {
 
 }  // namespace
 
-/// A call of a curve. What is wrong with it stops the program as any alarm does.
 void Motions::move_along_curve(const Block& block, const nc::Invocation& call) {
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
     const path::CurveKind* kind = path::find_curve(info.curve);

@@ -14,8 +14,11 @@ class CycleShapes {
     CycleShapes(const CycleShapes&) = delete;
     CycleShapes& operator=(const CycleShapes&) = delete;
 
+    /// The blocks behind the call, up to its last one, are the shape.
     void begin_shape(const nc::Block& block, const ModalCycle& call);
+    /// The block is one that the shape can have.
     Done require_shape_block(const nc::Block& block);
+    /// Behind a block of the shape: was it the last one?
     void end_shape_block(const nc::Block& block);
     bool keeps_shape() const { return shape_ && !shape_->is_followed; }
 

@@ -199,7 +199,6 @@ void Cycles::call_cycle(const Block& block, const Actions& actions) {
     if (count_times(actions.cycle_words)) start_cycle(block, call);
 }
 
-/// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
 void Cycles::call_behind_motion(const Block& block) {
     const bool is_circle_said =
         (block.given & nc::kArcSlots) != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
@@ -222,7 +221,6 @@ void Cycles::call_behind_motion(const Block& block) {
     call_cycle(call, actions);
 }
 
-/// The cycle that was defined last, with the parameters of its definition.
 void Cycles::call_defined(const Block& block) {
     if (!modal_cycles_.defined) {
         reporter_.report(diag::CycleUndefined, block, Function::CycleCall);
@@ -239,7 +237,6 @@ void Cycles::call_defined(const Block& block) {
     call_cycle(call, actions);
 }
 
-/// The motion code behind a cycle ended it; what was its depth is the place of the tool axis.
 void Cycles::move_instead_of_cycle(const Block& block, const Actions& actions) {
     reporter_.report(diag::CycleBesideMotion, block, Function::Cycle).arg("the motion");
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
@@ -259,8 +256,6 @@ void Cycles::move_instead_of_cycle(const Block& block, const Actions& actions) {
 // ------------------------------------------------------------------------------ words of modal
 // cycles
 
-/// The level of a cycle is a word of the plane's normal; in another plane than X-Y its word of Z is
-/// a place.
 const Block& Cycles::with_depth_apart(const Block& block) {
     const Invocation* const said = block.find(Function::Cycle);
     if (said == nullptr || callers_.runs(Callers::Kind::Cycle) || is_lathe_ ||
@@ -409,7 +404,6 @@ void Cycles::go_straight(ModalCycle& call) {
 
 // ------------------------------------------------------------------------------ calls
 
-/// Keeps parameters for the calls that follow; each line says all of its own anew.
 void Cycles::preset_cycle(const Block& block, const Invocation& invocation) {
     // Words of a target are those of a call, which lacks something; they must move nothing.
     if ((block.given & nc::kTargetSlots) != 0) {
@@ -497,8 +491,6 @@ void Cycles::end_where_tool_stands(ModalCycle& call) const {
     }
 }
 
-/// A code of a single motion is executed in the mode of a cycle to an end in X and Z; what the
-/// calls before have said of the end holds no longer.
 void Cycles::forget_ends() {
     ModalCycle& modal = modal_cycles_.modal;
     for (const std::string_view name : {"x", "z", "taper"}) {
@@ -508,7 +500,6 @@ void Cycles::forget_ends() {
     }
 }
 
-/// Whether a modal cycle acts among whose places no other motion stands.
 bool Cycles::is_among_positions() const {
     const ModalCycle& modal = modal_cycles_.modal;
     return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle].parameters, "x");
@@ -566,7 +557,6 @@ void Cycles::repeat_cycle(const Block& block, const Actions& actions) {
     if (count_times(actions.cycle_words)) start_cycle(block, modal_cycles_.modal);
 }
 
-/// Moves to the place in the plane and opens the stream of the cycle's blocks.
 void Cycles::start_cycle(const Block& block, ModalCycle call, const CycleShape* shape) {
     if (comp_.is_on()) {
         reporter_.report(diag::CycleCompensated, block);
@@ -845,8 +835,6 @@ AxisValues Cycles::position_in_cycle() const {
     return position;
 }
 
-/// Cycles are written for the plane X-Y with the tool axis Z; in another plane the words belong to
-/// its first axis, its second axis and its tool axis.
 const Block& Cycles::in_plane_of_cycle(const Block& block) {
     if (cycle_plane() == path::Plane::Xy || block.kind != Block::Kind::Nc) return block;
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
@@ -871,8 +859,6 @@ const Block& Cycles::in_plane_of_cycle(const Block& block) {
     return cycle_.remapped;
 }
 
-/// A block that goes to a machine coordinate or probes stands in no cycle. Behind a single cycle to
-/// an end in X and Z the way to a machine coordinate is a motion of its own.
 Done Cycles::require_no_cycle(const Block& block, const Actions& actions) {
     if (!modal_cycles_.modal.is_active && actions.cycle == nullptr) return kDone;
     if (actions.cycle == nullptr && !actions.probes && !is_among_positions()) {

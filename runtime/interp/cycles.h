@@ -39,23 +39,43 @@ class Cycles {
     void begin_level_here();
     void return_to_retract(bool is_wanted) { modal_cycles_.returns_to_retract = is_wanted; }
 
+    /// Whether a program runs that is called at a position.
     bool is_at_pattern_position() const;
+    /// It has ended: the next position comes.
     void leave_pattern_position();
+    /// The program leaves the pattern before its last position.
     void leave_pattern();
+    /// Here, or at every position from here on where it is modal.
     void call_cycle(const nc::Block& block, const Actions& actions);
+    /// Keeps parameters for the calls that follow; each line says all of its own anew.
     void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
+    /// The cycle that was defined last, with the parameters of its definition.
     void call_defined(const nc::Block& block);
+    /// At the position that the block names.
     void repeat_cycle(const nc::Block& block, const Actions& actions);
+    /// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
     void call_behind_motion(const nc::Block& block);
+    /// The motion code behind a cycle ended it; what was its depth is the place of the tool axis.
     void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
+    /// Moves to the place in the plane and opens the stream of the cycle's blocks.
     void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
+    /// The level of a cycle is a word of the plane's normal; in another plane than X-Y its word of
+    /// Z is a place.
     const nc::Block& with_depth_apart(const nc::Block& block);
+    /// What acted before it acts again; what its caller does behind its motion is due.
     void finish_cycle();
     /// null: the pattern has no more positions
     void go_to_position(const nc::Block* position);
+    /// A code of a single motion is executed in the mode of a cycle to an end in X and Z; what the
+    /// calls before have said of the end holds no longer.
     void forget_ends();
+    /// Whether a modal cycle acts among whose places no other motion stands.
     bool is_among_positions() const;
+    /// A block that goes to a machine coordinate or probes stands in no cycle. Behind a single
+    /// cycle to an end in X and Z the way to a machine coordinate is a motion of its own.
     Done require_no_cycle(const nc::Block& block, const Actions& actions);
+    /// Cycles are written for the plane X-Y with the tool axis Z; in another plane the words belong
+    /// to its first axis, its second axis and its tool axis.
     const nc::Block& in_plane_of_cycle(const nc::Block& block);
 
   private:

@@ -75,7 +75,6 @@ bool DangerWatch::first_time_of_feed(const DiagnosticRow& row, const Block& bloc
     return false;
 }
 
-/// The feed of a cut with a turning spindle, where it is another one than that of the cut before.
 void DangerWatch::watch_feed(const Block& block) {
     if (only_turns_axes(block) || is_scanning_) return;
     dangers_.feed = modal_.feed;
@@ -110,7 +109,6 @@ void DangerWatch::watch_feed(const Block& block) {
         at_feed(diag::FeedAboveMachine).arg(round_to(per_minute, kShownDecimals)).arg(most);
 }
 
-/// A motion to this X, a radius in the programmed system, under constant cutting speed.
 void DangerWatch::watch_cutting_speed(const Block& block, double from, double to) {
     if (told_.has_reported(Once::SpeedLimit) || channel_.spindles.highest_speed() > 0 || contour_)
         return;
@@ -130,7 +128,6 @@ void DangerWatch::watch_cutting_speed(const Block& block, double from, double to
         .arg(shown);
 }
 
-/// A motion along the axis of the tool's length while another one is to act than before.
 void DangerWatch::watch_length(const Block& block, Axis axis) {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     const bool is_same_length = number == dangers_.length;
@@ -155,8 +152,6 @@ void DangerWatch::watch_length(const Block& block, Axis axis) {
         .arg(tool_.current);
 }
 
-/// The first cut of a tool, in a program that has called lengths of others by their numbers: one
-/// that calls none at all has them in its work offsets.
 void DangerWatch::watch_missing_length(const Block& block) {
     if (contour_ || block.is_of_cycle()) return;
     dangers_.cut_tool = tool_.current;
@@ -178,8 +173,6 @@ void DangerWatch::watch_turret_offset(const Block& block, std::int64_t number) {
     reporter_.report(diag::OtherToolsOffset, block).arg(number).arg(tool_.current);
 }
 
-/// `G04 F2`: where F and S say no time, the code that dwells (ISO 6983-1) is an exact stop, and the
-/// feed is changed.
 void DangerWatch::watch_dwell(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     const SlotMask others = block.given & (bit(Slot::Feed) | bit(Slot::Speed));
@@ -196,9 +189,6 @@ void DangerWatch::watch_dwell(const Block& block) {
         .arg((others & bit(Slot::Feed)) != 0 ? "F" : "S");
 }
 
-/// Tapping whose pitch is the feed per minute divided by the speed, `G84 … F1.25` under G94.
-///
-/// function  where it is said, if the block has no F
 void DangerWatch::watch_tap(const Block& block, Function function) {
     const double pitch = modal_.feed / spindle_.speed;
     if (!(pitch < danger::kLeastPitch)) return;
@@ -211,7 +201,6 @@ void DangerWatch::watch_tap(const Block& block, Function function) {
         .arg(unit == 1 ? "mm/min" : "in/min");
 }
 
-/// X becomes a diameter, as on a lathe.
 void DangerWatch::watch_diameter(const Block& block, Function function) {
     if (options_.has_named_machine || is_lathe_ || told_.has_reported(Once::DiameterOnMill)) return;
     if (is_allowed(diag::DiameterOnMill, block)) return;
@@ -221,8 +210,6 @@ void DangerWatch::watch_diameter(const Block& block, Function function) {
         .fix("`-m lathe` runs it on one");
 }
 
-/// The radius of an offset is about to act beside a contour. Shops number the offsets of radii as
-/// they like, so only that of another tool of the machine is one.
 void DangerWatch::watch_radius(const Block& block, std::int64_t number) {
     const bool is_by_number = tool_.radius_offset != 0 && number == tool_.radius_offset;
     if (!is_by_number || tool_.current == 0 || number == tool_.current || is_lathe_) return;
@@ -247,8 +234,6 @@ double DangerWatch::below_retract() const {
     return dangers_.rapid_end[axis] - position_.base()[static_cast<std::size_t>(axis)];
 }
 
-/// The spindle is about to stop. Of a lathe its tool stands beside the part; a cycle knows what it
-/// does, and a tool that has gone straight down bores or taps, where the stop belongs to the work.
 void DangerWatch::watch_spindle_stop(const Block& block) {
     const bool turns =
         spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
@@ -265,7 +250,6 @@ void DangerWatch::watch_spindle_stop(const Block& block) {
         .arg(format_shortest(round_to(below, kShownDecimals)));
 }
 
-/// Another tool is about to come.
 void DangerWatch::watch_change(const Block& block) {
     if (!dangers_.has_moved || dangers_.is_at_rapid || contour_ ||
         channel_.transformation.is_transformed())
@@ -281,7 +265,6 @@ void DangerWatch::watch_change(const Block& block) {
              " mm below the last retract");
 }
 
-/// `C2` beside a line on a lathe may have been meant as a chamfer, where the control wants a comma.
 void DangerWatch::watch_turn_of_part(const Block& block, const Target& target) {
     if (!is_lathe_ || !block.has(nc::Slot::C)) return;
     constexpr auto kC = index(Axis::C);

@@ -8,8 +8,6 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
-#include "base/text.h"
-#include "base/units.h"
 #include "interp/answers.h"
 #include "interp/block_functions.h"
 #include "interp/channel.h"
@@ -26,7 +24,6 @@
 #include "interp/stages.h"
 #include "interp/tilted_planes.h"
 #include "interp/virtual_plane.h"
-#include "nc/tables.h"
 
 namespace kadr::interp {
 
@@ -34,7 +31,6 @@ using nc::Block;
 using nc::Function;
 using nc::Slot;
 using path::Command;
-using path::Op;
 
 // ------------------------------------------------------------------------------ the run
 
@@ -72,7 +68,6 @@ Executor::Executor(Channel& channel)
       contour_(channel.state.cycle.contour),
       callers_(channel.state.cycle.callers) {}
 
-/// The state of a control that has been switched on.
 void Executor::start() {
     channel_.spindles.set_up_spindles();
     channel_.frames.begin();
@@ -188,7 +183,6 @@ void Executor::end_of_blocks() {
     reporter_.report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(place));
 }
 
-/// Whether it is a block of the control that the operator lets run.
 bool Executor::acts(const Block& block) const {
     if (block.kind != Block::Kind::Nc) return false;
     return block.skip < 0 ||

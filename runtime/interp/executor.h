@@ -15,10 +15,15 @@ class Executor {
     Executor& operator=(const Executor&) = delete;
 
     enum class Plainly : std::uint8_t { NotPlain, Executed };
+    /// The next commands; 0: the run has ended.
     std::size_t pull(std::span<path::Command> out);
+    /// Whether it is a block of the control that the operator lets run.
     bool acts(const nc::Block& block) const;
+    /// A block of whichever caller, if the operator lets it run.
     void execute(const nc::Block& block);
+    /// The working plane with which the block's motion is meant.
     path::Plane plane_in(const nc::Block& block) const;
+    /// The state of a control that has been switched on.
     void start();
     bool has_open_line() const { return open_line_.has_value(); }
     /// A program has asked or set something: what plain moves take for given may have changed.

@@ -4,7 +4,6 @@
 #include <limits>
 #include <numbers>
 
-#include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "interp/block_words.h"
 #include "interp/channel.h"
@@ -19,7 +18,6 @@ using nc::Invocation;
 using nc::parameter_of;
 using nc::Slot;
 using path::Command;
-using path::FeedMode;
 using path::Op;
 using path::SpindleMode;
 
@@ -27,7 +25,6 @@ void Spindles::program_speed(const Block& block) {
     (spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed) = block.at(Slot::Speed);
 }
 
-/// The spindle keeps the speed that it has at this moment.
 void Spindles::leave_cutting_speed() {
     if (!spindle_.has_cutting_speed) return;
     spindle_.has_cutting_speed = false;
@@ -35,8 +32,6 @@ void Spindles::leave_cutting_speed() {
     if (std::isfinite(speed)) spindle_.speed = speed;  // in the centre without a limit: as before
 }
 
-/// Speed under constant cutting speed where the tool is, rpm; infinite in the centre without a
-/// limit.
 double Spindles::turning_speed() const {
     const double diameter = 2 * std::abs(position_.here()[index(Axis::X)]);
     const double most = machine_.max_speed_of(spindle_.number);
@@ -56,7 +51,6 @@ void Spindles::limit_speed(const Block& block, Function function, double limit) 
     put_speed_limits(block, before);
 }
 
-/// The limit that acts under constant cutting speed, rpm; 0: none.
 double Spindles::highest_speed() const {
     if (spindle_.limit == 0 || spindle_.most == 0) return std::max(spindle_.limit, spindle_.most);
     return std::min(spindle_.limit, spindle_.most);
@@ -96,7 +90,6 @@ double Spindles::bounded_speed(const Block& block) {
     return speed;
 }
 
-/// Tells the motion side what has become of the spindle, if anything has.
 void Spindles::update_spindle(const Block& block) {
     owe_speed(false);
     const bool runs = is_running(spindle_.mode);

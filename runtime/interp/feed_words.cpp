@@ -44,7 +44,6 @@ FeedWords::FeedWords(Channel& channel)
       dynamics_(channel.state.motion.dynamics),
       axes_(channel.state.axes) {}
 
-/// Whether it may matter how much a degree is in F.
 bool FeedWords::may_count_degrees(const Block& block) const {
     constexpr auto kFollowers = static_cast<AxisMask>(~kLinearXYZ);
     const bool has_followers = (block.given & axes_.present & kFollowers) != 0;
@@ -52,9 +51,6 @@ bool FeedWords::may_count_degrees(const Block& block) const {
            !channel_.transformation.is_transformed();
 }
 
-/// A degree is as much in F as a unit of length: an inch where F is in inches. So it is on every
-/// control in a block in which rotary axes move alone, of which none has a radius of its own
-/// (SINUMERIK programming manual, FGREF); with other axes where F is the speed of all of them.
 void FeedWords::count_degrees(const Block& block, path::Command& command) const {
     AxisMask moving = 0;
     for (const machine::MachineAxis& axis : machine_.axes) {
@@ -74,7 +70,6 @@ void FeedWords::count_degrees(const Block& block, path::Command& command) const 
         if (has_inches && std::abs(radius - path::kRadiusOfDegrees) < kSame) radius *= kMmPerInch;
 }
 
-/// The polynomial of the block's motions; its end is F from here on.
 void FeedWords::take_polynomial(const Block& block, const Invocation& invocation) {
     if (modal_.feed_mode == path::FeedMode::PerRevolution) {
         reporter_.report(diag::FeedPolynomialMode, block, invocation.function);
@@ -91,7 +86,6 @@ void FeedWords::take_polynomial(const Block& block, const Invocation& invocation
          {}});
 }
 
-/// The course of a motion's feed falls to this, in the unit of F.
 void FeedWords::report_varying_feed(const path::Command& command, double feed) {
     const Block at = channel_.stages.block_at(command.source, command.line);
     reporter_.report(diag::FeedCourseNotPositive, at).arg(round_to(feed, 3));
@@ -111,7 +105,6 @@ void FeedWords::set_feed(const Block& block) {
     tooth_feed_ = 0;
 }
 
-/// The feed of a tooth times the number of teeth is the feed of a turn.
 void FeedWords::set_tooth_feed(const Block& block, double feed) {
     if (modal_.feed_mode != path::FeedMode::PerRevolution) {
         reporter_.report(diag::ToothFeedIdle, block, Function::ToothFeed);
@@ -126,7 +119,6 @@ void FeedWords::set_tooth_feed(const Block& block, double feed) {
     if (!(modal_.feed > 0)) reporter_.report(diag::TeethUnknown, block, Function::ToothFeed);
 }
 
-/// The tool in the spindle, or its data, may have become others.
 void FeedWords::take_tooth_feed() {
     if (tooth_feed_ == 0) return;
     modal_.feed = tooth_feed_ * tool_offsets_.datum(tool_.edge_number(), kTeeth);

@@ -28,13 +28,24 @@ class FeedWords {
     /// As if F had been said: nothing moves with it.
     void assume(double feed) { (void)exchange({feed, true}); }
 
+    /// The course of a motion's feed falls to this, in the unit of F.
     void report_varying_feed(const path::Command& command, double feed);
+    /// Another meaning of F; some controls forget the old value.
     void select_feed_mode(nc::Function member);
+    /// F of the block, unit of the feed mode.
     void set_feed(const nc::Block& block);
+    /// The feed of a tooth times the number of teeth is the feed of a turn.
     void set_tooth_feed(const nc::Block& block, double feed);
+    /// The tool in the spindle, or its data, may have become others.
     void take_tooth_feed();
+    /// The polynomial of the block's motions; its end is F from here on.
     void take_polynomial(const nc::Block& block, const nc::Invocation& invocation);
+    /// Whether it may matter how much a degree is in F.
     bool may_count_degrees(const nc::Block& block) const;
+    /// A degree is as much in F as a unit of length: an inch where F is in inches. So it is on
+    /// every control in a block in which rotary axes move alone, of which none has a radius of its
+    /// own (SINUMERIK programming manual, FGREF); with other axes where F is the speed of all of
+    /// them.
     void count_degrees(const nc::Block& block, path::Command& command) const;
 
   private:

@@ -38,7 +38,6 @@ auto& numbered(Bases& bases, Quantity quantity, std::int64_t number) {
 
 }  // namespace
 
-/// From the base system to the programmed one; S 6.1.
 control::ControlFrame ProgrammedFrames::total_frame() const {
     const control::ControlFrame outside = chain(frames_.base(), frames_.work_offset());
     const control::ControlFrame inside = chain(frames_.programmable(), frames_.inner());

@@ -21,7 +21,6 @@ using nc::Function;
 using nc::Invocation;
 using nc::parameter_of;
 using nc::parameter_of_all;
-using path::Op;
 
 ProgrammedFrames::ProgrammedFrames(Channel& channel)
     : channel_(channel),
@@ -70,7 +69,6 @@ control::FrameWords ProgrammedFrames::words_of_frame(const Block& block,
                        is_of_axes ? std::size_t{6} : std::size_t{3});
 }
 
-/// A change of the frames by words that name axes.
 void ProgrammedFrames::change_frame(const Block& block, const Invocation& invocation,
                                     void (control::Frames::*change)(const control::FrameWords&)) {
     let_comp_go(block, invocation);
@@ -88,7 +86,6 @@ Done ProgrammedFrames::require_no_places(const Block& block, const Invocation& i
     return kFailed;
 }
 
-/// The place where the tool stands gets other coordinates.
 void ProgrammedFrames::set_position(const Block& block, const Invocation& invocation) {
     if (!require_no_places(block, invocation)) return;
     let_comp_go(block, invocation);
@@ -100,7 +97,6 @@ void ProgrammedFrames::set_position(const Block& block, const Invocation& invoca
     name_position(words);
 }
 
-/// … or has those of its work offset again.
 void ProgrammedFrames::reset_position(const Block& block, const Invocation& invocation) {
     if (!require_no_places(block, invocation)) return;
     let_comp_go(block, invocation);
@@ -164,7 +160,6 @@ control::FrameWords ProgrammedFrames::center_of(const Block& block,
     return center;
 }
 
-/// About X, Y and Z, as far as they are named.
 void ProgrammedFrames::rotate_in_space(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kX =
         parameter_of_all<"x", Function::RotateSpace, Function::RotateSolid>();
@@ -183,7 +178,6 @@ void ProgrammedFrames::rotate_in_space(const Block& block, const Invocation& inv
     frame_changed();
 }
 
-/// One factor, or one for each axis; the axes that nothing is said of keep their size.
 void ProgrammedFrames::scale(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kFactors = parameter_of<Function::Scale>("fx");
     const double all = block.argument(invocation, parameter_of<Function::Scale>("factor"), 1);
@@ -200,7 +194,6 @@ void ProgrammedFrames::scale(const Block& block, const Invocation& invocation) {
     frame_changed();
 }
 
-/// No axis moves when a frame changes, but the tool has other coordinates now.
 void ProgrammedFrames::frame_changed() { position_.see_in(frames_); }
 
 }  // namespace kadr::interp

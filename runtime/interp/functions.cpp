@@ -36,7 +36,6 @@ using nc::Function;
 using nc::Group;
 using nc::Invocation;
 using nc::parameter_of;
-using nc::parameter_of_all;
 using nc::Slot;
 using path::Command;
 using path::FeedMode;

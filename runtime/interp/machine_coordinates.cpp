@@ -3,33 +3,25 @@
 #include <utility>
 
 #include "base/diagnostics/iso.h"
-#include "base/numbers.h"
 #include "interp/block_words.h"
 #include "interp/channel.h"
 #include "interp/programmed_frames.h"
 #include "interp/transformation.h"
-#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
 using nc::parameter_of;
-using nc::parameter_of_all;
 using nc::SlotMask;
-using path::Command;
-using path::Op;
 
 // ------------------------------------------------------------------------------ without frames
 
-/// Whether the block is one like any other, to places of the tip in machine coordinates: it is
-/// compensated and rounded, and it may be an arc or a thread. S 6.3.
 bool ProgrammedFrames::is_without_frames(const Actions& actions) const {
     return actions.machine_coordinates && rules_.machine_coordinates_keep_length &&
            !rules_.machine_coordinates_rapid;
 }
 
-/// For this block no frame acts.
 Done ProgrammedFrames::take_frames_off(const Block& block) {
     constexpr SlotMask kPlaces = nc::kTargetSlots | nc::kPolarSlots | nc::kArcSlots;
     if ((block.given & kPlaces) == 0) return kDone;

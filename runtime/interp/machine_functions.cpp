@@ -47,7 +47,6 @@ bool BlockFunctions::has_changed(std::int64_t code, const Actions& actions) cons
     return true;
 }
 
-/// Whether the path stops until the machine has acknowledged a function of a block.
 bool BlockFunctions::is_awaited(const nc::Block& block, const nc::Invocation& invocation) const {
     const machine::MachineFunction* known = machine_.find_function(code_of(block, invocation));
     return known != nullptr && known->waits;

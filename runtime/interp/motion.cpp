@@ -316,7 +316,6 @@ void Motions::line(const Block& block, const Target& programmed, Op op, bool exa
     if (probing) note_probed(*probing);
 }
 
-/// What the words of a block mean here.
 MotionView Motions::motion_view() const {
     return {modal_.motion,
             modal_.plane,

@@ -14,17 +14,30 @@ class MotionChecks {
     MotionChecks(const MotionChecks&) = delete;
     MotionChecks& operator=(const MotionChecks&) = delete;
 
+    /// G25, G26, G22: mm.
     void set_area_limit(const nc::Block& block, const nc::Invocation& invocation);
+    /// Between the code that gears the spindle and the tapping cycle no axis moves.
     Done require_no_move_before_tap(const nc::Block& block, nc::SlotMask targets);
+    /// what  is moved, for the message
     Done require_feed(const nc::Block& block, std::string_view what);
+    /// Nothing is cut: the spindle may stand, and what is in it need not be a tool. A feed per
+    /// revolution would wait for ever where it stands.
     Done require_probe_feed(const nc::Block& block);
+    /// A rapid that dives below the workpiece zero of a mill while the spindle stands. On a lathe,
+    /// and in another plane, Z is not the way into the workpiece.
     void check_rapid(const nc::Block& block, const Target& target);
+    /// A cut on a machine that changes tools, with whatever turns in the spindle.
     void check_tool(const nc::Block& block);
+    /// Another unit is warned of behind a motion, and refused where the control forbids it.
     void check_units(const nc::Block& block, nc::Function function);
+    /// base  end of the motion, mm and degrees, without the tool's length
     Done require_within_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
+    /// The axes alone, whatever the work area.
     Done require_within_machine(const nc::Block& block, const AxisValues& base, AxisMask moved);
+    /// At its end and wherever it bulges.
     Done require_arc_within_limits(const nc::Block& block, const path::Arc& arc,
                                    const Target& target);
+    /// mm, base system.
     Done require_box_within_limits(const nc::Block& block, const path::Box& box);
 
   private:

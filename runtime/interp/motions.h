@@ -16,16 +16,29 @@ class Motions {
     Motions(const Motions&) = delete;
     Motions& operator=(const Motions&) = delete;
 
+    /// Which motion the block is, and its way.
     void move(const nc::Block& block, const Actions& actions);
+    /// The tool stands at the target; its named axes were programmed.
     void arrive(const Target& target);
+    /// The library's words about what was probed last. Where nobody has said where the part lies,
+    /// it lies where the program expects it.
     void use_probed(const nc::Block& block, const nc::Invocation& invocation);
+    /// A straight motion or one at rapid, with its checks.
     void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
+    /// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
+    /// Where the axes stand gets other machine coordinates; no axis moves. What the machine itself
+    /// knows, limits and fixed points, stays where it is.
     void preset_axes(const nc::Block& block, const nc::Invocation& invocation);
+    /// A call of a curve. What is wrong with it stops the program as any alarm does.
     void move_along_curve(const nc::Block& block, const nc::Invocation& call);
+    /// Words of arcs that the motion does not take.
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
+    /// The two axes of the working plane.
     AxisMask plane_mask() const;
+    /// What the words of a block mean here.
     MotionView motion_view() const;
+    /// What the words of a block mean here, with messages.
     MotionWords motion_words();
 
   private:

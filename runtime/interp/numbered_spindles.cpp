@@ -57,13 +57,11 @@ Spindles::Spindles(Channel& channel)
       owes_speed_(channel.state.spindle.owes_speed),
       told_(channel.state.told) {}
 
-/// The spindles of the machine, all standing, the first one as the master.
 void Spindles::set_up_spindles() {
     for (const machine::MachineSpindle& spindle : machine_.spindles)
         other_spindles_.emplace_back().number = spindle.number;
 }
 
-/// A spindle by its number, 0 the master; null: the machine has none such.
 const Spindle* Spindles::spindle_at(std::int64_t number) const {
     if (number == 0 || number == spindle_.number) return &spindle_;
     const auto found = std::ranges::find(other_spindles_, number, &Spindle::number);
@@ -99,7 +97,6 @@ Command& Spindles::put_spindle(const Block& block) {
     return command;
 }
 
-/// Where the machine has several spindles, the number of the one whose turn it is; else 0.
 std::uint8_t Spindles::shown_number() const {
     return other_spindles_.empty() ? 0 : static_cast<std::uint8_t>(spindle_.number);
 }
@@ -132,7 +129,6 @@ void Spindles::select_master(const Block& block, const Invocation& invocation) {
     put_speed_limits(block, limits);
 }
 
-/// What a word says of a spindle by its number.
 void Spindles::act_on_spindle(const Block& block, const Invocation& invocation) {
     with_spindle(block, invocation, [&] {
         switch (invocation.function) {
@@ -162,7 +158,6 @@ void Spindles::act_on_spindle(const Block& block, const Invocation& invocation) 
     });
 }
 
-/// Tells what the block has changed of the spindles by their numbers: the master is told as ever.
 void Spindles::update_other_spindles(const Block& block) {
     for (Spindle& other : other_spindles_) {
         if (!names_spindle(block, other.number)) continue;
@@ -187,7 +182,6 @@ void Spindles::update_other_spindles(const Block& block) {
     }
 }
 
-/// The time of so many revolutions of a spindle is known here; the path follows the master alone.
 void Spindles::dwell_by_spindle(const Block& block, const Invocation& invocation) {
     with_spindle(block, invocation, [&] {
         const double revolutions =

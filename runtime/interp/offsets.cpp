@@ -25,7 +25,6 @@ using Write = ControlAccess::Write;
 static constexpr std::size_t kOffsetNumber =
     parameter_of_all<"number", Function::ToolOffsetData, Function::LatheOffsetData>();
 
-/// Whether there may be such a tool and such an edge of it; an edge that is not said is 0.
 bool ToolInUse::has_edge(std::int64_t tool, std::int64_t edge) const {
     return tool >= 1 && tool <= rules_.tool_offsets && edge >= 0 && edge <= ToolOffsets::kMostEdges;
 }
@@ -52,7 +51,6 @@ Write ToolInUse::set_tool_offset(ToolOffsets::Column column, std::int64_t number
     return Write::Done;
 }
 
-/// `datum_and_edge`: the number of the datum a thousand times, and the cutting edge.
 bool ToolInUse::set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value) {
     const std::int64_t edge = datum_and_edge % nc::kDatum;
     if (!has_edge(number, edge)) return false;
@@ -60,7 +58,6 @@ bool ToolInUse::set_tool_datum(std::int64_t number, std::int64_t datum_and_edge,
     return true;
 }
 
-/// Of the edge that acts, whose data are the same by its number, $TC_DPx[T,D].
 Write ToolInUse::set_active_datum(std::int64_t datum, double value) {
     const std::int64_t number = tool_.edge_number();
     if (const auto column = ToolOffsets::column_of_datum(datum))
@@ -71,8 +68,6 @@ Write ToolInUse::set_active_datum(std::int64_t datum, double value) {
     return Write::Done;
 }
 
-/// Acts with the next motion; S 5.1. Whether the two kinds of lengths end each other is not told
-/// (unsure).
 Write ToolInUse::set_extra(Quantity quantity, std::int64_t first, double value) {
     if (quantity == Quantity::ExtraLength && (first < 1 || first > 3)) return Write::NoSuchEntry;
     if (quantity == Quantity::ExtraAlong) {
@@ -104,7 +99,6 @@ void ToolInUse::write_tool_offset(const Block& block, const Invocation& invocati
     put_tool_offset(block, invocation, column, value);
 }
 
-/// Which columns of the offset the parameters are. The place of the tip is no wear.
 void ToolInUse::write_lathe_offset(const Block& block, const Invocation& invocation) {
     struct Word {
         std::size_t parameter;

@@ -94,8 +94,6 @@ Vec3 Transformation::joints_of(const AxisValues& base) const {
     return joints_at(machine_.kinematics->chain, base);
 }
 
-/// The joints as the control counts its rotary axes 1 and 2. Of a head or a table alone axis 1
-/// carries axis 2; of both, axis 1 is the head's. S 6.5, 7.1.
 std::array<std::size_t, 2> Transformation::joints_in_order() const {
     const Chain& chain = machine_.kinematics->chain;
     const bool both_on_head = chain.joints[machine::kR1].side == machine::Side::Head;
@@ -110,7 +108,6 @@ AxisMask Transformation::joint_axes() const {
     return axes;
 }
 
-/// Where the axes of the machine stand.
 AxisValues Transformation::machine_axes() const { return machine_axes_at(position_.base()); }
 
 AxisValues Transformation::machine_axes_at(const AxisValues& base) const {
@@ -129,9 +126,6 @@ AxisValues Transformation::machine_axes_at(const AxisValues& base) const {
     return axes;
 }
 
-/// The transformation that a block asks for by its number and its data is the machine's. The tool
-/// at base position and the zeros of the rotary axes are the machine file's, and the axes follow
-/// them in the motion too. S 7.1.
 Done Transformation::require_transformation(const Block& block, const nc::Invocation& invocation) {
     constexpr double kSameDirection = 1e-4;  // rad; components are written with four digits
     constexpr std::size_t kNumber = parameter_of<Function::TcpBased>("number");
@@ -171,7 +165,6 @@ Done Transformation::require_transformation(const Block& block, const nc::Invoca
     return kDone;
 }
 
-/// The axes stay where they are; what changes is the system in which the tip is said. S 7.1.
 void Transformation::switch_transformation(const Block& block, const nc::Invocation& invocation) {
     const bool is_wanted = invocation.function != Function::TcpOff;
     if (is_wanted && !machine_.kinematics) {
@@ -205,7 +198,6 @@ void Transformation::switch_transformation(const Block& block, const nc::Invocat
         channel_.tilted_planes.carry(block, joints_of(position_.base()));
 }
 
-/// Inside of a spline no other coordinate system begins. S 7.1: 14402.
 Done Transformation::require_no_spline(const Block& block, Function function) {
     if (!nc::has_fact(modal_.motion, nc::Fact::SplineMotion)) return kDone;
     reporter_.report(diag::TransformationSpline, block, function)
@@ -213,7 +205,6 @@ Done Transformation::require_no_spline(const Block& block, Function function) {
     return kFailed;
 }
 
-/// An axis that the transformation moves does not move by itself. S 7.1: 17610.
 Done Transformation::require_no_lone_axis(const Block& block, SlotMask targets) {
     const auto moved = static_cast<AxisMask>(targets & kLinearXYZ);
     // Where a transformation is a kind of length compensation a rapid is one like any other.
@@ -226,8 +217,6 @@ Done Transformation::require_no_lone_axis(const Block& block, SlotMask targets) 
 
 // ------------------------------------------------------------------------------ with a length
 
-/// As a kind of tool length compensation: the place in the program stays, and X, Y and Z are from
-/// here on the tip in the workpiece as it lies now. F 4.7.
 void Transformation::begin_length_transformation(const Block& block,
                                                  const nc::Invocation& invocation,
                                                  Actions& actions) {
@@ -298,7 +287,6 @@ void Transformation::take_position(const AxisValues& base) {
     position_.come_from(linear(base));
 }
 
-/// The axes stand; the control's point goes back along the tool to where it is without a length.
 void Transformation::end_length_transformation(Actions& actions) {
     const Chain& chain = machine_.kinematics->chain;
     const AxisValues axes = machine_axes();
@@ -314,8 +302,6 @@ void Transformation::end_length_transformation(Actions& actions) {
     actions.switches_length = true;
 }
 
-/// Whether a machine's transformation takes the work offset off is a matter of its set-up: what is
-/// said behind it acts on each. S 7.1. Said once, of the first motion.
 void Transformation::check_offset_programmed(const Block& block) {
     if (!std::exchange(orienting_.owes_offset, false)) return;
     if (!told_.first_time(Once::WorkOffset)) return;
@@ -324,8 +310,6 @@ void Transformation::check_offset_programmed(const Block& block) {
     if (!offset.empty()) warning.fix("say it there: `" + offset + "`");
 }
 
-/// What the control refuses while its transformation is a kind of tool length compensation.
-/// F 4.7: PS5421.
 Done Transformation::require_allowed_under_tcp(const Block& block, Function function) {
     if (!orienting_.has_length || block.is_of_cycle()) return kDone;
     const bool is_peripheral = comp_.is_on() && comp_.is_peripheral_code;

@@ -14,9 +14,14 @@ class PathSmoothing {
     PathSmoothing(const PathSmoothing&) = delete;
     PathSmoothing& operator=(const PathSmoothing&) = delete;
 
+    /// How the corner behind a motion of this block is rounded.
     path::Blending blending(path::Op op) const;
+    /// Whether a motion ends at rest: by what is modal, or by a word of its block alone.
     bool stops_exactly(bool once = false) const;
+    /// Within which tolerance a motion of this block may become a part of a curve; 0: not at all.
+    /// The moves of cycles are what they are.
     double compressing(path::Op op) const;
+    /// How far corners are rounded and whether short lines become curves; mm.
     void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
 
   private:

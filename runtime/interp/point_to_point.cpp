@@ -40,7 +40,6 @@ bool is_told_by_sign(const machine::MachineAxis& axis) {
 
 }  // namespace
 
-/// Whether a motion of this kind goes from point to point.
 bool ToolMotion::goes_straight(Op op) const {
     if (!orienting_.is_on || orienting_.has_length) return false;
     switch (orienting_.point_to_point) {
@@ -52,14 +51,12 @@ bool ToolMotion::goes_straight(Op op) const {
     return false;
 }
 
-/// … the motion of a block.
 bool ToolMotion::goes_straight(const Block& block, const Actions& actions) const {
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_rapid = actions.at_rapid || motion == Function::Rapid;
     return goes_straight(is_rapid ? Op::Rapid : Op::Line);
 }
 
-/// What has a path of its own has no place where axes go from point to point. S 14144.
 Done ToolMotion::require_point_to_point_way(const Block& block, const Actions& actions) {
     const bool is_wanted = orienting_.point_to_point == PointToPoint::All ||
                            (orienting_.point_to_point == PointToPoint::Rapids &&
@@ -86,7 +83,6 @@ Done ToolMotion::require_point_to_point_way(const Block& block, const Actions& a
     return kFailed;
 }
 
-/// Which position of the rotary axes the block wants: `STAT` from here on, `TU` here. S 7.4.
 void ToolMotion::choose_axes(const Block& block, const nc::Invocation& invocation,
                              ToolWords& tool) {
     const Function function = invocation.function;

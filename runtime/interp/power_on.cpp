@@ -25,8 +25,6 @@ bool is_ruled(const nc::Dialect& dialect, Group group) {
 
 }  // namespace
 
-/// Every default is executed as if it stood in a block of its own. Nobody has written it: there is
-/// no place to tell anything of it. Units are the reader's matter.
 void BlockFunctions::power_on() {
     const Reporter::Silence silence(reporter_, Reporter::Locations::Hidden);
     const nc::DialectTables& tables = dialect_.tables();

@@ -90,8 +90,6 @@ void Motions::note_probed(const Probing& probing) {
     position_ = end;
 }
 
-/// The library's words about what was probed last. Where nobody has said where the part lies, it
-/// lies where the program expects it.
 void Motions::use_probed(const Block& block, const Invocation& invocation) {
     if (!probe_.knows_touches() || !probe_.found()) return;
     const auto axis_at = [&](std::size_t parameter) {

@@ -15,31 +15,54 @@ class ProgrammedFrames {
     ProgrammedFrames(const ProgrammedFrames&) = delete;
     ProgrammedFrames& operator=(const ProgrammedFrames&) = delete;
 
+    /// From the base system to the programmed one; S 6.1.
     control::ControlFrame total_frame() const;
+    /// A frame by its variable; nothing: there is none of this number.
     std::optional<control::ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
+    /// acts_at_once  or with the next call of a work offset
     ControlAccess::Write set_frame(nc::Quantity quantity, std::int64_t number,
                                    const control::ControlFrame& frame, bool acts_at_once);
+    /// Back to those of the latest keep_frames, or not: they are kept no longer.
     void restore_frames(bool is_wanted);
+    /// Which base frames act, a bit for each number.
     ControlAccess::Write set_base_mask(nc::Quantity quantity, double mask);
+    /// A block of data writes it: G10 L2.
     void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
+    /// By its number; 0 is the external one. Made where there is none.
     control::ControlFrame& work_offset_at(std::int64_t number);
+    /// mm or degrees.
     ControlAccess::Write set_work_offset(std::int64_t number, Axis axis, double value,
                                          bool acts_at_once);
+    /// 0: none acts.
     void select_work_offset(const nc::Block& block, std::int64_t number);
+    /// A change of the frames by words that name axes.
     void change_frame(const nc::Block& block, const nc::Invocation& invocation,
                       void (control::Frames::*change)(const control::FrameWords&));
+    /// The place where the tool stands gets other coordinates.
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
+    /// … or has those of its work offset again.
     void reset_position(const nc::Block& block, const nc::Invocation& invocation);
+    /// In the working plane, about the centre that the words name.
     void rotate(const nc::Block& block, const nc::Invocation& invocation);
+    /// Behind it some controls want a coordinate of each axis of the plane.
     void end_rotation();
     void end_scaling();
+    /// Of the named axes; of all if it names none.
     void end_mirroring(const nc::Block& block, const nc::Invocation& invocation);
+    /// One factor, or one for each axis; the axes that nothing is said of keep their size.
     void scale(const nc::Block& block, const nc::Invocation& invocation);
+    /// About X, Y and Z, as far as they are named.
     void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
+    /// Whether the block is one like any other, to places of the tip in machine coordinates: it is
+    /// compensated and rounded, and it may be an arc or a thread. S 6.3.
     bool is_without_frames(const Actions& actions) const;
+    /// For this block no frame acts.
     Done take_frames_off(const nc::Block& block);
+    /// Behind the motion of a block in machine coordinates.
     void put_frames_back(const nc::Block& block);
+    /// No axis moves when a frame changes, but the tool has other coordinates now.
     void frame_changed();
+    /// Those of the machine act, and of its work offsets the one that acts at power on.
     void begin();
     /// The frames that acted at another time; the position is seen in them by frame_changed.
     void go_back_to(const control::Frames& frames) { frames_ = frames; }

@@ -43,8 +43,6 @@ void Motions::move_without_length(const Block& block, const Target& target, bool
     });
 }
 
-/// Where the axes stand gets other machine coordinates; no axis moves. What the machine itself
-/// knows, limits and fixed points, stays where it is.
 void Motions::preset_axes(const Block& block, const Invocation& invocation) {
     if (orienting_.is_on || comp_.is_on() || corners_.is_active()) {
         reporter_.report(diag::PresetMisplaced, block, Function::Preset)

@@ -99,7 +99,6 @@ void Motions::move_in_machine_coordinates(const Block& block) {
     if (probes) note_probed(probing);
 }
 
-/// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.
 void Motions::rapid_to_machine_position(const Block& block, const AxisValues& to, AxisMask moved) {
     Target target{{}, to, moved};
     for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];

@@ -2,23 +2,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/diagnostics/iso.h"
-#include "base/units.h"
 #include "interp/answers.h"
 #include "interp/carriers.h"
 #include "interp/channel.h"
 #include "interp/programmed_frames.h"
 #include "interp/spindles.h"
 #include "interp/tool_in_use.h"
-#include "nc/parameters.h"
 
 namespace kadr::interp {
 
-using nc::Block;
-using nc::Function;
-using nc::Invocation;
-using nc::parameter_of;
-using nc::parameter_of_all;
 using nc::Quantity;
 using Write = ControlAccess::Write;
 

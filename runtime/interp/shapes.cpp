@@ -67,7 +67,6 @@ void CycleShapes::begin_shape(const Block& block, const ModalCycle& call) {
     shape_->before = channel_.state.keep();
 }
 
-/// The block is one that the shape can have.
 Done CycleShapes::require_shape_block(const Block& block) {
     if (block.kind != Block::Kind::Nc || is_behind_shape(block)) return kDone;
     for (std::size_t i = 0; i < block.function_count; ++i) {

@@ -14,8 +14,11 @@ class SmoothApproaches {
     SmoothApproaches(const SmoothApproaches&) = delete;
     SmoothApproaches& operator=(const SmoothApproaches&) = delete;
 
+    /// G147, G247, G347.
     void approach_smoothly(const nc::Block& block, const Actions& actions);
+    /// G148, G248, G348.
     void retract_smoothly(const nc::Block& block, const Actions& actions);
+    /// What a block has put while an approach waits; when its contour has begun, all goes on.
     void settle_approach(const nc::Block& block);
 
   private:

@@ -80,7 +80,6 @@ void PathSmoothing::choose_high_speed(const Block& block, const nc::Invocation& 
     modal_.set_path_mode(is_on ? kCorners : Function::ContinuousPath);
 }
 
-/// How the corner behind a motion of this block is rounded.
 path::Blending PathSmoothing::blending(Op op) const {
     path::Blending blending;
     if (virtual_.axes.is_on() || !path::is_motion(op)) return blending;
@@ -101,15 +100,12 @@ path::Blending PathSmoothing::blending(Op op) const {
     return blending;
 }
 
-/// Within which tolerance a motion of this block may become a part of a curve; 0: not at all. The
-/// moves of cycles are what they are.
 double PathSmoothing::compressing(Op op) const {
     if (channel_.transformation.is_transformed() || !smoothing_.compresses || op != Op::Line)
         return 0;
     return smoothing_.tolerance.value_or(machine_.compressor_tolerance);
 }
 
-/// Whether a motion ends at rest: by what is modal, or by a word of its block alone.
 bool PathSmoothing::stops_exactly(bool once) const {
     return dynamics_.has_exact_stop() && (modal_.has_exact_stop || once);
 }

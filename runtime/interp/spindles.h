@@ -21,23 +21,42 @@ class Spindles {
     void set_speed_later(double speed) {
         spindle_.speed = speed;
         owe_speed(true);
+        /// number  0 is the master
     }
 
     bool has_spindle(std::int64_t number) const;
+    /// S of the block: rpm, or m/min under constant cutting speed.
     void program_speed(const nc::Block& block);
+    /// The spindle keeps the speed that it has at this moment.
     void leave_cutting_speed();
+    /// The highest speed under constant cutting speed, rpm.
     void limit_speed(const nc::Block& block, nc::Function function, double limit);
+    /// A speed that nothing programmed passes, rpm; 0 takes the bound away.
     void bound_speed(const nc::Block& block, nc::Function function, bool is_upper, double bound);
+    /// The limit that acts under constant cutting speed, rpm; 0: none.
     double highest_speed() const;
+    /// Speed under constant cutting speed where the tool is, rpm; infinite in the centre without a
+    /// limit.
     double turning_speed() const;
+    /// Tells the motion side what has become of the spindle, if anything has.
     void update_spindle(const nc::Block& block);
+    /// SPOS and M19: it stands at an angle, before the motion.
     void orient_spindle(const nc::Block& block, const nc::Invocation& invocation);
+    /// The spindles of the machine, all standing, the first one as the master.
     void set_up_spindles();
+    /// A spindle by its number, 0 the master; null: the machine has none such.
     const Spindle* spindle_at(std::int64_t number) const;
+    /// Where the machine has several spindles, the number of the one whose turn it is; else 0.
     std::uint8_t shown_number() const;
+    /// SETMS: whose sense M3, M4, M5 and S are.
     void select_master(const nc::Block& block, const nc::Invocation& invocation);
+    /// What a word says of a spindle by its number.
     void act_on_spindle(const nc::Block& block, const nc::Invocation& invocation);
+    /// Tells what the block has changed of the spindles by their numbers: the master is told as
+    /// ever.
     void update_other_spindles(const nc::Block& block);
+    /// The time of so many revolutions of a spindle is known here; the path follows the master
+    /// alone.
     void dwell_by_spindle(const nc::Block& block, const nc::Invocation& invocation);
 
   private:

@@ -33,7 +33,6 @@ constexpr double kNoDirection = 1e-3;
 
 }  // namespace
 
-/// The tool may turn as it is said beside a spline or a polynomial.
 Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& tool) {
     if (!orienting_.is_on && !tool.is_any()) return kDone;
     const bool is_alone =
@@ -59,8 +58,6 @@ Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& 
     return require_no_idle_words(block, tool);
 }
 
-/// What a pole of a B-spline says of the tool: a direction, or the one of the pole before it.
-/// Nothing where no transformation turns the tool.
 Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
                                       ControlPointBlock& pole) {
     if (!orienting_.is_on) return kDone;
@@ -77,10 +74,6 @@ Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
     return kDone;
 }
 
-/// How the tool turns along a span, and where the rotary axes stand at its end: in `to` and in the
-/// position, of which X, Y and Z are behind blocks that have been read meanwhile.
-///
-/// at  whose place messages show
 Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, const path::Curve& span,
                             AxisValues& to, TurnPlan& turn) {
     const Position read = position_;
@@ -130,8 +123,6 @@ Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& 
     return kDone;
 }
 
-/// What a block says of the tool, shared out to the pieces of its polynomial by their lengths: the
-/// directions in which they end.
 Done ToolMotion::share_orientation(const Block& block, const ToolWords& tool,
                                    const std::vector<double>& shares,
                                    const std::vector<ControlPointBlock*>& pieces) {

@@ -83,8 +83,6 @@ Splines::Splines(Channel& channel)
       puts_span_(channel.state.cycle.puts_span),
       dynamics_(channel.state.motion.dynamics) {}
 
-/// Whether a block belongs to the spline that runs. By knots, the function said again begins
-/// another one.
 bool Splines::continues_spline(const Block& block) const {
     const bool is_spline = block.motion == Function::None || block.motion == Function::Spline;
     if (!is_spline || (block.motion == Function::Spline && spline_->is_by_knots())) return false;
@@ -113,7 +111,6 @@ void Splines::set_spline_degree(const Block& block, const nc::Invocation& invoca
         .arg("1, 2 or 3");
 }
 
-/// A block under the spline function: a pole, a knot or both.
 void Splines::spline(const Block& block, const ToolWords& tool) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     const std::optional<double> knot = word(block, Function::SplineKnot, kKnot);

@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "base/diagnostics/doubtful.h"
 #include "base/diagnostics/iso.h"
-#include "base/diagnostics/orienting.h"
 #include "interp/channel.h"
 #include "interp/cornering.h"
 #include "interp/cycle_shapes.h"
@@ -15,18 +13,10 @@
 #include "interp/splines.h"
 #include "interp/tool_motion.h"
 #include "interp/transformation.h"
-#include "interp/word_hints.h"
-#include "nc/parameters.h"
 
 namespace kadr::interp {
 
 using nc::Block;
-using nc::Function;
-using nc::Invocation;
-using nc::parameter_of;
-using nc::parameter_of_all;
-using nc::Slot;
-using nc::SlotMask;
 using path::Command;
 using path::Op;
 
@@ -52,7 +42,6 @@ Stages::Stages(Channel& channel)
       shape_(channel.state.cycle.shape),
       contour_(channel.state.cycle.contour) {}
 
-/// What a block has put goes through the corners and the compensation; what is settled goes out.
 void Stages::settle(const Block& block) {
     if (!corners_.is_active()) return settle_stages(block, position_.base(), true);
     std::optional<CornerMessage> message;
@@ -75,13 +64,11 @@ void Stages::settle_stages(const Block& block, const AxisValues& here, bool is_l
         channel_.compensation.settle_comp(block, here, is_last);
 }
 
-/// Whether commands pass through something that keeps them back; nearly never.
 bool Stages::has_stages() const {
     return corners_.is_active() || channel_.compensation.is_any_comp_on() ||
            smooth_approach_.is_active();
 }
 
-/// Where a command goes that no corner waits for.
 Command& Stages::behind_corners() {
     if (channel_.shapes.keeps_shape()) return shape_->commands.emplace_back();
     if (contour_) return contour_->commands.emplace_back();

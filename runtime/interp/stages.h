@@ -14,9 +14,14 @@ class Stages {
     Stages(const Stages&) = delete;
     Stages& operator=(const Stages&) = delete;
 
+    /// Whether commands pass through something that keeps them back; nearly never.
     bool has_stages() const;
+    /// What a block has put goes through the corners and the compensation; what is settled goes
+    /// out.
     void settle(const nc::Block& block);
+    /// is_last  nothing of the block comes behind it
     void settle_stages(const nc::Block& block, const AxisValues& here, bool is_last);
+    /// Where a command goes that no corner waits for.
     path::Command& behind_corners();
     /// A command in its slot, with what the modal state says of it.
     ///
@@ -24,8 +29,7 @@ class Stages {
     path::Command& put(path::Op op, const nc::Block& block, const TurnPlan* turn = nullptr);
     /// … of a motion where nothing waits, nothing compensates and nothing turns the tool.
     path::Command& put_straight_out(path::Op op, const nc::Block& block);
-    /// Every command that waits, in the order of the road backwards: what is out, but had no room,
-    /// comes first.
+    /// Every command that waits, the nearest to the output first.
     template <typename Visit>
     void visit_waiting(Visit visit) const {
         for (const path::Command& command : output_.waiting()) visit(command);
@@ -33,11 +37,13 @@ class Stages {
         comp_3d_.look_at_waiting(visit);
         smooth_approach_.look_at_waiting(visit);
         corners_.look_at_waiting(visit);
+        /// What the modal state says of a command; one that was something else before forgets it.
     }
     void fill_in(path::Command& command, const nc::Block& block, const TurnPlan* turn = nullptr);
     /// A block for messages, at the place of a command. Where that is the call of the cycle that
     /// runs, it is one of the cycle's.
     nc::Block block_at(SourceId source, std::uint32_t line) const;
+    /// As block_at, into a block that there is.
     void locate(nc::Block& at, SourceId source, std::uint32_t line) const;
 
   private:

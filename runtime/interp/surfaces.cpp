@@ -51,7 +51,6 @@ Done RadiusCompensation::require_constant_tool(const Block& block) {
     return kFailed;
 }
 
-/// How the surface lies along the block, for the cutter on it.
 Done RadiusCompensation::lay_surface(const Block& block, const ToolWords& tool) {
     const auto normals = channel_.tool_motion.normals_of(block, tool);
     if (!normals) return kFailed;
@@ -80,7 +79,6 @@ Done RadiusCompensation::require_tcp_for_peripheral_comp(const Block& block, Fun
     return kFailed;
 }
 
-/// F 4.4: with a tool and a table that turn, lines and positioning only.
 Done RadiusCompensation::require_no_peripheral_arc(const Block& block) {
     const bool is_on = comp_.is_on() && comp_.is_peripheral_code;
     if (!is_on || !is_arc(modal_.motion)) return kDone;

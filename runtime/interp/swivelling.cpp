@@ -234,8 +234,6 @@ void TiltedPlanes::end_swivel(const Block& block) {
     channel_.frames.frame_changed();
 }
 
-/// One axis of the programmed system comes to lie along the tool, the others turn no more than they
-/// have to.
 void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invocation) {
     const double said = block.argument(invocation, parameter_of<Function::ToolFrame>("axis"));
     const auto axis = static_cast<Eigen::Index>(said) - 1;
@@ -264,7 +262,6 @@ void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invoca
     position_.name();  // `Z=IC(100)` behind it is a way along the tool alone
 }
 
-/// PAROT, PAROTOF.
 void TiltedPlanes::follow_tables(const Block& block, bool is_wanted) {
     if (is_wanted && !carrier_.stand && !require_rotary_axes(block, Function::TableFrame)) return;
     tilted_plane_.on_tables = is_wanted;

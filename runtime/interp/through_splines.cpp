@@ -39,7 +39,6 @@ std::optional<Vec3> direction_of(const Vec3& way) {
 
 }  // namespace
 
-/// `kind` as the function says it; what it may be is the dialect's matter.
 void Splines::choose_spline_end(const Block& block, const nc::Invocation& invocation) {
     constexpr std::size_t kKind =
         nc::parameter_of_all<"kind", Function::SplineStart, Function::SplineEnd>();
@@ -50,8 +49,6 @@ void Splines::choose_spline_end(const Block& block, const nc::Invocation& invoca
     (invocation.function == Function::SplineStart ? spline_ends_.start : spline_ends_.end) = kind;
 }
 
-/// Whether a block belongs to the spline that runs: a position, with nothing beside it that ends
-/// the spline. The function may stand there again.
 bool Splines::continues_through(const Block& block) {
     if (block.motion != Function::None && block.motion != through_->function) return false;
     if (only_turns(block)) return false;
@@ -64,8 +61,6 @@ bool Splines::continues_through(const Block& block) {
     return (block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0;
 }
 
-/// Whether a block says how the tool stands at the place where it is: no point of a spline, as a
-/// point cannot stand twice, but not to be left out either. It is run by itself.
 bool Splines::only_turns(const Block& block) {
     const bool is_turned = block.find(nc::Fact::ToolWord) != nullptr;
     const SlotMask targets = block.given & nc::kTargetSlots;
@@ -76,7 +71,6 @@ bool Splines::only_turns(const Block& block) {
     return !((linear(target.base) - linear(position_.base())).norm() > path::kSameKnot);
 }
 
-/// A block with a position under such a function.
 void Splines::go_through(const Block& block, SlotMask targets, const ToolWords& tool) {
     const SlotMask others = targets & ~SlotMask{kLinearXYZ};
     const auto refuse_others = [&] {
@@ -168,8 +162,6 @@ void Splines::finish_through(const Block* next) {
 
 // ------------------------------------------------------------------------------ any spline
 
-/// What is open ends: where the tool is cannot be said inside of a spline. `next` is the block that
-/// ends it, if it is one.
 void Splines::finish_open_spline(const Block* next) {
     if (spline_) finish_spline();
     if (through_) finish_through(next);

@@ -201,7 +201,6 @@ void TiltedPlanes::tilt(const Block& block, const Invocation& invocation) {
     if (machine_.kinematics) carry(block, channel_.transformation.joints_of(position_.base()));
 }
 
-/// Planes by points or vectors stand in several blocks, one behind the other.
 void TiltedPlanes::set_plane_by_blocks(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kNumber =
         parameter_of_all<"number", Function::TiltedPlaneByPoints, Function::TiltedPlaneByVectors>();
@@ -267,7 +266,6 @@ Done TiltedPlanes::require_block_of_open_plane(const Block& block) {
     return kFailed;
 }
 
-/// The plane square to the tool as it stands; frames lie on the turned tables first.
 void TiltedPlanes::tilt_along_tool(const Block& block, const Invocation& invocation) {
     if (!require_place_for_plane(block, invocation, false)) return;
     if (!require_rotary_axes(block, invocation.function)) return;
@@ -306,7 +304,6 @@ Done TiltedPlanes::require_rotary_axes(const Block& block, Function function) {
     return kFailed;
 }
 
-/// The rotary axes turn until the tool is along Z of the plane.
 void TiltedPlanes::align(const Block& block, const Invocation& invocation) {
     const Function function = invocation.function;
     const bool is_about_tip = function == Function::AlignToolAtTip;
@@ -443,8 +440,6 @@ void TiltedPlanes::hold_tip(const Block& block, const Vec3& joints, Op op) {
 
 // ------------------------------------------------------------------------------ what they carry
 
-/// Frames lie on the tables as these joints have turned them, and the tool as the heads have; no
-/// axis moves. Under a transformation both are so anyway.
 void TiltedPlanes::carry(const Block& block, const Vec3& joints) {
     if (!machine_.kinematics || orienting_.is_on) return;
     const AxisValues axes = channel_.transformation.machine_axes();
@@ -484,7 +479,6 @@ void TiltedPlanes::stand_at(const Block& block, const AxisValues& axes, bool too
         path::with_linear(position_.base(), linear(axes) - linear(length_shift_)));
 }
 
-/// A rotary axis that the plane does not follow leads the tool out of it. F 4.8.
 void TiltedPlanes::check_carried(const Block& block) {
     if (told_.has_reported(Once::TiltTurned) || !machine_.kinematics) return;
     const nc::SlotMask turned = block.given & channel_.transformation.joint_axes();

@@ -14,18 +14,33 @@ class TiltedPlanes {
     TiltedPlanes(const TiltedPlanes&) = delete;
     TiltedPlanes& operator=(const TiltedPlanes&) = delete;
 
+    /// A tilted plane by angles; the rotary axes go to it where the function says so.
     void tilt(const nc::Block& block, const nc::Invocation& invocation);
+    /// Planes by points or vectors stand in several blocks, one behind the other.
     void set_plane_by_blocks(const nc::Block& block, const nc::Invocation& invocation);
+    /// The plane square to the tool as it stands; frames lie on the turned tables first.
     void tilt_along_tool(const nc::Block& block, const nc::Invocation& invocation);
+    /// The rotary axes stay.
     void end_tilted_plane(const nc::Block& block);
+    /// A rotation about an axis in space, G68 with I, J, K.
     void turn_in_space(const nc::Block& block, const nc::Invocation& invocation);
+    /// The rotary axes turn until the tool is along Z of the plane.
     void align(const nc::Block& block, const nc::Invocation& invocation);
+    /// Frames lie on the tables as these joints have turned them, and the tool as the heads have;
+    /// no axis moves. Under a transformation both are so anyway.
     void carry(const nc::Block& block, const path::Vec3& joints);
+    /// The tables and the tool are taken as they stand without a plane.
     void drop_carry(const nc::Block& block);
+    /// A rotary axis that the plane does not follow leads the tool out of it. F 4.8.
     void check_carried(const nc::Block& block);
+    /// A plane that takes several blocks gets them one behind the other.
     Done require_block_of_open_plane(const nc::Block& block);
+    /// CYCLE800.
     void swivel(const nc::Block& block, const nc::Invocation& invocation);
+    /// One axis of the programmed system comes to lie along the tool, the others turn no more than
+    /// they have to.
     void frame_along_tool(const nc::Block& block, const nc::Invocation& invocation);
+    /// PAROT, PAROTOF.
     void follow_tables(const nc::Block& block, bool is_wanted);
 
   private:

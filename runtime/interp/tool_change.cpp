@@ -54,8 +54,6 @@ void ToolInUse::set_length_source(Tool::Source source, Actions& actions) {
     actions.length_changed = true;
 }
 
-/// The edge that was said last is of the tool that was selected last: of one that is not in the
-/// spindle yet it acts when it comes there.
 void ToolInUse::take_edge(const Block& block) {
     if (tool_.selected != tool_.current) return;
     tool_.edge = std::exchange(tool_.edge_called, 0);
@@ -79,7 +77,6 @@ void ToolInUse::check_edge(const Block& block) {
         .arg(tool_.current);
 }
 
-/// DL. A new edge has none, and a tool that is changed; S 2.3 with MD20272 = 0 (unsure).
 void ToolInUse::choose_sum_offset(const Block& block, const Invocation& invocation,
                                   Actions& actions) {
     constexpr std::int64_t kMost = 6;  // MD18110
@@ -95,9 +92,6 @@ void ToolInUse::choose_sum_offset(const Block& block, const Invocation& invocati
     actions.comp_changed |= comp_.is_on();
 }
 
-/// What the sum offset adds, mm: to length 1, 2 or 3 (part 1 to 3), or to the radius (4): wear by
-/// the place of use, and what was set up. As data of the edge they are $TC_SCP13 … and $TC_ECP13 …,
-/// ten further for each sum offset.
 double ToolInUse::sum_offset(std::size_t part) const {
     constexpr std::int64_t kWear = 300;
     constexpr std::int64_t kSetUp = 400;

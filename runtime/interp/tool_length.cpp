@@ -41,7 +41,6 @@ Axis ToolInUse::wanted_length_axis() const {
     return path::axes_of(modal_.plane).normal;
 }
 
-/// What should be added to X, Y, Z; S 5.1.
 Vec3 ToolInUse::wanted_lengths() const {
     Vec3 lengths = Vec3::Zero();
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
@@ -83,10 +82,6 @@ void ToolInUse::check_length_known(const Block& block) {
     reporter_.report(diag::ToolUnknown, block).arg(tool);
 }
 
-/// A length that was selected acts along an axis with the first motion of that axis: the motion
-/// side is told just before it, and only if the length is another one than before.
-///
-/// returns  how far the tip goes by it while the axes stand, in the base system, mm
 Vec3 ToolInUse::activate_length(const Block& block, AxisMask moved) {
     const Axis axis = wanted_length_axis();
     if ((moved & bit(axis)) != 0) {
@@ -121,8 +116,6 @@ Vec3 ToolInUse::activate_length(const Block& block, AxisMask moved) {
     return -carried;
 }
 
-/// … with an arc. On a line the tip comes from wherever the length has left it; an arc that begins
-/// beside its circle is none. Along its axis it rises.
 Done ToolInUse::activate_length_on_arc(const Block& block, const Vec3& normal, AxisMask moved) {
     const Vec3 way = activate_length(block, moved);
     const double aside = (way - way.dot(normal) * normal).norm();
@@ -131,7 +124,6 @@ Done ToolInUse::activate_length_on_arc(const Block& block, const Vec3& normal, A
     return kFailed;
 }
 
-/// Tells the motion side what lies between the tip and what the linear axes carry.
 Command& ToolInUse::put_tool_length(const Block& block, Axis axis) {
     const bool is_turned = tilted_plane_.carries || tilted_plane_.turns > 0;
     const Vec3 carried = is_turned ? length_shift_of(tool_.lengths) : tool_.lengths;
@@ -151,8 +143,6 @@ Command& ToolInUse::put_tool_length(const Block& block, Axis axis) {
     return command;
 }
 
-/// `G43 H1` in a block without axis words: the programmed position stays, so the machine axis moves
-/// by the change of the length, in the active kind of motion.
 void ToolInUse::move_length_alone(const Block& block) {
     if (!rules_.length_moves_alone) return;
     const Vec3 wanted = wanted_lengths();
@@ -170,8 +160,6 @@ void ToolInUse::move_length_alone(const Block& block) {
                           channel_.smoothing.stops_exactly());
 }
 
-/// A transformation with a length was switched in a block without axis words: the place in the
-/// program stays, and so the axes move.
 void ToolInUse::move_behind_switch(const Block& block) {
     if (!rules_.length_moves_alone) return;
     const AxisMask moved =
@@ -187,7 +175,6 @@ void ToolInUse::set_length_shift(const Vec3& shift) {
     for (std::size_t i = 0; i < 3; ++i) length_shift_[i] = shift[static_cast<Eigen::Index>(i)];
 }
 
-/// What the linear axes stand beside the tip, for a tool with these lengths.
 Vec3 ToolInUse::length_shift_of(const Vec3& lengths) const {
     if (orienting_.is_on) return Vec3::Zero();
     if (tilted_plane_.turns > 0) return frames_.tilt().direction(lengths);

@@ -16,31 +16,55 @@ class ToolMotion {
     ToolMotion(const ToolMotion&) = delete;
     ToolMotion& operator=(const ToolMotion&) = delete;
 
+    /// A word of the block that says how the tool stands; it counts with the block's motion.
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
                           Actions& actions);
+    /// Whether the tool is led by a surface in every block.
     bool keeps_lead_tilt_to_surface() const;
+    /// A direction that words say, in the base system; nothing if it was reported.
     std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
                                                 nc::Function word);
+    /// What the block says of the tool, as rotary positions at its end and a way there.
     Done orient(const nc::Block& block, const Actions& actions, Target& target);
     /// What the end of the motion says of the tool, for its command and the blocks behind it.
     void settle_orientation(Target& target);
+    /// What waited for the path of the block: along it the tool is led, or its end says how it
+    /// stands.
     Done lay_directions(const nc::Block& block, const path::Curve& curve, Target& target);
+    /// The surface normals at start and end of the block, in the base system: nothing said is +Z,
+    /// one that is not said at the start goes on from the block before. S 7.3.
     std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
                                                         const ToolWords& tool);
+    /// The rotary axes of the transformation go to places of their own. S 7.4 ORIRESET.
     void reset_orientation(const nc::Block& block, const nc::Invocation& invocation);
+    /// rad.
     machine::JointLimits joint_limits() const;
+    /// The rotary axes of the target stand there, rad.
     void put_joints(const path::Vec3& joints, Target& target) const;
     /// plan  of the motion; null: the tool stays as it stands
     void put_orientation(path::Command& command, const TurnPlan* plan);
+    /// Whether a motion of this kind goes from point to point.
     bool goes_straight(path::Op op) const;
+    /// … the motion of a block.
     bool goes_straight(const nc::Block& block, const Actions& actions) const;
+    /// What has a path of its own has no place where axes go from point to point. S 14144.
     Done require_point_to_point_way(const nc::Block& block, const Actions& actions);
+    /// Which position of the rotary axes the block wants: `STAT` from here on, `TU` here. S 7.4.
     void choose_axes(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    /// The tool may turn as it is said beside a spline or a polynomial.
     Done require_orientation_along(const nc::Block& block, const ToolWords& tool);
+    /// What a pole of a B-spline says of the tool: a direction, or the one of the pole before it.
+    /// Nothing where no transformation turns the tool.
     Done orient_control_point(const nc::Block& block, const ToolWords& tool,
                               ControlPointBlock& pole);
+    /// How the tool turns along a span, and where the rotary axes stand at its end: in `to` and in
+    /// the position, of which X, Y and Z are behind blocks that have been read meanwhile.
+    ///
+    /// at  whose place messages show
     Done turn_along(const nc::Block& at, const ControlPointBlock& said, const path::Curve& span,
                     AxisValues& to, TurnPlan& turn);
+    /// What a block says of the tool, shared out to the pieces of its polynomial by their lengths:
+    /// the directions in which they end.
     Done share_orientation(const nc::Block& block, const ToolWords& tool,
                            const std::vector<double>& shares,
                            const std::vector<ControlPointBlock*>& pieces);

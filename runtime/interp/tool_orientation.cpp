@@ -97,7 +97,6 @@ Vec3 axis_between(const Vec3& axis, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-/// What the block says of the tool, as rotary positions at its end and a way there.
 Done ToolMotion::orient(const Block& block, const Actions& actions, Target& target) {
     // Every axis may move, whatever the block names.
     target.carried = static_cast<AxisMask>(kLinearXYZ & ~target.moved);
@@ -363,7 +362,6 @@ Done ToolMotion::follow_directions(const Block& block, const path::Turn& turn,
 
 // ------------------------------------------------------------------------------ led by the path
 
-/// What waited for the path of the block: along it the tool is led, or its end says how it stands.
 Done ToolMotion::lay_directions(const Block& block, const path::Curve& curve, Target& target) {
     const ToolWords& tool = *std::exchange(target.turn.waiting, nullptr);
     if (tool.point.is_said()) {
@@ -425,8 +423,6 @@ Done ToolMotion::require_small_rise_along(const Block& block, const path::Turn& 
     return require_small_rise(block, rise);
 }
 
-/// The surface normals at start and end of the block, in the base system: nothing said is +Z, one
-/// that is not said at the start goes on from the block before. S 7.3.
 std::optional<std::array<Vec3, 2>> ToolMotion::normals_of(const Block& block,
                                                           const ToolWords& tool) {
     const auto said = [&](std::size_t i) {
@@ -634,7 +630,6 @@ Done ToolMotion::lay_spin(const Block& block, const ToolWords& tool, Target& tar
     return kDone;
 }
 
-/// The rotary axes of the transformation go to places of their own. S 7.4 ORIRESET.
 void ToolMotion::reset_orientation(const Block& block, const nc::Invocation& invocation) {
     if (!orienting_.is_on) {
         reporter_.report(diag::OrientationAlone, block, invocation.function)

@@ -172,7 +172,6 @@ Done ToolMotion::require_axes_for_direction(const Block& block) {
     return kFailed;
 }
 
-/// Whether the tool is led by a surface in every block.
 bool ToolMotion::keeps_lead_tilt_to_surface() const {
     return orienting_.turning == OrientInterpolation::Surface;
 }
@@ -267,7 +266,6 @@ machine::Mat3 ToolMotion::turn_into_base() const {
 /// goes the other way round then.
 bool ToolMotion::mirrors_words() const { return turn_into_base().determinant() < 0; }
 
-/// A direction that words say, in the base system; nothing if it was reported.
 std::optional<Vec3> ToolMotion::direction_in_base(const Block& block, const Vec3& said,
                                                   Function word) {
     const auto direction = machine::unit_of(Vec3(turn_into_base() * said));

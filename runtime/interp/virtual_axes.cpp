@@ -386,7 +386,6 @@ Done VirtualPlane::take_rotary_word(const Block& block) {
     return kDone;
 }
 
-/// A block whose words are those of the virtual coordinates; null if it was reported.
 const Block* VirtualPlane::in_virtual(const Block& block) {
     if (!channel_.executor.acts(block)) return &block;
     if (!require_virtual_words(block)) return nullptr;
@@ -419,12 +418,10 @@ void VirtualPlane::say_virtual_plane(Plane said) {
 
 // ------------------------------------------------------------------------------ the rotary axis
 
-/// From here on the rotary axis is followed through the commands that are put out.
 void VirtualPlane::follow_from_here() {
     rotary_.followed = output_.written() + output_.waiting().size();
 }
 
-/// Says in the commands that came out since it was last asked where the rotary axis is behind them.
 void VirtualPlane::follow_rotary() {
     if (!virtual_.axes.turns()) return;
     const std::size_t count = output_.written() + output_.waiting().size();

@@ -16,10 +16,16 @@ class VirtualPlane {
     VirtualPlane(const VirtualPlane&) = delete;
     VirtualPlane& operator=(const VirtualPlane&) = delete;
 
+    /// G12.1, TRANSMIT; G7.1, TRACYL; TRAANG.
     void begin_virtual(const nc::Block& block, const nc::Invocation& invocation);
+    /// The tool stays where it is, in the machine's own axes.
     void end_virtual(const nc::Block& block);
+    /// A block whose words are those of the virtual coordinates; null if it was reported.
     const nc::Block* in_virtual(const nc::Block& block);
+    /// From here on the rotary axis is followed through the commands that are put out.
     void follow_from_here();
+    /// Says in the commands that came out since it was last asked where the rotary axis is behind
+    /// them.
     void follow_rotary();
 
   private:

@@ -3,11 +3,9 @@
 #include <numbers>
 
 #include "base/diagnostics/iso.h"
-#include "base/units.h"
 #include "interp/channel.h"
 #include "interp/programmed_frames.h"
 #include "interp/splines.h"
-#include "nc/parameters.h"
 
 namespace kadr::interp {
 
@@ -15,8 +13,6 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using nc::parameter_of;
-using nc::parameter_of_all;
-using nc::Quantity;
 using Write = ControlAccess::Write;
 
 /// Offsets that the machine file does not name are zero, as in a new control.
@@ -72,7 +68,6 @@ void ProgrammedFrames::write_work_offset(const Block& block, const Invocation& i
     }
 }
 
-/// Those of the machine act, and of its work offsets the one that acts at power on.
 void ProgrammedFrames::begin() {
     frames_.select_work_offset(work_offset_frame(work_offset_));
     frame_changed();
