@@ -47,4 +47,14 @@ struct PatternRun {
     bool calls_program = false;
 };
 
+/// The parameter of a cycle that is where its cut ends along the axis.
+inline std::string_view end_name(Axis axis) {
+    switch (axis) {
+        case Axis::X: return "x";
+        case Axis::Y: return "y";
+        case Axis::Z: return "z";
+        default: return "";
+    }
+}
+
 }  // namespace kadr::interp

@@ -314,6 +314,16 @@ struct ModalCycle {
     std::uint32_t given = 0;
     std::uint16_t by_form = 0;  // parameters that the code itself says
     std::array<double, nc::kMaxArguments> arguments{};
+
+    bool has(std::optional<std::size_t> parameter) const {
+        return parameter && (given >> *parameter & 1u) != 0;
+    }
+    /// Nothing where the cycle has no such parameter.
+    void set(std::optional<std::size_t> parameter, double value) {
+        if (!parameter) return;
+        arguments[*parameter] = value;
+        given |= 1u << *parameter;
+    }
 };
 
 }  // namespace kadr::interp
