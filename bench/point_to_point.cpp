@@ -18,9 +18,9 @@ using bench::cpu_time;
 class OneRapid final : public Stream<path::Command> {
   public:
     explicit OneRapid(const bench::Transfer& transfer) {
-        command_.op = path::Op::Rapid;
-        command_.moved = kLinearXYZ;
-        std::copy(transfer.way.begin(), transfer.way.end(), command_.to.begin());
+        command_.become(path::Op::Rapid);
+        command_.motion().moved = kLinearXYZ;
+        std::copy(transfer.way.begin(), transfer.way.end(), command_.motion().to.begin());
     }
     std::size_t pull(std::span<path::Command> out) override {
         if (is_over_ || out.empty()) return 0;

@@ -87,40 +87,40 @@ class MadeCommands final : public kadr::Stream<Command> {
 /// to reach its feed and brake again.
 void short_line(Command& command, std::uint64_t i) {
     const double angle = static_cast<double>(i % 973) * 0.37 * (std::numbers::pi / 180);
-    command.op = kadr::path::Op::Line;
-    command.to = {100 * std::cos(angle), 100 * std::sin(angle), 0};
-    command.moved = kadr::kLinearXYZ;
-    command.feed = 6000;
+    command.become(kadr::path::Op::Line);
+    command.motion().to = {100 * std::cos(angle), 100 * std::sin(angle), 0};
+    command.motion().moved = kadr::kLinearXYZ;
+    command.motion().feed = 6000;
 }
 
 /// Lines of 100 mm back and forth: the sampler has nearly all the work.
 void long_line(Command& command, std::uint64_t i) {
-    command.op = kadr::path::Op::Line;
-    command.to = {i % 2 == 0 ? 100.0 : 0.0, i % 2 == 0 ? 50.0 : 0.0, 0};
-    command.moved = kadr::kLinearXYZ;
-    command.feed = 6000;
+    command.become(kadr::path::Op::Line);
+    command.motion().to = {i % 2 == 0 ? 100.0 : 0.0, i % 2 == 0 ? 50.0 : 0.0, 0};
+    command.motion().moved = kadr::kLinearXYZ;
+    command.motion().feed = 6000;
 }
 
 /// Full circles of 20 mm radius; helices climb and fall 5 mm a turn.
 void circle(Command& command, std::uint64_t i) {
     static_cast<void>(i);
-    command.op = kadr::path::Op::Arc;
-    command.to = {};
-    command.center = {20, 0, 0};
-    command.normal = kadr::path::Vec3::UnitZ();
-    command.sweep = 2 * std::numbers::pi;
-    command.moved = kadr::kLinearXYZ;
-    command.feed = 6000;
+    command.become(kadr::path::Op::Arc);
+    command.motion().to = {};
+    command.motion().arc().center = {20, 0, 0};
+    command.motion().arc().normal = kadr::path::Vec3::UnitZ();
+    command.motion().arc().sweep = 2 * std::numbers::pi;
+    command.motion().moved = kadr::kLinearXYZ;
+    command.motion().feed = 6000;
 }
 /// At a feed that the axes do not reach on them: planned in cells.
 void fast_circle(Command& command, std::uint64_t i) {
     circle(command, i);
-    command.feed = 60000;
+    command.motion().feed = 60000;
 }
 void helix(Command& command, std::uint64_t i) {
     circle(command, i);
-    command.to[2] = i % 2 == 0 ? 5.0 : 0.0;
-    command.center[2] = i % 2 == 0 ? 0.0 : 5.0;
+    command.motion().to[2] = i % 2 == 0 ? 5.0 : 0.0;
+    command.motion().arc().center[2] = i % 2 == 0 ? 0.0 : 5.0;
 }
 
 /// A SINUMERIK program of lines on a bowl, the tool square to it but for a lean; F makes a line of

@@ -66,7 +66,7 @@ double percent(double part, double whole) { return whole > 0 ? 100 * part / whol
 double LimitShare::all_lost() const { return std::accumulate(lost.begin(), lost.end(), 0.0); }
 
 void LimitReport::see(const path::Command& command) {
-    if (command.op == path::Op::Tool) calls_.push_back(command.tool);
+    if (command.op() == path::Op::Tool) calls_.push_back(command.tool().number);
 }
 
 void LimitReport::lose(const motion::SpeedLoss& loss) { waiting_.push_back(loss); }

@@ -105,11 +105,11 @@ bool Recording::Move::is_in_plane() const {
 
 void Recording::add(const path::Command& command) {
     using path::Op;
-    if (command.op == Op::Tool && command.source.is_valid())
-        tools_.push_back(static_cast<double>(command.tool));
-    if (!path::is_motion(command.op)) return;
+    if (command.op() == Op::Tool && command.source.is_valid())
+        tools_.push_back(static_cast<double>(command.tool().number));
+    if (!command.is_motion()) return;
     const AxisMask before = known_;
-    const auto moved = static_cast<AxisMask>(command.moved & (kXy | kZ));
+    const auto moved = static_cast<AxisMask>(command.motion().moved & (kXy | kZ));
     known_ = command.is_unshifted ? static_cast<AxisMask>(known_ & ~moved)
                                   : static_cast<AxisMask>(known_ | moved);
     if (known_ == before) return;

@@ -115,52 +115,56 @@ class LineKeeper {
 std::string axis_text(const path::Command& command) {
     std::string out;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        if ((command.moved >> axis & 1u) == 0) continue;
-        out += fmt::format(" {}{:.{}f}", kAxisNames[axis], command.to[axis], kDecimals);
+        if ((command.motion().moved >> axis & 1u) == 0) continue;
+        out += fmt::format(" {}{:.{}f}", kAxisNames[axis], command.motion().to[axis], kDecimals);
     }
     return out;
 }
 
 std::string command_text(const path::Command& command) {
     using path::Op;
-    switch (command.op) {
+    switch (command.op()) {
         case Op::Rapid: return "rapid to" + axis_text(command);
         case Op::Line: return "line to" + axis_text(command);
         case Op::Thread: return "thread to" + axis_text(command);
         case Op::Probe: return "probe to" + axis_text(command);
         case Op::Arc:
-            return std::string(command.is_clockwise ? "arc clockwise to" : "arc to") +
+            return std::string(command.motion().arc().is_clockwise ? "arc clockwise to"
+                                                                   : "arc to") +
                    axis_text(command);
         case Op::Spline: return "spline to" + axis_text(command);
         case Op::Involute: return "involute to" + axis_text(command);
         case Op::Parametric: return "curve to" + axis_text(command);
-        case Op::Dwell: return fmt::format("dwell {:g} s", command.time);
+        case Op::Dwell: return fmt::format("dwell {:g} s", command.dwell().time);
         case Op::Spindle:
-            if (command.spindle == path::SpindleMode::Stop) return "spindle stops";
-            return fmt::format("spindle {:g} {}", command.speed,
-                               command.cutting_speed ? "m/min" : "rpm");
+            if (command.spindle().mode == path::SpindleMode::Stop) return "spindle stops";
+            return fmt::format("spindle {:g} {}", command.spindle().speed,
+                               command.spindle().has_cutting_speed ? "m/min" : "rpm");
         case Op::OtherSpindle:
-            if (command.spindle == path::SpindleMode::Stop)
-                return fmt::format("spindle {} stops", command.spindle_number);
-            return fmt::format("spindle {}: {:g} rpm", command.spindle_number, command.speed);
+            if (command.spindle().mode == path::SpindleMode::Stop)
+                return fmt::format("spindle {} stops", command.spindle().number);
+            return fmt::format("spindle {}: {:g} rpm", command.spindle().number,
+                               command.spindle().speed);
         case Op::SpeedLimit:
-            if (command.least_speed == 0)
-                return fmt::format("spindle at most {:g} rpm", command.speed);
-            if (command.speed == 0)
-                return fmt::format("spindle at least {:g} rpm", command.least_speed);
-            return fmt::format("spindle from {:g} to {:g} rpm", command.least_speed, command.speed);
-        case Op::Tool: return fmt::format("tool {}", command.tool);
-        case Op::ToolLength: return fmt::format("tool length {:g} mm", command.length);
+            if (command.speed_limit().least == 0)
+                return fmt::format("spindle at most {:g} rpm", command.speed_limit().most);
+            if (command.speed_limit().most == 0)
+                return fmt::format("spindle at least {:g} rpm", command.speed_limit().least);
+            return fmt::format("spindle from {:g} to {:g} rpm", command.speed_limit().least,
+                               command.speed_limit().most);
+        case Op::Tool: return fmt::format("tool {}", command.tool().number);
+        case Op::ToolLength:
+            return fmt::format("tool length {:g} mm", command.tool_length().length);
         case Op::Coolant:
-            return command.coolant == path::CoolantMode::Off ? "coolant off" : "coolant on";
-        case Op::Function: return fmt::format("M{}", command.code);
+            return command.coolant().mode == path::CoolantMode::Off ? "coolant off" : "coolant on";
+        case Op::Function: return fmt::format("M{}", command.function().code);
         case Op::Stop: return "stop";
         case Op::OptionalStop: return "optional stop";
         case Op::Message: return "message";
         case Op::End: return "end";
         case Op::ScannerOn: return "scanner on";
         case Op::ScannerOff: return "scanner off";
-        case Op::External: return fmt::format("external {:g} s", command.time);
+        case Op::External: return fmt::format("external {:g} s", command.external().time);
     }
     return "";
 }

@@ -88,11 +88,10 @@ std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& bloc
         move.slow_feed = block.argument(*said, parameter_of<Function::ApproachFeed>("feed"));
     if (!channel_.checks.require_feed(block, "soft approach or retract")) return std::nullopt;
     const auto motion = [&](bool is_rapid, double feed) {
-        Command command;
-        command.op = is_rapid ? Op::Rapid : Op::Line;
-        command.feed_mode = modal_.feed_mode;
-        command.plane = modal_.plane;
-        command.feed = is_rapid ? 0 : feed;
+        Command command(is_rapid ? Op::Rapid : Op::Line);
+        command.motion().feed_mode = modal_.feed_mode;
+        command.motion().plane = modal_.plane;
+        command.motion().feed = is_rapid ? 0 : feed;
         command.source = block.source;
         command.line = block.line;
         return command;
@@ -232,25 +231,25 @@ void SmoothApproaches::put_smooth_approach() {
     if (!move.choice.in_steps) approached_->start[normal] = *level;
 
     Command over = move.fast;  // P1
-    over.to = smooth_approach_.from();
-    set_in_plane(over.to, element.from);
-    over.moved = static_cast<AxisMask>(bit(axes.first) | bit(axes.second));
-    AxisValues start = over.to;  // P3
+    over.motion().to = smooth_approach_.from();
+    set_in_plane(over.motion().to, element.from);
+    over.motion().moved = static_cast<AxisMask>(bit(axes.first) | bit(axes.second));
+    AxisValues start = over.motion().to;  // P3
     if (compensation_.is_on()) {
         compensation_.begin_smooth_approach(std::move(over));
     } else if ((element.from - place.tool).norm() > path::kSamePoint) {
         output_.next() = std::move(over);
     }
     put_infeed(move.fast, start, *level);  // P2
-    const double slow_feed = move.slow_feed.value_or(move.slow.feed);
+    const double slow_feed = move.slow_feed.value_or(move.slow.motion().feed);
     if (move.choice.in_steps) {
         Command slow = move.slow;
-        slow.feed = slow_feed;
+        slow.motion().feed = slow_feed;
         put_infeed(slow, start, contour[normal]);
     }
     Command last = move.slow;
-    if (!move.choice.in_steps) last.feed = slow_feed;
-    last.to = contour;
+    if (!move.choice.in_steps) last.motion().feed = slow_feed;
+    last.motion().to = contour;
     put_approach_path(last, element);
 }
 
@@ -259,24 +258,26 @@ void SmoothApproaches::put_infeed(Command command, AxisValues& here, double leve
     const Axis normal = path::axes_of(modal_.plane).normal;
     if (std::abs(here[index(normal)] - level) < path::kSamePoint) return;
     here[index(normal)] = level;
-    command.to = here;
-    command.moved = bit(normal);
+    command.motion().to = here;
+    command.motion().moved = bit(normal);
     channel_.stages.behind_corners() = std::move(command);
 }
 
-/// The way in the plane, with the level of `command.to`.
+/// The way in the plane, with the level at which the motion ends.
 void SmoothApproaches::put_approach_path(Command command, const Element& element) {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
-    command.moved = kLinearXYZ;
-    set_in_plane(command.to, element.to);
+    path::Motion& motion = command.motion();
+    motion.moved = kLinearXYZ;
+    set_in_plane(motion.to, element.to);
     if (element.is_arc()) {
-        command.op = Op::Arc;
-        command.center = {command.to[0], command.to[1], command.to[2]};
-        command.center[static_cast<Eigen::Index>(index(axes.first))] = element.center.x();
-        command.center[static_cast<Eigen::Index>(index(axes.second))] = element.center.y();
-        command.normal = path::unit(axes.normal) * (element.sweep > 0 ? 1 : -1);
-        command.sweep = std::abs(element.sweep);
-        command.is_clockwise = element.sweep < 0;
+        path::ArcShape arc;
+        arc.center = {motion.to[0], motion.to[1], motion.to[2]};
+        arc.center[static_cast<Eigen::Index>(index(axes.first))] = element.center.x();
+        arc.center[static_cast<Eigen::Index>(index(axes.second))] = element.center.y();
+        arc.normal = path::unit(axes.normal) * (element.sweep > 0 ? 1 : -1);
+        arc.sweep = std::abs(element.sweep);
+        arc.is_clockwise = element.sweep < 0;
+        motion.shape = arc;
     }
     channel_.stages.behind_corners() = std::move(command);
 }
@@ -332,10 +333,10 @@ void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actio
     AxisValues here = position_.base();
     set_in_plane(here, element.to);
     if (!move->choice.in_steps) here[normal] = *level;
-    first.to = here;
+    first.motion().to = here;
     put_approach_path(first, element);
     Command slow = move->slow;
-    slow.feed = move->slow_feed.value_or(slow.feed);
+    slow.motion().feed = move->slow_feed.value_or(slow.motion().feed);
     put_infeed(slow, here, *level);      // P2
     put_infeed(move->fast, here, tool);  // P1
     const bool was_on = compensation_.is_on();
@@ -347,10 +348,10 @@ void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actio
     }
     if (has_place) {  // P0
         Command away = move->fast;
-        away.to = here;
-        set_in_plane(away.to, in_plane(target.base));
-        away.moved = static_cast<AxisMask>(bit(axes.first) | bit(axes.second));
-        here = away.to;
+        away.motion().to = here;
+        set_in_plane(away.motion().to, in_plane(target.base));
+        away.motion().moved = static_cast<AxisMask>(bit(axes.first) | bit(axes.second));
+        here = away.motion().to;
         output_.next() = std::move(away);
     }
     channel_.motions.arrive(

@@ -22,7 +22,6 @@ using nc::Block;
 using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
-using path::Command;
 using path::linear;
 using path::Op;
 using path::Vec3;
@@ -86,14 +85,14 @@ void Motions::thread_along_arc(const Block& block, const Target& target, const A
         position_.note_motion();
         const Vec3 way = linear(at.here) - linear(position_.here());
         const double length = (linear(at.base) - linear(position_.base())).norm();
-        Command& command = channel_.stages.put(Op::Thread, block, i == 1 ? &target.turn : nullptr);
-        command.to = at.base;
-        command.moved = at.moved;
-        command.exact_stop = i == lines && channel_.smoothing.stops_exactly(actions.exact_stop);
-        command.feed_mode = path::FeedMode::PerRevolution;
-        command.feed = lead->pitch * length / std::abs(way[lead->axis]);
-        command.lead_change = 0;
-        command.angle_deg = actions.thread_start_deg;
+        path::Motion& motion =
+            channel_.stages.put(Op::Thread, block, i == 1 ? &target.turn : nullptr).motion();
+        motion.to = at.base;
+        motion.moved = at.moved;
+        motion.exact_stop = i == lines && channel_.smoothing.stops_exactly(actions.exact_stop);
+        motion.feed_mode = path::FeedMode::PerRevolution;
+        motion.feed = lead->pitch * length / std::abs(way[lead->axis]);
+        motion.shape = path::ThreadShape{0, actions.thread_start_deg};
         arrive(at);
     }
 }

@@ -168,22 +168,20 @@ void Motions::put_base_arc(const Block& block, const path::Arc& arc, const Targe
     if (spindle_.has_cutting_speed) [[unlikely]]
         channel_.dangers.watch_cutting_speed(block, position_.here()[0], target.here[0]);
 
-    Command& command = channel_.stages.put(Op::Arc, block, &target.turn);
-    command.to = target.base;
-    command.moved = target.moved;
-    command.exact_stop = exact_stop;
-    command.center = arc.center;
-    command.normal = arc.normal;
-    command.sweep = arc.sweep;
-    command.is_clockwise = arc.normal.dot(third) < 0;
-    command.turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
-    command.feed = modal_.feed;
+    path::Motion& motion = channel_.stages.put(Op::Arc, block, &target.turn).motion();
+    motion.to = target.base;
+    motion.moved = target.moved;
+    motion.exact_stop = exact_stop;
+    const double turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
+    motion.shape =
+        path::ArcShape{arc.center, arc.normal, arc.sweep, turns, arc.normal.dot(third) < 0};
+    motion.feed = modal_.feed;
     // F = feed/radius, and the length is radius · sweep: the time is sweep/F.
     if (modal_.feed_mode == FeedMode::InverseTime && rules_.inverse_time_arc_by_radius) {
-        command.feed = modal_.feed / arc.sweep;
+        motion.feed = modal_.feed / arc.sweep;
     }
     if (modal_.feed_mode != FeedMode::InverseTime && rules_.helix_feed_along_arc) {
-        command.feed *= length_by_arc(arc);
+        motion.feed *= length_by_arc(arc);
     }
     arrive(target);
     const double climb = arc.normal.dot(arc.end - arc.start) / arc.sweep;

@@ -207,7 +207,7 @@ Done MotionChecks::require_arc_within_limits(const Block& block, const path::Arc
     if (!require_within_limits(block, target.base, target.moved)) return kFailed;
     if (contour_) return kDone;
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
-    const path::ArcShape shape = path::shape_of(arc);
+    const path::ArcMeasures shape = path::measures_of(arc);
     if (channel_.transformation.is_transformed()) return kDone;
     const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
     bool is_far = !area_.acts();

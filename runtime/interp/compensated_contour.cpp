@@ -32,7 +32,7 @@ const Command* CompensatedContour::newest() const {
 
 void CompensatedContour::end_last_at(const AxisValues& programmed) {
     const auto last = std::ranges::find(waiting_, elements_, &Waiting::element);
-    last->motion.command.to = programmed;
+    last->motion.command.motion().to = programmed;
     last->motion.is_departure = true;
 }
 
@@ -90,7 +90,7 @@ void CompensatedContour::put_piece(const CompPiece& piece, CutterPath& cutter) {
 void CompensatedContour::put_open_approach(const Vec2& to, CutterPath& cutter) {
     const ProgrammedMotion approach = *std::exchange(open_approach_, std::nullopt);
     cutter.put_line(approach, to);
-    cutter.set_programmed(approach.command.to);
+    cutter.set_programmed(approach.command.motion().to);
 }
 
 std::optional<CompFault> CompensatedContour::finish(const ContourEnd& end, CutterPath& cutter) {
@@ -100,7 +100,7 @@ std::optional<CompFault> CompensatedContour::finish(const ContourEnd& end, Cutte
     if (fault) return fault;
     release(cutter);
     const auto unled = [&](const ProgrammedMotion& motion) -> Vec2 {
-        return cutter.plane().point(motion.command.to) - end.aside;
+        return cutter.plane().point(motion.command.motion().to) - end.aside;
     };
     if (open_approach_) put_open_approach(unled(*open_approach_), cutter);
     for (; !waiting_.empty(); waiting_.pop_front()) {

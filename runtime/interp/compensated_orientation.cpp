@@ -34,24 +34,25 @@ struct Ends {
     Vec3 last;
 };
 
-Ends ends_of(const Command& command, const path::Curve& way, const Vec3& now) {
-    if (command.turning == Turning::Cone) {
-        const Eigen::AngleAxisd back(-command.turn_angle, command.turn_axis);
-        return {command.turn_angle == 0 ? command.direction : back * command.direction,
-                command.direction};
+Ends ends_of(const path::Motion& motion, const path::Curve& way, const Vec3& now) {
+    if (motion.turning == Turning::Cone) {
+        const double angle = motion.turn().angle;
+        const Eigen::AngleAxisd back(-angle, motion.turn().axis);
+        return {angle == 0 ? motion.direction : back * motion.direction, motion.direction};
     }
     const double length = path::length(way);
-    const path::Turn turn = turn_of(command, now, length > kNoWay ? length : 1);
+    const path::Turn turn = turn_of(motion, now, length > kNoWay ? length : 1);
     return {path::direction_at(turn, way, 0), path::direction_at(turn, way, turn.length)};
 }
 
-/// The command turns the tool along the great circle instead. False: there is none.
-bool turn_straight(const Vec3& from, Command& command) {
-    const auto arc = machine::great_circle(from, command.direction);
+/// The motion turns the tool along the great circle instead. False: there is none.
+bool turn_straight(const Vec3& from, path::Motion& motion) {
+    const auto arc = machine::great_circle(from, motion.direction);
     if (!arc) return false;
-    command.turning = Turning::Cone;
-    command.turn_axis = arc->axis;
-    command.turn_angle = arc->turn;
+    motion.turning = Turning::Cone;
+    path::ToolTurn& turn = motion.tool_turn.made();
+    turn.axis = arc->axis;
+    turn.angle = arc->turn;
     return true;
 }
 
@@ -75,20 +76,20 @@ bool put_standing_turn(const OrientationLimits& orientation_limits, const Comman
     const Vec3 from =
         machine::tool_vector(*orientation_limits.chain, joints_at(*orientation_limits.chain, axes));
     if (is_same(from, to)) return true;
-    Command turn = model;
-    turn.op = model.op == Op::Rapid ? Op::Rapid : Op::Line;
+    Command command = model;
+    path::Motion& turn = command.motion();
+    turn.become(turn.op() == Op::Rapid ? Op::Rapid : Op::Line);
     turn.exact_stop = false;
-    turn.curve.clear();
     turn.direction = to;
     turn.to = axes;
     if (!turn_straight(from, turn)) return false;
-    const Eigen::AngleAxisd whole(turn.turn_angle, turn.turn_axis);
+    const Eigen::AngleAxisd whole(turn.turn().angle, turn.turn().axis);
     const auto course = [&](double share) -> Vec3 {
         return Eigen::AngleAxisd(share * whole.angle(), whole.axis()) * from;
     };
     if (!lead_joints(orientation_limits, axes, course, turn.to)) return false;
     axes = turn.to;
-    settled.push_back(std::move(turn));
+    settled.push_back(std::move(command));
     return true;
 }
 
@@ -100,17 +101,18 @@ bool put_led(const OrientationLimits& orientation_limits, AxisValues axes,
         if (!put_standing_turn(orientation_limits, programmed, ends.first, axes, settled))
             return false;
         Command command = programmed;
-        const path::Curve way = path::curve_of(command, linear(axes), linear(command.to));
-        const path::Turn turn = turn_of(command, ends.first, path::length(way));
+        path::Motion& motion = command.motion();
+        const path::Curve way = path::curve_of(motion, linear(axes), linear(motion.to));
+        const path::Turn turn = turn_of(motion, ends.first, path::length(way));
         const auto course = [&](double share) {
             return path::direction_at(turn, way, share * turn.length);
         };
-        if (!lead_joints(orientation_limits, axes, course, command.to)) return false;
-        command.direction = ends.last;
-        axes = command.to;
+        if (!lead_joints(orientation_limits, axes, course, motion.to)) return false;
+        motion.direction = ends.last;
+        axes = motion.to;
         settled.push_back(std::move(command));
-        return put_standing_turn(orientation_limits, programmed, programmed.direction, axes,
-                                 settled);
+        return put_standing_turn(orientation_limits, programmed, programmed.motion().direction,
+                                 axes, settled);
     };
     if (put()) return true;
     settled.resize(before);
@@ -128,43 +130,45 @@ Vec3 joints_at(const machine::Chain& chain, const AxisValues& axes) {
     return joints;
 }
 
-path::Turn turn_of(const Command& command, const Vec3& from_tool, double length) {
+path::Turn turn_of(const path::Motion& motion, const Vec3& from_tool, double length) {
     const double share = 1 / length;
+    const path::ToolTurn& whole = motion.turn();
     path::Turn turn;
-    turn.kind = command.turning;
+    turn.kind = motion.turning;
     turn.length = length;
-    turn.start = turn.kind == Turning::Cone ? from_tool : command.turn_from;
-    turn.axis = turn.kind == Turning::Point ? Vec3(share * command.turn_axis) : command.turn_axis;
-    turn.rate = share * command.turn_angle;
-    turn.lean = command.lean;
-    turn.outwards = command.orient_outwards;
+    turn.start = turn.kind == Turning::Cone ? from_tool : whole.from;
+    turn.axis = turn.kind == Turning::Point ? Vec3(share * whole.axis) : whole.axis;
+    turn.rate = share * whole.angle;
+    turn.lean = whole.lean;
+    turn.outwards = whole.outwards;
     return turn;
 }
 
-void shift_point(const CompensatedEnds& way, Command& command) {
-    if (command.turning != Turning::Point) return;
+void shift_point(const CompensatedEnds& way, path::Motion& motion) {
+    if (motion.turning != Turning::Point) return;
     const Vec3 before = way.from_beside - way.from;
     const Vec3 behind = way.to_beside - way.to;
-    command.turn_from += before;
-    command.turn_axis += behind - before;
+    motion.tool_turn->from += before;
+    motion.tool_turn->axis += behind - before;
 }
 
 bool put_oriented(const OrientationLimits& orientation_limits, const AxisValues& from,
                   Command command, std::vector<Command>& settled) {
-    const bool is_led = orientation_limits.chain != nullptr && path::is_motion(command.op) &&
-                        command.turning > Turning::Axes && command.contact.empty();
+    const bool is_led = orientation_limits.chain != nullptr && command.is_motion() &&
+                        command.motion().turning > Turning::Axes && !command.motion().contact;
     if (!is_led) {
         settled.push_back(std::move(command));
         return true;
     }
+    path::Motion& motion = command.motion();
     const Vec3 now =
         machine::tool_vector(*orientation_limits.chain, joints_at(*orientation_limits.chain, from));
-    const path::Curve way = path::curve_of(command, linear(from), linear(command.to));
-    const Ends ends = ends_of(command, way, now);
-    if (!is_same(ends.first, now) || !is_same(ends.last, command.direction)) {
-        if (command.op == Op::Arc && command.turning != Turning::Cone)
+    const path::Curve way = path::curve_of(motion, linear(from), linear(motion.to));
+    const Ends ends = ends_of(motion, way, now);
+    if (!is_same(ends.first, now) || !is_same(ends.last, motion.direction)) {
+        if (motion.op() == Op::Arc && motion.turning != Turning::Cone)
             return put_led(orientation_limits, from, command, ends, settled);
-        if (!turn_straight(now, command)) return false;
+        if (!turn_straight(now, motion)) return false;
     }
     settled.push_back(std::move(command));
     return true;

@@ -200,12 +200,13 @@ void RadiusCompensation::round_comp_corner(const Block& block, const Invocation&
     }
     CompChange change{CompChange::Kind::RoundCorner, {}, modal_.plane, 0, position_.base(),
                       direction_in_base(direction),  {}};
-    change.motion.op = path::Op::Arc;
-    change.motion.feed_mode = modal_.feed_mode;
-    change.motion.plane = modal_.plane;
-    change.motion.feed = modal_.feed;
+    change.motion.become(path::Op::Arc);
     change.motion.source = block.source;
     change.motion.line = block.line;
+    path::Motion& motion = change.motion.motion();
+    motion.feed_mode = modal_.feed_mode;
+    motion.plane = modal_.plane;
+    motion.feed = modal_.feed;
     send_comp(change);
 }
 

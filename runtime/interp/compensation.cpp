@@ -100,7 +100,7 @@ std::optional<CompAlarm> Compensation::let_go() {
     if (const Command* const last = contour_.command_of_last()) {
         if (contour_.last()->element.is_arc())
             return CompAlarm{&diag::CompAnewOnArc, last->source, last->line};
-        AxisValues programmed = last->to;
+        AxisValues programmed = last->motion().to;
         in_plane().shift(programmed, -aside_);
         contour_.end_last_at(programmed);
     }
@@ -121,7 +121,7 @@ std::optional<CompAlarm> Compensation::stop() {
 
 void Compensation::begin_smooth_approach(Command motion) {
     motion = in_plane().into(std::move(motion));
-    in_plane().shift(motion, aside_);
+    in_plane().shift(motion.motion(), aside_);
     begin_approach(motion, true);
 }
 
@@ -172,12 +172,12 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
     bool has_moved = false;
     for (std::size_t i = 0; i < fresh_.size(); ++i) {
         Command& command = fresh_[i];
-        if (!command.machine_coordinates) command = in_plane().into(std::move(command));
-        has_moved = has_moved || (path::is_motion(command.op) && moves_on(command));
+        if (command.is_motion() && !command.motion().machine_coordinates)
+            command = in_plane().into(std::move(command));
+        has_moved = has_moved || (command.is_motion() && moves_on(command.motion()));
         // Over a place to a place of the machine: the cutter leaves the contour on the way there.
-        const bool leaves = state_ == State::On && path::is_motion(command.op) &&
-                            !command.is_unshifted && i + 1 < fresh_.size() &&
-                            fresh_[i + 1].is_unshifted;
+        const bool leaves = state_ == State::On && command.is_motion() && !command.is_unshifted &&
+                            i + 1 < fresh_.size() && fresh_[i + 1].is_unshifted;
         if (leaves) state_ = State::Leaving;
         const Command place = command;
         if (const Fault fault = take(command, here)) {
@@ -216,19 +216,19 @@ CompAlarm Compensation::alarm(Fault fault, const Command& command) const {
 }
 
 Compensation::Fault Compensation::take(Command& command, const AxisValues& behind) {
-    const bool is_motion = path::is_motion(command.op);
-    if (is_motion && command.machine_coordinates)
+    const bool is_motion = command.is_motion();
+    if (is_motion && command.motion().machine_coordinates)
         return take_in_machine_coordinates(command, behind);
     if (is_motion) {
-        const bool moves = moves_on(command);
+        const bool moves = moves_on(command.motion());
         // The way to the contour ends on it; the way from it ends where it is programmed.
         const bool is_led = moves ? state_ != State::Leaving : is_on_contour();
-        if (is_led) in_plane().shift(command, aside_);
+        if (is_led) in_plane().shift(command.motion(), aside_);
         if (moves) return take_motion(command);
     }
-    if (is_motion && !is_straight(command.op) && state_ != State::Starting)
+    if (is_motion && !is_straight(command.op()) && state_ != State::Starting)
         return &diag::CompMotion;
-    if (is_motion) here_ = command.to;
+    if (is_motion) here_ = command.motion().to;
     if (approach_ || contour_.last()) contour_.wait(std::move(command));
     else cutter_.put_standing(std::move(command));
     return nullptr;
@@ -238,7 +238,8 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
 /// is like blocks without motion there: the contour goes on from its normal.
 Compensation::Fault Compensation::take_in_machine_coordinates(Command& command,
                                                               const AxisValues& behind) {
-    const bool crosses = (command.moved & in_plane().mask()) == 0;
+    path::Motion& motion = command.motion();
+    const bool crosses = (motion.moved & in_plane().mask()) == 0;
     const bool stays = crosses && !in_plane().is_tilted() && !settings_.more_empty_is_fault;
     if (const Fault fault = finish()) return fault;
     if (state_ == State::On && !stays) state_ = State::Starting;
@@ -248,10 +249,10 @@ Compensation::Fault Compensation::take_in_machine_coordinates(Command& command,
         // Axes that it does not name stay where the cutter is.
         const path::PlaneAxes& axes = in_plane().axes();
         for (const Axis axis : {axes.first, axes.second}) {
-            if ((command.moved & bit(axis)) == 0)
-                command.to[index(axis)] = cutter_.position()[index(axis)];
+            if ((motion.moved & bit(axis)) == 0)
+                motion.to[index(axis)] = cutter_.position()[index(axis)];
         }
-        in_plane().set_point(position, in_plane().point(command.to));
+        in_plane().set_point(position, in_plane().point(motion.to));
     }
     AxisValues programmed = position;
     if (stays && state_ == State::On)
@@ -263,12 +264,16 @@ Compensation::Fault Compensation::take_in_machine_coordinates(Command& command,
 
 Compensation::Fault Compensation::take_motion(Command& command) {
     if (is_paused_ && state_ == State::On) return follow_paused(command);
-    if (!is_straight(command.op) && command.op != Op::Arc) return &diag::CompMotion;
-    const double side = command.normal.dot(path::unit(in_plane().axes().normal));
-    if (command.op == Op::Arc && std::abs(side) < 1 - 1e-9) return &diag::CompMotion;  // it tilts
-    if (command.feed_mode == path::FeedMode::InverseTime && command.op != Op::Rapid) {
+    path::Motion& motion = command.motion();
+    if (motion.op() == Op::Arc) {
+        const double side = motion.arc().normal.dot(path::unit(in_plane().axes().normal));
+        if (std::abs(side) < 1 - 1e-9) return &diag::CompMotion;  // it tilts
+    } else if (!is_straight(motion.op())) {
+        return &diag::CompMotion;
+    }
+    if (motion.feed_mode == path::FeedMode::InverseTime && motion.op() != Op::Rapid) {
         if (!settings_.takes_inverse_time) return &diag::CompInverseTime;
-        feed_along(command);
+        feed_along(motion);
     }
     switch (state_) {
         case State::Starting: return approach(command);
@@ -278,26 +283,26 @@ Compensation::Fault Compensation::take_motion(Command& command) {
 }
 
 /// An inverse time as the speed that it is along the programmed way.
-void Compensation::feed_along(Command& command) const {
-    const Element way = element_of(command);
-    const double along =
-        way.is_arc() ? path::radius(way) * std::abs(command.sweep) : (way.to - way.from).norm();
+void Compensation::feed_along(path::Motion& motion) const {
+    const Element way = element_of(motion);
+    const double along = way.is_arc() ? path::radius(way) * std::abs(motion.arc().sweep)
+                                      : (way.to - way.from).norm();
     const std::size_t normal = index(in_plane().axes().normal);
-    const double across = command.to[normal] - here_[normal];
-    command.feed *= std::hypot(along, across);
-    command.feed_mode = path::FeedMode::PerMinute;
+    const double across = motion.to[normal] - here_[normal];
+    motion.feed *= std::hypot(along, across);
+    motion.feed_mode = path::FeedMode::PerMinute;
 }
 
 /// Beside the block before it ends on the normal, and this one is as far from its contour.
 Compensation::Fault Compensation::follow_kept(Command& command) {
-    if (!is_straight(command.op)) return &diag::CompMotion;
+    if (!is_straight(command.op())) return &diag::CompMotion;
     if (approach_) return &diag::CompNoVector;
     if (contour_.last()) {
         if (const Fault fault = finish()) return fault;
     }
     const Vec2 vector = cutter_.point() - in_plane().point(here_);
-    const Vec2 to = in_plane().point(command.to) + vector;
-    here_ = command.to;
+    const Vec2 to = in_plane().point(command.motion().to) + vector;
+    here_ = command.motion().to;
     cutter_.put_line({std::move(command)}, to);
     cutter_.set_programmed(here_);
     return nullptr;
@@ -306,8 +311,8 @@ Compensation::Fault Compensation::follow_kept(Command& command) {
 /// As it is programmed, so far beside as the contour before has ended.
 Compensation::Fault Compensation::follow_paused(Command& command) {
     const Vec2 vector = cutter_.point() - in_plane().point(here_);
-    here_ = command.to;
-    in_plane().shift(command, vector);
+    here_ = command.motion().to;
+    in_plane().shift(command.motion(), vector);
     cutter_.put_beside(std::move(command), here_);
     cutter_.set_programmed(here_);
     return nullptr;
@@ -323,15 +328,15 @@ void Compensation::come_back(const Command& command, const Element& element) {
 // ------------------------------------------------------------------------------ the contour
 
 Compensation::Fault Compensation::approach(Command& command) {
-    if (!is_straight(command.op)) return &diag::CompStartOnArc;
+    if (!is_straight(command.op())) return &diag::CompStartOnArc;
     if (keeps_vector_) return &diag::CompNoVector;
-    if (is_curve(settings_.start) && command.op != Op::Line) return &diag::CompMotion;
+    if (is_curve(settings_.start) && command.op() != Op::Line) return &diag::CompMotion;
     begin_approach(command, false);
     return nullptr;
 }
 
 void Compensation::begin_approach(Command& command, bool is_straight) {
-    here_ = command.to;
+    here_ = command.motion().to;
     contour_.wait_for_first(std::move(command));
     approach_ = Approach{distance_, is_straight};
     is_let_go_ = false;
@@ -339,7 +344,7 @@ void Compensation::begin_approach(Command& command, bool is_straight) {
 }
 
 Compensation::Fault Compensation::follow(Command& command) {
-    const Element element = element_of(command);
+    const Element element = element_of(command.motion());
     const double before = contour_.last() ? contour_.last()->distance
                           : approach_     ? approach_->distance
                                           : distance_;
@@ -355,7 +360,7 @@ Compensation::Fault Compensation::follow(Command& command) {
     // On an arc the cutter cannot come straight to its end.
     if (std::exchange(is_let_go_, false) && element.is_arc()) return &diag::CompAnewOnArc;
     const double radius = element.is_arc() ? path::radius(element) : 0;
-    here_ = command.to;
+    here_ = command.motion().to;
     return push(element, {std::move(command), radius, false, settings_.feed});
 }
 
@@ -391,7 +396,7 @@ void Compensation::lead_approach(const Element& first, double distance, bool is_
                                  : std::optional<EndCurve>{};
     if (curve) cutter_.put_curve(motion, to, *curve);
     else cutter_.put_line(motion, to);
-    cutter_.set_programmed(motion.command.to);
+    cutter_.set_programmed(motion.command.motion().to);
 }
 
 Compensation::Fault Compensation::push(const Element& element, ProgrammedMotion motion) {
@@ -403,16 +408,16 @@ Compensation::Fault Compensation::push(const Element& element, ProgrammedMotion 
 }
 
 Compensation::Fault Compensation::depart(Command& command) {
-    if (!is_straight(command.op)) return &diag::CompEndOnArc;
+    if (!is_straight(command.op())) return &diag::CompEndOnArc;
     std::optional<Element> way;
     // A direction that is said takes the place of the corner.
     if (contour_.last() && !leave_direction_) {
         const auto found = retract_element(settings_.start, contour_.last()->element,
-                                           in_plane().point(command.to), distance_);
+                                           in_plane().point(command.motion().to), distance_);
         if (!found) return row_of(found.error());
         way = *found;
     }
-    here_ = command.to;
+    here_ = command.motion().to;
     if (way) {
         if (const Fault fault = push(*way, {std::move(command), 0, true})) return fault;
         if (const Fault fault = finish()) return fault;
@@ -429,9 +434,9 @@ Compensation::Fault Compensation::depart_from_end(Command& command) {
     const std::optional<CompensatedContour::Last> last = contour_.last();
     if (const Fault fault = finish(leave_direction_, !is_curved)) return fault;
     std::optional<EndCurve> curve;
-    const Vec2 to = in_plane().point(command.to);
+    const Vec2 to = in_plane().point(command.motion().to);
     if (is_curved && last) {
-        if (command.op != Op::Line) return &diag::CompMotion;
+        if (command.op() != Op::Line) return &diag::CompMotion;
         curve = curve_out(settings_.start, path::line_element(cutter_.point(), to), last->element,
                           distance_);
     }
@@ -441,20 +446,15 @@ Compensation::Fault Compensation::depart_from_end(Command& command) {
     return nullptr;
 }
 
-bool Compensation::moves_in_plane(const Command& command) const {
-    const Vec2 way = in_plane().point(command.to) - in_plane().point(here_);
-    return command.op == Op::Arc || way.norm() > path::kSamePoint;
+/// In the plane, led along the contour as it will be.
+bool Compensation::moves_on(const path::Motion& motion) const {
+    Vec2 to = in_plane().point(motion.to);
+    if (is_on_contour()) to += aside_;
+    return motion.op() == Op::Arc || (to - in_plane().point(here_)).norm() > path::kSamePoint;
 }
 
-/// The same of a command as it is programmed.
-bool Compensation::moves_on(const Command& command) const {
-    Command led = command;
-    if (is_on_contour()) in_plane().shift(led, aside_);
-    return moves_in_plane(led);
-}
-
-Element Compensation::element_of(const Command& command) const {
-    return in_plane().element_of(command, in_plane().point(here_));
+Element Compensation::element_of(const path::Motion& motion) const {
+    return in_plane().element_of(motion, in_plane().point(here_));
 }
 
 }  // namespace kadr::interp

@@ -141,11 +141,10 @@ class Compensation {
     Fault follow_paused(path::Command& command);
     void come_back(const path::Command& command, const path::Element& element);
     Fault finish(const std::optional<path::Vec2>& direction = std::nullopt, bool is_open = false);
-    bool moves_in_plane(const path::Command& command) const;
     bool is_on_contour() const { return state_ == State::On || state_ == State::Leaving; }
-    bool moves_on(const path::Command& command) const;
-    void feed_along(path::Command& command) const;
-    path::Element element_of(const path::Command& command) const;
+    bool moves_on(const path::Motion& motion) const;
+    void feed_along(path::Motion& motion) const;
+    path::Element element_of(const path::Motion& motion) const;
     const CompPlane& in_plane() const { return cutter_.plane(); }
     CompAlarm alarm(Fault fault, const path::Command& command) const;
 

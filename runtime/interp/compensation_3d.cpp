@@ -78,7 +78,7 @@ std::optional<CompAlarm> Compensation3d::end_block(const nc::Block& block) {
             fresh_.clear();
             return alarm(fault, place);
         }
-        has_moved = has_moved || (linear(here_) - before).norm() > kStill || place.op == Op::Arc;
+        has_moved = has_moved || (linear(here_) - before).norm() > kStill || place.op() == Op::Arc;
     }
     fresh_.clear();
     if (std::exchange(cannot_orient_, false))
@@ -92,12 +92,12 @@ std::optional<CompAlarm> Compensation3d::end_block(const nc::Block& block) {
 }
 
 /// Of the tool where a motion ends.
-Vec3 Compensation3d::tool_behind(const Command& command) const {
-    return settings_.orientation_limits.chain == nullptr ? settings_.direction : command.direction;
+Vec3 Compensation3d::tool_behind(const path::Motion& motion) const {
+    return settings_.orientation_limits.chain == nullptr ? settings_.direction : motion.direction;
 }
 
 bool Compensation3d::changes_orientation(const Command& command) const {
-    return settings_.orientation_limits.chain != nullptr && path::is_motion(command.op);
+    return settings_.orientation_limits.chain != nullptr && command.is_motion();
 }
 
 /// What is wrong at a corner is told of the side before it.
@@ -109,17 +109,17 @@ CompAlarm Compensation3d::alarm(Fault fault, const Command& command) const {
 }
 
 Compensation3d::Fault Compensation3d::take(Command& command) {
-    // What is touched is told of a way beside it, and of none that leads there or stands.
-    if (!command.contact.empty() && (state_ != State::On || command.machine_coordinates))
-        command.contact.clear();
-    if (path::is_motion(command.op) && command.machine_coordinates) {
+    if (command.is_motion()) {
+        path::Motion& motion = command.motion();
+        // What is touched is told of a way beside it, and of none that leads there or stands.
+        if (state_ != State::On || motion.machine_coordinates) motion.contact.reset();
+        if (!motion.machine_coordinates) return take_motion(command);
         if (const Fault fault = finish()) return fault;
         if (state_ == State::On) state_ = State::Starting;
-        here_ = command.to;
+        here_ = motion.to;
         put(std::move(command));
         return nullptr;
     }
-    if (path::is_motion(command.op)) return take_motion(command);
     if (approach_ || last_) {
         waiting_.push_back(std::move(command));
     } else {
@@ -129,13 +129,14 @@ Compensation3d::Fault Compensation3d::take(Command& command) {
 }
 
 Compensation3d::Fault Compensation3d::take_motion(Command& command) {
-    if (command.op == Op::Thread || command.op == Op::Probe) return &diag::CompMotion;
-    path::Curve way = path::curve_of(command, linear(here_), linear(command.to));
+    path::Motion& motion = command.motion();
+    if (motion.op() == Op::Thread || motion.op() == Op::Probe) return &diag::CompMotion;
+    path::Curve way = path::curve_of(motion, linear(here_), linear(motion.to));
     if (path::length(way) <= kStill) {
         // Only the tool turns, or other axes move.
-        here_ = command.to;
-        command.contact.clear();
-        tool_ = tool_behind(command);
+        here_ = motion.to;
+        motion.contact.reset();
+        tool_ = tool_behind(motion);
         if (approach_ || last_) {
             waiting_.push_back(std::move(command));
         } else {
@@ -144,11 +145,11 @@ Compensation3d::Fault Compensation3d::take_motion(Command& command) {
         return nullptr;
     }
     if (state_ == State::On) return follow(command, std::move(way));
-    if (!is_straight(command.op))
+    if (!is_straight(motion.op()))
         return state_ == State::Leaving ? &diag::CompEndOnArc : &diag::CompStartOnArc;
     const Vec3 from = linear(here_);
-    here_ = command.to;
-    tool_ = tool_behind(command);
+    here_ = motion.to;
+    tool_ = tool_behind(motion);
     if (state_ == State::Leaving) {
         if (const Fault fault = finish()) return fault;
         put_path(std::move(command), from, linear(here_));
@@ -162,22 +163,23 @@ Compensation3d::Fault Compensation3d::take_motion(Command& command) {
 }
 
 Compensation3d::Fault Compensation3d::follow(Command& command, path::Curve way) {
-    if (command.feed_mode == path::FeedMode::InverseTime && command.op != Op::Rapid) {
+    path::Motion& motion = command.motion();
+    if (motion.feed_mode == path::FeedMode::InverseTime && motion.op() != Op::Rapid) {
         if (!settings_.takes_inverse_time) return &diag::CompInverseTime;
-        command.feed *= path::length(way);
-        command.feed_mode = path::FeedMode::PerMinute;
+        motion.feed *= path::length(way);
+        motion.feed_mode = path::FeedMode::PerMinute;
     }
     Side side;
     side.way = std::move(way);
     side.from = here_;
     side.from_tool = tool_;
-    side.to_tool = tool_behind(command);
+    side.to_tool = tool_behind(motion);
     side.contact = settings_.cutter.contact;
-    here_ = command.to;
+    here_ = motion.to;
     tool_ = side.to_tool;
     std::optional<Contact> face;
-    if (!command.contact.empty()) face = command.contact.front().contact;
-    command.contact.clear();
+    if (motion.contact) face = motion.contact->contact;
+    motion.contact.reset();
     side.command = std::move(command);
     if (settings_.cutter.is_face_milling()) {
         if (!face) return &diag::CompMotion;
@@ -217,13 +219,13 @@ Compensation3d::Fault Compensation3d::enter(const Side& first) {
     Command command = std::move(*approach_);
     approach_.reset();
     const Contact contact = standing(guide_on(first, 0));
-    const Vec3 tool = tool_behind(command);
+    const Vec3 tool = tool_behind(command.motion());
     auto aside = path::tip_beside(contact, contact.guide, tool);
     if (!aside && first.contact.kind == ContactKind::Face)
         aside = path::tip_square(first.contact, tool);
     if (!aside) return &diag::CompAlongTool;
-    const Vec3 programmed = linear(command.to);
-    set_linear(command.to, programmed + *aside);
+    const Vec3 programmed = linear(command.motion().to);
+    set_linear(command.motion().to, programmed + *aside);
     put_path(std::move(command), approach_from_, programmed);
     emit_waiting(contact, linear(first.from));
     return nullptr;
@@ -361,7 +363,7 @@ void Compensation3d::extend(Side& next, const Corner& corner) {
 /// The contour ends here, square to it.
 Compensation3d::Fault Compensation3d::finish() {
     if (approach_) {  // of no contour at all
-        const Vec3 to = linear(approach_->to);
+        const Vec3 to = linear(approach_->motion().to);
         put_path(std::move(*approach_), approach_from_, to);
         approach_.reset();
     }
@@ -395,29 +397,31 @@ bool Compensation3d::keeps_kind(const Side& side) {
     if (side.turns()) return false;
     if (side.contact.kind == ContactKind::Face) return side.contact.turn == 0;
     const bool is_square_arc =
-        side.command.op == Op::Arc && std::abs(side.command.normal.dot(side.from_tool)) > 1 - 1e-9;
+        side.command.op() == Op::Arc &&
+        std::abs(side.command.motion().arc().normal.dot(side.from_tool)) > 1 - 1e-9;
     return side.is_line() || is_square_arc;
 }
 
 /// Of the tool at a share of a motion that begins with the axes and the tool so.
-Vec3 Compensation3d::tool_along(const Command& command, const AxisValues& from,
+Vec3 Compensation3d::tool_along(const path::Motion& motion, const AxisValues& from,
                                 const Vec3& from_tool, const path::Curve& way, double share) const {
     if (settings_.orientation_limits.chain == nullptr) return from_tool;
     const double length = std::holds_alternative<path::Point>(way) ? 1 : path::length(way);
-    if (command.turning > path::Turning::Axes)
-        return path::direction_at(turn_of(command, from_tool, length), way, share * length);
+    if (motion.turning > path::Turning::Axes)
+        return path::direction_at(turn_of(motion, from_tool, length), way, share * length);
     AxisValues axes{};
-    for (std::size_t i = 3; i < kAxes; ++i) axes[i] = from[i] + share * (command.to[i] - from[i]);
+    for (std::size_t i = 3; i < kAxes; ++i) axes[i] = from[i] + share * (motion.to[i] - from[i]);
     return machine::tool_vector(*settings_.orientation_limits.chain,
                                 joints_at(*settings_.orientation_limits.chain, axes));
 }
 
 /// At a share of the whole way.
 Vec3 Compensation3d::tool_on(const Side& side, double share) const {
-    if (side.command.turning > path::Turning::Axes)
+    if (side.command.motion().turning > path::Turning::Axes)
         return path::direction_at(turn_on(side), side.way, share * side.length());
     if (!side.turns()) return side.from_tool;
-    return tool_along(side.command, side.from, side.from_tool, side.way, side.share_of_part(share));
+    return tool_along(side.command.motion(), side.from, side.from_tool, side.way,
+                      side.share_of_part(share));
 }
 
 /// Of the contour its tangent, of a surface its normal.
@@ -441,7 +445,7 @@ std::optional<Vec3> Compensation3d::tip_on(const Side& side, double share) const
 
 /// Where the tip and the other axes are at one of the ends of what is left.
 AxisValues Compensation3d::axes_on(const Side& side, double share) const {
-    AxisValues axes = share == side.begin ? side.from : side.command.to;
+    AxisValues axes = share == side.begin ? side.from : side.command.motion().to;
     set_linear(axes, tip_on(side, share).value_or(side.at(share).position));
     return axes;
 }
@@ -452,7 +456,7 @@ AxisValues Compensation3d::axes_on(const Side& side, double share) const {
 path::Turn Compensation3d::turn_on(const Side& side) {
     const double length = side.length();
     const double part = side.part() * length;
-    path::Turn turn = turn_of(side.command, side.from_tool, part);
+    path::Turn turn = turn_of(side.command.motion(), side.from_tool, part);
     if (turn.kind == path::Turning::Point) {
         const Vec3 before = side.at(side.begin).position - side.at(0).position;
         const Vec3 behind = side.at(side.end).position - side.at(1).position;
@@ -464,11 +468,13 @@ path::Turn Compensation3d::turn_on(const Side& side) {
 }
 
 /// What a command says of it for what is left.
-void Compensation3d::cut_turn(const Side& side, Command& command) {
+void Compensation3d::cut_turn(const Side& side, path::Motion& motion) {
+    if (!motion.tool_turn) return;
     const double length = side.length();
     const path::Turn turn = turn_on(side);
-    command.turn_from = path::part_of(turn, side.begin * length, side.end * length).start;
-    if (turn.kind == path::Turning::Point) command.turn_axis = side.part() * length * turn.axis;
+    motion.tool_turn->from = path::part_of(turn, side.begin * length, side.end * length).start;
+    if (turn.kind == path::Turning::Point)
+        motion.tool_turn->axis = side.part() * length * turn.axis;
 }
 
 /// The cutter as it stands at a place of the contour or of the surface.
@@ -487,32 +493,38 @@ void Compensation3d::emit(Side& side) {
     const AxisValues start = axes_on(side, side.begin);
     if (!is_same_place(start, shown_)) emit_line_to(side.command, start, tool_on(side, side.begin));
     Command command = side.command;
+    path::Motion& motion = command.motion();
     const AxisValues to = axes_on(side, side.end);
     const Vec3 tool = tool_on(side, side.end);
     const double part = side.part();
     if (keeps_kind(side)) {
-        command.center += side.contact.kind == ContactKind::Face
-                              ? aside_on(side, 0).value_or(Vec3::Zero())
-                              : Vec3(-side.contact.depth * side.from_tool);
-        command.sweep *= part;
+        const Vec3 aside = side.contact.kind == ContactKind::Face
+                               ? aside_on(side, 0).value_or(Vec3::Zero())
+                               : Vec3(-side.contact.depth * side.from_tool);
+        if (motion.op() == Op::Arc) {
+            motion.arc().center += aside;
+            motion.arc().sweep *= part;
+        } else if (motion.op() == Op::Involute) {
+            motion.involute().center += aside;
+        }
     } else if (settings_.orientation_limits.chain == nullptr) {
         return emit_splines(side.command, side.from, [&](double share) {
             return tip_on(side, side.share_of_path(share)).value_or(Vec3::Zero());
         });
     } else {
-        path::ContactMotion motion;
-        motion.contact = side.contact;
-        motion.contact.guide = path::guide_at(side.contact, side.begin);
-        motion.contact.turn *= part;
-        motion.from = linear(side.from);
-        motion.to = linear(command.to);
-        motion.begin = side.begin;
-        motion.end = side.end;
-        command.contact.assign(1, motion);
-        cut_turn(side, command);
+        path::ContactMotion touched;
+        touched.contact = side.contact;
+        touched.contact.guide = path::guide_at(side.contact, side.begin);
+        touched.contact.turn *= part;
+        touched.from = linear(side.from);
+        touched.to = linear(motion.to);
+        touched.begin = side.begin;
+        touched.end = side.end;
+        motion.contact = touched;
+        cut_turn(side, motion);
     }
-    command.to = to;
-    command.direction = tool;
+    motion.to = to;
+    motion.direction = tool;
     put(std::move(command));
 }
 
@@ -523,16 +535,17 @@ void Compensation3d::emit_waiting(Contact contact, const Vec3& at) {
     Vec3 tool = shown_tool_;
     for (const Command& command : waiting_) {
         if (!changes_orientation(command)) continue;
-        angles += std::acos(std::clamp(tool.dot(command.direction), -1.0, 1.0));
-        tool = command.direction;
+        angles += std::acos(std::clamp(tool.dot(command.motion().direction), -1.0, 1.0));
+        tool = command.motion().direction;
     }
     for (Command& command : waiting_) {
         if (!changes_orientation(command)) {
-            set_linear(command.to, linear(shown_));
+            if (command.is_motion()) set_linear(command.motion().to, linear(shown_));
             put(std::move(command));
             continue;
         }
-        const double angle = std::acos(std::clamp(shown_tool_.dot(command.direction), -1.0, 1.0));
+        const double angle =
+            std::acos(std::clamp(shown_tool_.dot(command.motion().direction), -1.0, 1.0));
         contact.turn = angles > 0 ? whole * angle / angles : 0;
         emit_turn(std::move(command), contact, at);
         if (contact.kind != ContactKind::Corner) contact.guide = path::guide_at(contact, 1);
@@ -546,7 +559,7 @@ void Compensation3d::emit_turn(Command command, Contact contact, const Vec3& at)
     const Vec3 tool = shown_tool_;
     const auto aside = [&](double share) {
         return path::tip_beside(contact, path::guide_at(contact, share),
-                                tool_along(command, before, tool, path::Point{at}, share));
+                                tool_along(command.motion(), before, tool, path::Point{at}, share));
     };
     const bool is_square = contact.kind == ContactKind::Face && !path::tip_or_limit(0.5, aside);
     if (is_square) contact.radius = contact.depth;
@@ -560,8 +573,8 @@ void Compensation3d::emit_turn(Command command, Contact contact, const Vec3& at)
     path::ContactMotion motion;
     motion.contact = contact;
     motion.from = motion.to = at;
-    command.contact.assign(1, motion);
-    set_linear(command.to, at + end.value_or(Vec3::Zero()));
+    command.motion().contact = motion;
+    set_linear(command.motion().to, at + end.value_or(Vec3::Zero()));
     put(std::move(command));
 }
 
@@ -573,7 +586,7 @@ void Compensation3d::emit_arc(const Command& model, const Vec3& at, const Vec3& 
     const Vec3 center = at - settings_.cutter.contact.depth * tool;
     if (std::abs(turn * radius) < path::kSamePoint) return;
     AxisValues end = shown_;
-    if (model.op == Op::Rapid) {
+    if (model.op() == Op::Rapid) {
         const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / (pi / 2))));
         const double half = turn / parts / 2;
         for (int i = 0; i < parts; ++i) {
@@ -585,36 +598,39 @@ void Compensation3d::emit_arc(const Command& model, const Vec3& at, const Vec3& 
         return emit_line_to(model, end, tool);
     }
     Command command = like(model, Op::Arc);
-    command.center = center;
-    command.normal = turn > 0 ? tool : Vec3(-tool);
-    command.sweep = std::abs(turn);
-    command.is_clockwise = command.normal.dot(path::unit(path::axes_of(command.plane).normal)) < 0;
+    path::Motion& motion = command.motion();
+    path::ArcShape arc;
+    arc.center = center;
+    arc.normal = turn > 0 ? tool : Vec3(-tool);
+    arc.sweep = std::abs(turn);
+    arc.is_clockwise = arc.normal.dot(path::unit(path::axes_of(motion.plane).normal)) < 0;
+    motion.shape = arc;
     set_linear(end, center + radius * to);
-    command.to = end;
-    command.direction = tool;
+    motion.to = end;
+    motion.direction = tool;
     put(std::move(command));
 }
 
 void Compensation3d::emit_line_to(const Command& model, const AxisValues& to, const Vec3& tool) {
-    Command command = like(model, model.op == Op::Rapid ? Op::Rapid : Op::Line);
-    command.to = to;
-    command.direction = tool;
+    Command command = like(model, model.op() == Op::Rapid ? Op::Rapid : Op::Line);
+    command.motion().to = to;
+    command.motion().direction = tool;
     put(std::move(command));
 }
 
 /// A way to the contour or from it, between two places as it is programmed.
 void Compensation3d::put_path(Command command, const Vec3& from, const Vec3& to) {
-    shift_point({from, to, linear(shown_), linear(command.to)}, command);
-    shown_tool_ = tool_behind(command);
-    const AxisValues begin = std::exchange(shown_, command.to);
+    shift_point({from, to, linear(shown_), linear(command.motion().to)}, command.motion());
+    shown_tool_ = tool_behind(command.motion());
+    const AxisValues begin = std::exchange(shown_, command.motion().to);
     if (!put_oriented(settings_.orientation_limits, begin, std::move(command), settled_))
         cannot_orient_ = true;
 }
 
 void Compensation3d::put(Command command) {
-    if (path::is_motion(command.op)) {
-        shown_ = command.to;
-        shown_tool_ = tool_behind(command);
+    if (command.is_motion()) {
+        shown_ = command.motion().to;
+        shown_tool_ = tool_behind(command.motion());
     }
     settled_.push_back(std::move(command));
 }

@@ -95,7 +95,8 @@ class Compensation3d {
         path::CurvePoint at(double share) const;
         bool is_line() const { return std::holds_alternative<path::Line>(way); }
         bool turns() const {
-            return command.turning > path::Turning::Cone || (to_tool - from_tool).norm() > 1e-12;
+            return command.motion().turning > path::Turning::Cone ||
+                   (to_tool - from_tool).norm() > 1e-12;
         }
     };
     struct Corner;  // between two of them
@@ -132,12 +133,12 @@ class Compensation3d {
     void roll_part(const path::Contact& contact, const Side& next, const path::Vec3& at);
     void emit_splines(const path::Command& model, const AxisValues& from, const TipPath& tip);
 
-    path::Vec3 tool_behind(const path::Command& command) const;
+    path::Vec3 tool_behind(const path::Motion& motion) const;
     bool changes_orientation(const path::Command& command) const;
     static bool keeps_kind(const Side& side);
     static path::Turn turn_on(const Side& side);
-    static void cut_turn(const Side& side, path::Command& command);
-    path::Vec3 tool_along(const path::Command& command, const AxisValues& from,
+    static void cut_turn(const Side& side, path::Motion& motion);
+    path::Vec3 tool_along(const path::Motion& motion, const AxisValues& from,
                           const path::Vec3& from_tool, const path::Curve& way, double share) const;
     path::Vec3 tool_on(const Side& side, double share) const;
     path::Vec3 guide_on(const Side& side, double share) const;

@@ -56,7 +56,7 @@ Compensation3d::Fault Compensation3d::take_surface(const Contact& face, Side& si
     side.contact.turn = face.turn;
     if (settings_.orientation_limits.chain == nullptr && side.turns()) return &diag::CompMotion;
     // At rapid only lines lead anywhere, and between their ends nobody holds the tip.
-    if (settings_.orientation_limits.chain == nullptr && side.command.op == Op::Rapid &&
+    if (settings_.orientation_limits.chain == nullptr && side.command.op() == Op::Rapid &&
         !keeps_kind(side))
         return &diag::CompMotion;
     return check(side);
@@ -218,15 +218,15 @@ void Compensation3d::roll_part(const Contact& contact, const Side& next, const V
     AxisValues end = shown_;
     set_linear(end, tip(1));
     if (path::tip_travel_about(contact, tool) < path::kSamePoint) return;
-    if (next.command.op == Op::Rapid) return emit_line_to(next.command, end, tool);
+    if (next.command.op() == Op::Rapid) return emit_line_to(next.command, end, tool);
     Command command = like(next.command, Op::Line);
-    command.to = end;
-    command.direction = tool;
+    command.motion().to = end;
+    command.motion().direction = tool;
     if (settings_.orientation_limits.chain == nullptr) return emit_splines(command, shown_, tip);
     path::ContactMotion motion;
     motion.contact = contact;
     motion.from = motion.to = at;
-    command.contact.assign(1, motion);
+    command.motion().contact = motion;
     put(std::move(command));
 }
 
@@ -276,13 +276,13 @@ void Compensation3d::emit_splines(const Command& model, const AxisValues& from,
             continue;
         }
         Command command = like(model, Op::Spline);
-        command.spline = shape;
-        command.to = model.to;
+        command.motion().spline() = shape;
+        command.motion().to = model.motion().to;
         for (std::size_t i = 3; i < kAxes; ++i)
-            command.to[i] = from[i] + end * (model.to[i] - from[i]);
-        set_linear(command.to, tip(end));
-        command.direction = shown_tool_;
-        if (end == 1) command.exact_stop = model.exact_stop;
+            command.motion().to[i] = from[i] + end * (model.motion().to[i] - from[i]);
+        set_linear(command.motion().to, tip(end));
+        command.motion().direction = shown_tool_;
+        if (end == 1) command.motion().exact_stop = model.motion().exact_stop;
         put(std::move(command));
         begin = end;
         step = std::min(2 * step, 1 - begin);

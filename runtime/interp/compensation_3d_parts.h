@@ -25,12 +25,11 @@ inline bool is_same_place(const AxisValues& a, const AxisValues& b) {
 /// A command that is to be another one in the same block.
 inline path::Command like(const path::Command& model, path::Op op) {
     path::Command command = model;
-    command.op = op;
-    command.exact_stop = false;
-    command.turns = 0;
-    command.curve.clear();
-    command.contact.clear();
-    if (command.turning != path::Turning::None) command.turning = path::Turning::Axes;
+    path::Motion& motion = command.motion();
+    motion.become(op);
+    motion.exact_stop = false;
+    motion.contact.reset();
+    if (motion.turning != path::Turning::None) motion.turn_plainly(path::Turning::Axes);
     return command;
 }
 

@@ -33,14 +33,14 @@ AxisValues CompPlane::out_of(const AxisValues& values) const {
 }
 
 Command CompPlane::into(Command command) const {
-    if (is_tilted_ && path::is_motion(command.op)) turn(lie_.transpose(), command);
+    if (is_tilted_ && command.is_motion()) turn(lie_.transpose(), command.motion());
     return command;
 }
 
 Command CompPlane::out_of(Command command) const {
-    if (!is_tilted_ || !path::is_motion(command.op)) return command;
-    turn(lie_, command);
-    command.moved |= kLinearXYZ;
+    if (!is_tilted_ || !command.is_motion()) return command;
+    turn(lie_, command.motion());
+    command.motion().moved |= kLinearXYZ;
     return command;
 }
 
@@ -57,37 +57,44 @@ void CompPlane::shift(AxisValues& values, const Vec2& by) const {
     set_point(values, point(values) + by);
 }
 
-void CompPlane::shift(Command& command, const Vec2& by) const {
-    shift(command.to, by);
-    set_center(command, center(command) + by);
+void CompPlane::shift(path::Motion& motion, const Vec2& by) const {
+    shift(motion.to, by);
+    if (motion.op() == path::Op::Arc) shift(motion.arc().center, by);
+    else if (motion.op() == path::Op::Involute) shift(motion.involute().center, by);
 }
 
-Element CompPlane::element_of(const Command& command, const Vec2& from) const {
-    const Vec2 to = point(command.to);
-    if (command.op != path::Op::Arc) return path::line_element(from, to);
-    Element arc{from, to, center(command), 0};
-    const bool is_left = command.normal.dot(path::unit(axes_.normal)) > 0;
-    arc.sweep = (command.sweep - 2 * pi * command.turns) * (is_left ? 1 : -1);
+void CompPlane::shift(path::Vec3& center, const Vec2& by) const {
+    set_center(center, in_plane(center) + by);
+}
+
+Element CompPlane::element_of(const path::Motion& motion, const Vec2& from) const {
+    const Vec2 to = point(motion.to);
+    if (motion.op() != path::Op::Arc) return path::line_element(from, to);
+    const path::ArcShape& shape = motion.arc();
+    Element arc{from, to, in_plane(shape.center), 0};
+    const bool is_left = shape.normal.dot(path::unit(axes_.normal)) > 0;
+    arc.sweep = (shape.sweep - 2 * pi * shape.turns) * (is_left ? 1 : -1);
     return arc;
 }
 
-void CompPlane::go_along(const Element& arc, Command& command) const {
-    command.op = path::Op::Arc;
-    set_point(command.to, arc.to);
-    set_center(command, arc.center);
-    command.normal = path::unit(axes_.normal) * (arc.sweep > 0 ? 1 : -1);
-    command.sweep = std::abs(arc.sweep) + 2 * pi * command.turns;
-    command.is_clockwise = arc.sweep < 0;
+void CompPlane::go_along(const Element& arc, path::Motion& motion) const {
+    if (motion.op() != path::Op::Arc) motion.become(path::Op::Arc);
+    set_point(motion.to, arc.to);
+    path::ArcShape& shape = motion.arc();
+    set_center(shape.center, arc.center);
+    shape.normal = path::unit(axes_.normal) * (arc.sweep > 0 ? 1 : -1);
+    shape.sweep = std::abs(arc.sweep) + 2 * pi * shape.turns;
+    shape.is_clockwise = arc.sweep < 0;
 }
 
-void CompPlane::set_center(Command& command, const Vec2& at) const {
-    command.center[static_cast<Eigen::Index>(index(axes_.first))] = at.x();
-    command.center[static_cast<Eigen::Index>(index(axes_.second))] = at.y();
+void CompPlane::set_center(path::Vec3& center, const Vec2& at) const {
+    center[static_cast<Eigen::Index>(index(axes_.first))] = at.x();
+    center[static_cast<Eigen::Index>(index(axes_.second))] = at.y();
 }
 
-Vec2 CompPlane::center(const Command& command) const {
-    return {command.center[static_cast<Eigen::Index>(index(axes_.first))],
-            command.center[static_cast<Eigen::Index>(index(axes_.second))]};
+Vec2 CompPlane::in_plane(const path::Vec3& center) const {
+    return {center[static_cast<Eigen::Index>(index(axes_.first))],
+            center[static_cast<Eigen::Index>(index(axes_.second))]};
 }
 
 }  // namespace kadr::interp

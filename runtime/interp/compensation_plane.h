@@ -38,16 +38,17 @@ class CompPlane {
     path::Vec2 point(const AxisValues& values) const;
     void set_point(AxisValues& values, const path::Vec2& at) const;
     void shift(AxisValues& values, const path::Vec2& by) const;
-    /// The end of a motion, and the centre of an arc.
-    void shift(path::Command& command, const path::Vec2& by) const;
+    /// The end of a motion, and the centre that it may have.
+    void shift(path::Motion& motion, const path::Vec2& by) const;
     /// The way of a line or an arc that begins at a point.
-    path::Element element_of(const path::Command& command, const path::Vec2& from) const;
-    /// The command goes along an arc, with the full turns that it has beside it.
-    void go_along(const path::Element& arc, path::Command& command) const;
+    path::Element element_of(const path::Motion& motion, const path::Vec2& from) const;
+    /// The motion goes along an arc, with the full turns that it has beside it.
+    void go_along(const path::Element& arc, path::Motion& motion) const;
 
   private:
-    void set_center(path::Command& command, const path::Vec2& at) const;
-    path::Vec2 center(const path::Command& command) const;
+    void shift(path::Vec3& center, const path::Vec2& by) const;
+    void set_center(path::Vec3& center, const path::Vec2& at) const;
+    path::Vec2 in_plane(const path::Vec3& center) const;
 
     path::Plane plane_ = path::Plane::Xy;
     path::PlaneAxes axes_;

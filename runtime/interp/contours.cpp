@@ -101,7 +101,7 @@ void ContourTables::note_contour_block(const Block& block) {
     said.feed = modal_.has_feed ? modal_.feed : 0;
     contour_->said.push_back(said);
     std::vector<Command>& commands = contour_->commands;
-    while (!commands.empty() && !path::is_motion(commands.back().op)) commands.pop_back();
+    while (!commands.empty() && !commands.back().is_motion()) commands.pop_back();
     // No array of a program has so many rows, so that a loop without end is not read until the
     // memory is full.
     constexpr std::size_t kMostMotions = 200'000;
@@ -130,34 +130,35 @@ std::optional<ContourElements> ContourTables::contour_of(const ContourRun& run) 
     Vec2 from = in_plane(run.before.position.base());
     std::size_t at = 0;  // of what the blocks have said
     for (const Command& command : run.commands) {
-        if (!path::is_motion(command.op)) continue;
+        if (!command.is_motion()) continue;
         const auto of_line =
             std::find_if(run.said.begin() + static_cast<std::ptrdiff_t>(at), run.said.end(),
                          [&](const ContourRun::Said& said) { return said.line == command.line; });
         if (of_line != run.said.end()) at = static_cast<std::size_t>(of_line - run.said.begin());
-        const Vec2 to = in_plane(command.to);
-        const bool is_arc = command.op == Op::Arc;
+        const path::Motion& motion = command.motion();
+        const Vec2 to = in_plane(motion.to);
+        const bool is_arc = command.op() == Op::Arc;
         // Blocks that lead nowhere are no elements; but the first one is the way to the contour,
         // also of a tool that stands there already (unsure).
         if (!is_arc && !out.empty() && (to - from).norm() <= path::kSamePoint) continue;
         ContourElement element;
-        element.is_rapid = command.op == Op::Rapid;
+        element.is_rapid = command.op() == Op::Rapid;
         element.shape = path::line_element(from, to);
         if (is_arc) {
+            const path::ArcShape& arc = motion.arc();
             const path::Vec3 normal = path::unit(axes.normal);
-            if (std::fabs(command.normal.dot(normal)) < 1 - 1e-9) {
+            if (std::fabs(arc.normal.dot(normal)) < 1 - 1e-9) {
                 Block block{};
                 block.line = command.line;
                 block.source = command.source;
                 reporter_.report(diag::ContourMotion, block).arg("an arc out of the working plane");
                 return std::nullopt;
             }
-            const AxisValues center{command.center.x(), command.center.y(), command.center.z()};
+            const AxisValues center{arc.center.x(), arc.center.y(), arc.center.z()};
             element.shape =
-                path::arc_element(from, to, in_plane(center), command.is_clockwise != is_mirrored);
+                path::arc_element(from, to, in_plane(center), arc.is_clockwise != is_mirrored);
             // More than a turn is no element, and ends where a full circle does.
-            if (command.turns > 0)
-                element.shape.sweep = std::copysign(command.sweep, element.shape.sweep);
+            if (arc.turns > 0) element.shape.sweep = std::copysign(arc.sweep, element.shape.sweep);
         }
         if (at < run.said.size()) {
             element.modes = run.said[at].modes;

@@ -29,9 +29,9 @@ constexpr double kRapidPart = pi / 18;
 
 /// Whether the tool is led under a transformation, which its block ends with whatever a corner cuts
 /// off its path. Where it keeps to a surface or a line in space, the path says how it stands.
-bool gives_direction(const Command& command) {
-    return !command.virtual_axes.is_on() &&
-           (command.turning == path::Turning::Axes || command.turning == path::Turning::Cone);
+bool gives_direction(const path::Motion& motion) {
+    return !motion.virtual_axes().is_on() &&
+           (motion.turning == path::Turning::Axes || motion.turning == path::Turning::Cone);
 }
 
 bool can_be_cut(path::Turning turning) {
@@ -52,8 +52,8 @@ bool rotary_differs(const AxisValues& a, const AxisValues& b) {
 }
 
 /// Under inverse time F belongs to the length of its block; of a part it is as much greater.
-void keep_speed(Command& command, double share) {
-    if (command.feed_mode == path::FeedMode::InverseTime && share > 0) command.feed /= share;
+void keep_speed(path::Motion& motion, double share) {
+    if (motion.feed_mode == path::FeedMode::InverseTime && share > 0) motion.feed /= share;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ void Corners::wish(const CornerWish& wish, const AxisValues& here, const CornerS
 
 const DiagnosticRow* Corners::wish_behind(const CornerWish& wish, const CornerSource& place) {
     if (!waits_ || !held_wish_.is_modal) return &diag::CornerWithoutMotion;
-    const bool is_rapid = held_.front().command.op == Op::Rapid;
+    const bool is_rapid = held_.front().command.op() == Op::Rapid;
     if (settings_.is_strict && is_rapid) return &diag::CornerNotContour;
     held_wish_ = wish;
     place_ = block_source_ = place;
@@ -156,9 +156,9 @@ void Corners::turn_item(const path::Mat3& by, Item& item) const {
         case Item::Kind::Comp: turn(by, item.change.here); return;
         case Item::Kind::EndOfBlock: turn(by, item.here); return;
         case Item::Kind::Command:
-            if (!path::is_motion(item.command.op) || item.command.machine_coordinates) return;
-            turn(by, item.command);
-            item.command.moved |= kLinearXYZ;
+            if (!item.command.is_motion() || item.command.motion().machine_coordinates) return;
+            turn(by, item.command.motion());
+            item.command.motion().moved |= kLinearXYZ;
     }
 }
 
@@ -173,37 +173,37 @@ void Corners::pass(Item item) { (waits_ ? held_ : settled_).push_back(std::move(
 
 Corners::Fault Corners::take(Item& item) {
     const Command& command = item.command;
-    if (item.kind != Item::Kind::Command || !path::is_motion(command.op)) {
+    if (item.kind != Item::Kind::Command || !command.is_motion()) {
         pass(std::move(item));
         return nullptr;
     }
-    if (waits_ && command.plane != plane_) {  // no corner between two planes
+    const path::Motion& motion = command.motion();
+    if (waits_ && motion.plane != plane_) {  // no corner between two planes
         if (settings_.is_strict && !held_wish_.is_modal) return &diag::CornerNotContour;
         waits_ = false;
         release();
     }
-    plane_ = command.plane;
+    plane_ = motion.plane;
     axes_ = path::axes_of(plane_);
-    const bool is_contour = (is_straight(command.op) || command.op == Op::Arc) &&
-                            can_be_cut(command.turning) && !command.machine_coordinates &&
-                            command.turns == 0;
-    if (!is_contour || (command.op == Op::Arc && !is_in_plane(command)))
-        return take_other_motion(item);
-    if (is_in_plane(command)) return take_motion(item);
-    at_ = command.to;
-    tool_ = command.direction;
+    const bool is_arc = motion.op() == Op::Arc;
+    const bool is_contour = (is_straight(motion.op()) || (is_arc && motion.arc().turns == 0)) &&
+                            can_be_cut(motion.turning) && !motion.machine_coordinates;
+    if (!is_contour || (is_arc && !is_in_plane(motion))) return take_other_motion(item);
+    if (is_in_plane(motion)) return take_motion(item);
+    at_ = motion.to;
+    tool_ = motion.direction;
     pass(std::move(item));
     return nullptr;
 }
 
 Corners::Fault Corners::take_other_motion(Item& item) {
-    const bool is_thread = item.command.op == Op::Thread;
+    const bool is_thread = item.command.op() == Op::Thread;
     const bool is_own = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
     const bool is_said = (waits_ && !held_wish_.is_modal) || is_own;
     if (!waits_) place_ = block_source_;
     if (is_said) return is_thread ? &diag::CornerInThread : &diag::CornerNotContour;
-    at_ = item.command.to;
-    tool_ = item.command.direction;
+    at_ = item.command.motion().to;
+    tool_ = item.command.motion().direction;
     waits_ = false;
     wish_ = {};
     release();
@@ -219,12 +219,13 @@ Corners::Fault Corners::take_motion(Item& item) {
     release();
     ++motions_;
     const AxisValues from = at_;
-    at_ = item.command.to;
-    tool_ = item.command.direction;
-    if (is_taken(item.command, from)) {
+    const path::Motion& motion = item.command.motion();
+    at_ = motion.to;
+    tool_ = motion.direction;
+    if (is_taken(motion, from)) {
         // The tool turns all the same.
-        if (gives_direction(item.command) && rotary_differs(from, at_)) {
-            item.command.op = Op::Line;
+        if (gives_direction(motion) && rotary_differs(from, at_)) {
+            item.command.become(Op::Line);
             settled_.push_back(std::move(item));
         }
         return nullptr;
@@ -234,7 +235,7 @@ Corners::Fault Corners::take_motion(Item& item) {
         return nullptr;
     }
     place_ = block_source_;
-    if (settings_.is_strict && item.command.op == Op::Rapid && !wish_.is_open)
+    if (settings_.is_strict && motion.op() == Op::Rapid && !wish_.is_open)
         return &diag::CornerNotContour;
     wait(std::move(item), from);
     return nullptr;
@@ -254,11 +255,11 @@ void Corners::wait(Item item, const AxisValues& from) {
 Corners::Fault Corners::join(Command& next) {
     if (held_wish_.kind == CornerWish::Kind::None) return nullptr;  // nobody wished for one
     const Command first = held_.front().command;
-    if (settings_.is_strict && next.op == Op::Rapid) return &diag::CornerNotContour;
-    const Element a = element_of(first, held_from_);
-    Element b = element_of(next, at_);
+    if (settings_.is_strict && next.op() == Op::Rapid) return &diag::CornerNotContour;
+    const Element a = element_of(first.motion(), held_from_);
+    Element b = element_of(next.motion(), at_);
     b.from = a.to;
-    if (const Fault fault = check_sides(next, a, b)) return fault;
+    if (const Fault fault = check_sides(next.motion(), a, b)) return fault;
     if (std::fabs(path::turn_between(a, b)) < path::kNoTurn) return nullptr;
     Fault fault = nullptr;
     const std::optional<CornerCut> found = cut(a, b, fault);
@@ -276,9 +277,10 @@ Corners::Fault Corners::join(Command& next) {
 }
 
 /// A form that says where the contour goes on has a square corner there.
-Corners::Fault Corners::check_sides(const Command& next, const Element& a, const Element& b) const {
+Corners::Fault Corners::check_sides(const path::Motion& next, const Element& a,
+                                    const Element& b) const {
     if (!held_wish_.is_square) return nullptr;
-    if (a.is_arc() || b.is_arc() || !is_straight(next.op)) return &diag::CornerNotContour;
+    if (a.is_arc() || b.is_arc() || !is_straight(next.op())) return &diag::CornerNotContour;
     const Vec2 way = b.to - b.from;
     const double along = held_wish_.next == axes_.first ? way.x() : way.y();
     const double across = held_wish_.next == axes_.first ? way.y() : way.x();
@@ -318,17 +320,16 @@ std::optional<CornerCut> Corners::cut(const Element& a, const Element& b, Fault&
 
 /// The motion before the corner ends earlier, and what stands behind it happens there.
 void Corners::shorten(const CornerCut& cut) {
-    Command& first = held_.front().command;
+    path::Motion& first = held_.front().command.motion();
     const Vec2 end = cut.piece.from;
     const AxisValues whole = first.to;
     first.to = between(held_from_, whole, cut.leaves, end);
     if (gives_direction(first)) set_rotary(first.to, whole);
-    if (first.op == Op::Arc) first.sweep *= cut.leaves;
+    if (first.op() == Op::Arc) first.arc().sweep *= cut.leaves;
     keep_speed(first, cut.leaves);
     for (auto item = held_.begin() + 1; item != held_.end(); ++item) {
-        const bool is_motion =
-            item->kind == Item::Kind::Command && path::is_motion(item->command.op);
-        if (is_motion) set_in_plane(item->command.to, end);
+        const bool is_motion = item->kind == Item::Kind::Command && item->command.is_motion();
+        if (is_motion) set_in_plane(item->command.motion().to, end);
         if (item->kind == Item::Kind::EndOfBlock) set_in_plane(item->here, end);
     }
     if (is_taken(first, held_from_)) held_.erase(held_.begin());
@@ -339,45 +340,49 @@ void Corners::insert(const CornerCut& cut, const Command& first, Command& next) 
     const Element& piece = cut.piece;
     const Command& own = settings_.feed_of_next ? next : first;
     const Command& other = settings_.feed_of_next ? first : next;
-    Command inserted = own.op == Op::Rapid ? other : own;
-    if (inserted.op != Op::Rapid) inserted.op = Op::Line;
-    if (inserted.op != Op::Rapid && held_wish_.feed > 0) inserted.feed = held_wish_.feed;
+    Command inserted = own.op() == Op::Rapid ? other : own;
     inserted.line = first.line;
     inserted.cycle = first.cycle;
     inserted.source = first.source;
-    inserted.exact_stop = first.exact_stop;
-    inserted.moved = static_cast<AxisMask>(next.moved | bit(axes_.first) | bit(axes_.second));
-    inserted.to = between(at_, next.to, cut.joins, piece.to);
-    if (gives_direction(next)) set_rotary(inserted.to, at_);
-    stand_tool(inserted);
-    at_ = inserted.to;
-    if (next.op == Op::Arc) next.sweep *= 1 - cut.joins;
-    keep_speed(next, 1 - cut.joins);
+    path::Motion& motion = inserted.motion();
+    const bool is_rapid = motion.op() == Op::Rapid;
+    if (!is_rapid) motion.become(Op::Line);
+    if (!is_rapid && held_wish_.feed > 0) motion.feed = held_wish_.feed;
+    path::Motion& behind = next.motion();
+    motion.exact_stop = first.motion().exact_stop;
+    motion.moved = static_cast<AxisMask>(behind.moved | bit(axes_.first) | bit(axes_.second));
+    motion.to = between(at_, behind.to, cut.joins, piece.to);
+    if (gives_direction(behind)) set_rotary(motion.to, at_);
+    stand_tool(motion);
+    at_ = motion.to;
+    if (behind.op() == Op::Arc) behind.arc().sweep *= 1 - cut.joins;
+    keep_speed(behind, 1 - cut.joins);
     if (piece.is_arc()) return insert_arc(std::move(inserted), piece);
     settled_.emplace_back().command = std::move(inserted);
 }
 
 /// What a corner inserts the tool passes as it stands.
-void Corners::stand_tool(Command& command) const {
-    if (!gives_direction(command)) return;
-    command.turning = path::Turning::Axes;
-    command.direction = tool_;
+void Corners::stand_tool(path::Motion& motion) const {
+    if (!gives_direction(motion)) return;
+    motion.turn_plainly(path::Turning::Axes);
+    motion.direction = tool_;
 }
 
-void Corners::insert_arc(Command arc, const Element& piece) {
-    if (arc.op == Op::Rapid) {
-        insert_rapid_arc(arc, piece);
+void Corners::insert_arc(Command inserted, const Element& piece) {
+    path::Motion& motion = inserted.motion();
+    if (motion.op() == Op::Rapid) {
+        insert_rapid_arc(inserted, piece);
     } else {
-        arc.op = Op::Arc;
-        arc.center = {arc.to[0], arc.to[1], arc.to[2]};
+        path::ArcShape arc;
+        arc.center = {motion.to[0], motion.to[1], motion.to[2]};
         arc.center[static_cast<Eigen::Index>(index(axes_.first))] = piece.center.x();
         arc.center[static_cast<Eigen::Index>(index(axes_.second))] = piece.center.y();
         arc.normal = path::unit(axes_.normal) * (piece.sweep > 0 ? 1 : -1);
         arc.sweep = std::fabs(piece.sweep);
         arc.is_clockwise = piece.sweep < 0;
-        arc.turns = 0;
+        motion.shape = arc;
     }
-    settled_.emplace_back().command = std::move(arc);
+    settled_.emplace_back().command = std::move(inserted);
 }
 
 /// At rapid there are no arcs: lines outside of it that touch it. The last one, to its end, comes
@@ -385,10 +390,10 @@ void Corners::insert_arc(Command arc, const Element& piece) {
 void Corners::insert_rapid_arc(Command part, const Element& arc) {
     const int parts = std::max(1, static_cast<int>(std::ceil(std::fabs(arc.sweep) / kRapidPart)));
     const double half = arc.sweep / parts / 2;
-    part.exact_stop = false;
+    part.motion().exact_stop = false;
     Vec2 arm = arc.from - arc.center;
     for (int i = 0; i < parts; ++i) {
-        set_in_plane(part.to, arc.center + Eigen::Rotation2D(half) * arm / std::cos(half));
+        set_in_plane(part.motion().to, arc.center + Eigen::Rotation2D(half) * arm / std::cos(half));
         settled_.emplace_back().command = part;
         arm = Eigen::Rotation2D(2 * half) * arm;
     }
@@ -396,27 +401,28 @@ void Corners::insert_rapid_arc(Command part, const Element& arc) {
 
 // ------------------------------------------------------------------------------ the plane
 
-bool Corners::is_in_plane(const Command& command) const {
-    const double side = command.normal.dot(path::unit(axes_.normal));
-    if (command.op == Op::Arc) return std::fabs(side) > 1 - 1e-9;
-    return (in_plane(command.to) - in_plane(at_)).norm() > path::kSamePoint;
+bool Corners::is_in_plane(const path::Motion& motion) const {
+    if (motion.op() == Op::Arc)
+        return std::fabs(motion.arc().normal.dot(path::unit(axes_.normal))) > 1 - 1e-9;
+    return (in_plane(motion.to) - in_plane(at_)).norm() > path::kSamePoint;
 }
 
-Element Corners::element_of(const Command& command, const AxisValues& from) const {
-    if (command.op != Op::Arc) return path::line_element(in_plane(from), in_plane(command.to));
-    Element arc{in_plane(from), in_plane(command.to), {}, 0};
-    arc.center = {command.center[static_cast<Eigen::Index>(index(axes_.first))],
-                  command.center[static_cast<Eigen::Index>(index(axes_.second))]};
-    const bool is_left = command.normal.dot(path::unit(axes_.normal)) > 0;
-    arc.sweep = command.sweep * (is_left ? 1 : -1);
-    return arc;
+Element Corners::element_of(const path::Motion& motion, const AxisValues& from) const {
+    if (motion.op() != Op::Arc) return path::line_element(in_plane(from), in_plane(motion.to));
+    const path::ArcShape& arc = motion.arc();
+    Element element{in_plane(from), in_plane(motion.to), {}, 0};
+    element.center = {arc.center[static_cast<Eigen::Index>(index(axes_.first))],
+                      arc.center[static_cast<Eigen::Index>(index(axes_.second))]};
+    const bool is_left = arc.normal.dot(path::unit(axes_.normal)) > 0;
+    element.sweep = arc.sweep * (is_left ? 1 : -1);
+    return element;
 }
 
 /// Whether the corner at one of its ends has taken all of a motion. A whole circle ends where it
 /// began, too.
-bool Corners::is_taken(const Command& motion, const AxisValues& from) const {
-    const double left = motion.op == Op::Arc ? path::length(element_of(motion, from))
-                                             : (in_plane(motion.to) - in_plane(from)).norm();
+bool Corners::is_taken(const path::Motion& motion, const AxisValues& from) const {
+    const double left = motion.op() == Op::Arc ? path::length(element_of(motion, from))
+                                               : (in_plane(motion.to) - in_plane(from)).norm();
     return left <= path::kSamePoint;
 }
 

@@ -136,18 +136,18 @@ class Corners {
     void wait(Item item, const AxisValues& from);
     std::optional<path::CornerCut> cut(const path::Element& a, const path::Element& b,
                                        Fault& fault);
-    Fault check_sides(const path::Command& next, const path::Element& a,
+    Fault check_sides(const path::Motion& next, const path::Element& a,
                       const path::Element& b) const;
     void shorten(const path::CornerCut& cut);
     void insert(const path::CornerCut& cut, const path::Command& first, path::Command& next);
-    void stand_tool(path::Command& command) const;
-    void insert_arc(path::Command arc, const path::Element& piece);
+    void stand_tool(path::Motion& motion) const;
+    void insert_arc(path::Command inserted, const path::Element& piece);
     void insert_rapid_arc(path::Command part, const path::Element& arc);
     void release();
     void pass(Item item);
-    bool is_in_plane(const path::Command& command) const;
-    bool is_taken(const path::Command& motion, const AxisValues& from) const;
-    path::Element element_of(const path::Command& command, const AxisValues& from) const;
+    bool is_in_plane(const path::Motion& motion) const;
+    bool is_taken(const path::Motion& motion, const AxisValues& from) const;
+    path::Element element_of(const path::Motion& motion, const AxisValues& from) const;
     AxisValues between(const AxisValues& from, const AxisValues& to, double share,
                        const path::Vec2& at) const;
     void set_in_plane(AxisValues& values, const path::Vec2& at) const;

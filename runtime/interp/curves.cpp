@@ -122,12 +122,12 @@ void Motions::move_along_curve(const Block& block, const nc::Invocation& call) {
     }
     target.here = frames_.from_base(target.base);
     position_.note_motion();
-    Command& command = channel_.stages.put(Op::Parametric, block);
-    command.to = target.base;
-    command.moved = target.moved;
-    command.exact_stop = channel_.smoothing.stops_exactly();
-    command.feed = modal_.feed;
-    command.curve.assign(1, shape);
+    path::Motion& motion = channel_.stages.put(Op::Parametric, block).motion();
+    motion.to = target.base;
+    motion.moved = target.moved;
+    motion.exact_stop = channel_.smoothing.stops_exactly();
+    motion.feed = modal_.feed;
+    motion.curve() = shape;
     arrive(target);
     position_.come_from(curve.end - path::curvature_at(curve, 1).tangent);
 }

@@ -43,7 +43,7 @@ void CutterPath::stand_at(const AxisValues& position, const AxisValues& programm
 }
 
 Command CutterPath::as_far_beside(Command command) const {
-    plane_.shift(command, beside());
+    if (command.is_motion()) plane_.shift(command.motion(), beside());
     return command;
 }
 
@@ -56,30 +56,32 @@ void CutterPath::put_piece(const ProgrammedMotion& motion, const CompPiece& piec
     if (piece.weight > 0) return insert_conic(motion, piece);
     if (!way.is_arc()) {
         if (piece.is_inserted) insert_line(motion, way.to);
-        else put_line(motion, motion.is_departure ? plane_.point(motion.command.to) : way.to);
+        else
+            put_line(motion,
+                     motion.is_departure ? plane_.point(motion.command.motion().to) : way.to);
     } else {
         const bool is_gap = (point() - way.from).norm() > path::kSamePoint;
         if (is_gap) insert_line(motion, way.from);
-        if (motion.command.op == Op::Rapid) insert_tangents(motion, way);
+        if (motion.command.op() == Op::Rapid) insert_tangents(motion, way);
         else if (piece.is_inserted) insert_arc(motion, way);
         else put_arc(motion, way);
     }
-    if (!piece.is_inserted) programmed_ = motion.command.to;
+    if (!piece.is_inserted) programmed_ = motion.command.motion().to;
 }
 
 void CutterPath::put_standing(Command command) {
-    if (!path::is_motion(command.op)) return pass(std::move(command));
-    const AxisValues to = command.to;
-    plane_.set_point(command.to, point());
+    if (!command.is_motion()) return pass(std::move(command));
+    const AxisValues to = command.motion().to;
+    plane_.set_point(command.motion().to, point());
     put_beside(std::move(command), to);
     programmed_ = to;
 }
 
 void CutterPath::put_line(const ProgrammedMotion& motion, const Vec2& to) {
     Command command = motion.command;
-    if (command.op == Op::Arc) command.op = Op::Line;
-    plane_.set_point(command.to, to);
-    put_moving(std::move(command), motion.command.to);
+    if (command.op() == Op::Arc) command.become(Op::Line);
+    plane_.set_point(command.motion().to, to);
+    put_moving(std::move(command), motion.command.motion().to);
 }
 
 void CutterPath::put_arc(const ProgrammedMotion& motion, const Element& arc) {
@@ -87,9 +89,9 @@ void CutterPath::put_arc(const ProgrammedMotion& motion, const Element& arc) {
     const double radius = path::radius(arc);
     const bool is_slower = motion.feed == nc::CompFeed::Contour ||
                            (motion.feed == nc::CompFeed::Inside && radius < motion.radius);
-    if (motion.radius > 0 && is_slower) command.feed *= radius / motion.radius;
-    plane_.go_along(arc, command);
-    turn_along_arc(motion, arc, command);
+    if (motion.radius > 0 && is_slower) command.motion().feed *= radius / motion.radius;
+    plane_.go_along(arc, command.motion());
+    turn_along_arc(motion, arc, command.motion());
     put(std::move(command));
 }
 
@@ -97,16 +99,17 @@ void CutterPath::put_arc(const ProgrammedMotion& motion, const Element& arc) {
 /// begin so.
 void CutterPath::put_curve(const ProgrammedMotion& motion, const Vec2& to, const EndCurve& curve) {
     Command command = motion.command;
-    plane_.set_point(command.to, to);
-    AxisValues inner = curve.leads_in ? command.to : position_;
-    command.op = Op::Spline;
-    command.spline.weights = {1, 1, 1, 1};
-    command.spline.degree = curve.degree;
+    plane_.set_point(command.motion().to, to);
+    AxisValues inner = curve.leads_in ? command.motion().to : position_;
+    command.become(Op::Spline);
+    path::SplineShape& spline = command.motion().spline();
+    spline.weights = {1, 1, 1, 1};
+    spline.degree = curve.degree;
     for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(curve.degree); ++i) {
         plane_.set_point(inner, curve.inner[i]);
-        command.spline.inner[i] = linear(inner);
+        spline.inner[i] = linear(inner);
     }
-    put_beside(std::move(command), motion.command.to);
+    put_beside(std::move(command), motion.command.motion().to);
 }
 
 // ------------------------------------------------------------------------------ at corners
@@ -114,24 +117,25 @@ void CutterPath::put_curve(const ProgrammedMotion& motion, const Vec2& to, const
 /// A copy of the motion's command that goes nowhere yet.
 Command CutterPath::standing(const ProgrammedMotion& motion) const {
     Command command = motion.command;
-    command.to = position_;
-    command.exact_stop = false;
-    stand_tool(command);
+    command.motion().to = position_;
+    command.motion().exact_stop = false;
+    stand_tool(command.motion());
     return command;
 }
 
 void CutterPath::insert_line(const ProgrammedMotion& motion, const Vec2& to) {
     Command command = standing(motion);
-    if (command.op == Op::Arc) command.op = Op::Line;
-    plane_.set_point(command.to, to);
-    put_moving(std::move(command), motion.command.to);
+    if (command.op() == Op::Arc) command.become(Op::Line);
+    plane_.set_point(command.motion().to, to);
+    put_moving(std::move(command), motion.command.motion().to);
 }
 
 void CutterPath::insert_arc(const ProgrammedMotion& motion, const Element& arc) {
     Command command = standing(motion);
-    command.center = linear(position_);
-    command.turns = 0;
-    plane_.go_along(arc, command);
+    path::ArcShape about;
+    about.center = linear(position_);
+    command.motion().shape = about;
+    plane_.go_along(arc, command.motion());
     put(std::move(command));
 }
 
@@ -139,20 +143,21 @@ void CutterPath::insert_arc(const ProgrammedMotion& motion, const Element& arc) 
 /// its middle.
 void CutterPath::insert_conic(const ProgrammedMotion& motion, const CompPiece& piece) {
     const Vec2& to = piece.element.to;
-    if (motion.command.op == Op::Rapid) {
+    if (motion.command.op() == Op::Rapid) {
         const double sum = 1 + piece.weight;
         insert_line(motion, (piece.element.from + piece.weight * piece.apex) / sum);
         insert_line(motion, (to + piece.weight * piece.apex) / sum);
         return insert_line(motion, to);
     }
     Command command = standing(motion);
-    command.op = Op::Spline;
+    command.become(Op::Spline);
     AxisValues apex = position_;
     plane_.set_point(apex, piece.apex);
-    command.spline.degree = 2;
-    command.spline.inner[0] = linear(apex);
-    command.spline.weights = {1, piece.weight, 1, 1};
-    plane_.set_point(command.to, to);
+    path::SplineShape& spline = command.motion().spline();
+    spline.degree = 2;
+    spline.inner[0] = linear(apex);
+    spline.weights = {1, piece.weight, 1, 1};
+    plane_.set_point(command.motion().to, to);
     put(std::move(command));
 }
 
@@ -174,14 +179,14 @@ void CutterPath::insert_tangents(const ProgrammedMotion& motion, const Element& 
 /// The tool that is led by a second point of its axis keeps its direction on an arc beside the
 /// programmed one: about the same centre, of which corners have left a part.
 void CutterPath::turn_along_arc(const ProgrammedMotion& motion, const Element& arc,
-                                Command& command) const {
-    if (command.turning != path::Turning::Point) return;
+                                path::Motion& beside) const {
+    if (beside.turning != path::Turning::Point) return;
     const double radius = path::radius(arc);
     const double scale = radius > path::kSamePoint ? motion.radius / radius : 0;
-    shift_point({linear(programmed_), linear(motion.command.to),
-                 beside_center(arc, scale, position_), beside_center(arc, scale, command.to)},
-                command);
-    command.orient_outwards = motion.radius - radius;
+    shift_point({linear(programmed_), linear(motion.command.motion().to),
+                 beside_center(arc, scale, position_), beside_center(arc, scale, beside.to)},
+                beside);
+    beside.tool_turn->outwards = motion.radius - radius;
 }
 
 /// A position on the way beside an arc as it lies on the programmed one.
@@ -192,11 +197,11 @@ path::Vec3 CutterPath::beside_center(const Element& arc, double scale, const Axi
 }
 
 /// What a corner inserts the tool passes as it stands.
-void CutterPath::stand_tool(Command& command) const {
-    if (orientation_limits_.chain == nullptr || command.turning == path::Turning::None) return;
+void CutterPath::stand_tool(path::Motion& inserted) const {
+    if (orientation_limits_.chain == nullptr || inserted.turning == path::Turning::None) return;
     const machine::Chain& chain = *orientation_limits_.chain;
-    command.turning = path::Turning::Axes;
-    command.direction =
+    inserted.turn_plainly(path::Turning::Axes);
+    inserted.direction =
         plane_.lie().transpose() * machine::tool_vector(chain, joints_at(chain, position_));
 }
 
@@ -204,19 +209,21 @@ void CutterPath::stand_tool(Command& command) const {
 
 /// What nothing is left of is no block: an exact stop has its corner.
 void CutterPath::put_moving(Command command, const AxisValues& programmed_to) {
-    if (!is_same(command.to, position_)) put_beside(std::move(command), programmed_to);
+    if (!is_same(command.motion().to, position_)) put_beside(std::move(command), programmed_to);
 }
 
 /// … that is no arc: from where the last one was programmed to end.
 void CutterPath::put_beside(Command command, const AxisValues& programmed_to) {
-    shift_point({linear(programmed_), linear(programmed_to), linear(position_), linear(command.to)},
-                command);
+    shift_point({linear(programmed_), linear(programmed_to), linear(position_),
+                 linear(command.motion().to)},
+                command.motion());
     put(std::move(command));
 }
 
 void CutterPath::put(Command command) {
-    command.moved = static_cast<AxisMask>(command.moved | plane_.mask());
-    const AxisValues from = plane_.out_of(std::exchange(position_, command.to));
+    path::Motion& motion = command.motion();
+    motion.moved = static_cast<AxisMask>(motion.moved | plane_.mask());
+    const AxisValues from = plane_.out_of(std::exchange(position_, motion.to));
     if (!put_oriented(orientation_limits_, from, plane_.out_of(std::move(command)), settled_))
         cannot_orient_ = true;
 }

@@ -75,9 +75,9 @@ class CutterPath {
     void insert_conic(const ProgrammedMotion& motion, const path::CompPiece& piece);
     void insert_tangents(const ProgrammedMotion& motion, const path::Element& arc);
     path::Command standing(const ProgrammedMotion& motion) const;
-    void stand_tool(path::Command& command) const;
+    void stand_tool(path::Motion& inserted) const;
     void turn_along_arc(const ProgrammedMotion& motion, const path::Element& arc,
-                        path::Command& command) const;
+                        path::Motion& beside) const;
     path::Vec3 beside_center(const path::Element& arc, double scale, const AxisValues& at) const;
 
     CompPlane plane_;

@@ -32,13 +32,13 @@ constexpr double kStill = 1e-9;  // mm or deg
 bool has_feed(Op op) { return op >= Op::Line && op <= Op::Parametric; }
 
 FeedCharacteristic kind_of(const Command& command) {
-    return command.dynamics.empty() ? FeedCharacteristic::Constant
-                                    : command.dynamics.front().law.kind;
+    const bool has_dynamics = command.is_motion() && command.motion().dynamics;
+    return has_dynamics ? command.motion().dynamics->law.kind : FeedCharacteristic::Constant;
 }
 
 /// Words behind which lengths are not known, or no motion goes on.
 bool breaks(const Command& command) {
-    return command.op == Op::ToolLength || command.op == Op::Tool || command.op == Op::End;
+    return command.op() == Op::ToolLength || command.op() == Op::Tool || command.op() == Op::End;
 }
 
 /// The same polynomial over a part of its range as one over 0 … 1.
@@ -64,7 +64,7 @@ std::size_t FeedCharacteristics::pull(std::span<Command> out) {
         }
         // Only what is last counts for what follows.
         std::size_t from = plain;
-        while (from > 0 && !has_feed(out[from - 1].op)) --from;
+        while (from > 0 && !has_feed(out[from - 1].op())) --from;
         for (std::size_t i = from > 0 ? from - 1 : 0; i < plain; ++i) note(out[i]);
         if (plain == written) return written;
         const auto begin = out.begin() + static_cast<std::ptrdiff_t>(plain);
@@ -99,7 +99,7 @@ void FeedCharacteristics::settle() {
     }
     if (ready_ == held_.size()) return;
     const Command& next = held_[ready_];
-    if (!path::is_motion(next.op) || kind_of(next) == FeedCharacteristic::Constant) {
+    if (kind_of(next) == FeedCharacteristic::Constant) {
         note(next);
         ++ready_;
         return;
@@ -112,9 +112,11 @@ void FeedCharacteristics::settle() {
 
 /// Whether the next motion belongs to the same block.
 bool FeedCharacteristics::continues(const Command& command, const Command& next) const {
-    const path::FeedLaw& law = command.dynamics.front().law;
-    return kind_of(next) == law.kind && next.dynamics.front().law.block == law.block &&
-           next.feed == command.feed && next.feed_mode == command.feed_mode;
+    const path::Motion& first = command.motion();
+    const path::Motion& then = next.motion();
+    const path::FeedLaw& law = first.dynamics->law;
+    return kind_of(next) == law.kind && then.dynamics->law.block == law.block &&
+           then.feed == first.feed && then.feed_mode == first.feed_mode;
 }
 
 /// The motions of the block that begins here; reads until it is known where it ends.
@@ -123,55 +125,57 @@ FeedCharacteristics::Run FeedCharacteristics::run_from(std::size_t first) {
     for (std::size_t i = first; i < first + kMostOfBlock; ++i) {
         if (i == held_.size() && !read()) break;
         if (breaks(held_[i])) break;
-        if (!path::is_motion(held_[i].op)) continue;
+        if (!held_[i].is_motion()) continue;
         if (!continues(held_[first], held_[i])) break;
         run.end = i + 1;
     }
     AxisValues from = at_;
     for (std::size_t i = first; i-- > ready_;)
-        if (path::is_motion(held_[i].op)) {
-            from = held_[i].to;
+        if (held_[i].is_motion()) {
+            from = held_[i].motion().to;
             break;
         }
     for (std::size_t i = run.first; i < run.end; ++i) {
-        if (!path::is_motion(held_[i].op)) continue;
-        run.length += length_of(held_[i], from);
-        from = held_[i].to;
+        if (!held_[i].is_motion()) continue;
+        run.length += length_of(held_[i].motion(), from);
+        from = held_[i].motion().to;
     }
     return run;
 }
 
 /// mm, or deg where only rotary axes move.
-double FeedCharacteristics::length_of(const Command& command, const AxisValues& from) const {
-    const double length = path::length(path::curve_of(command, linear(from), linear(command.to)));
+double FeedCharacteristics::length_of(const path::Motion& motion, const AxisValues& from) const {
+    const double length = path::length(path::curve_of(motion, linear(from), linear(motion.to)));
     if (length > kStill) return length;
     double turned = 0;
-    for (std::size_t i = 3; i < kAxes; ++i) turned = std::hypot(turned, command.to[i] - from[i]);
+    for (std::size_t i = 3; i < kAxes; ++i) turned = std::hypot(turned, motion.to[i] - from[i]);
     return turned;
 }
 
 /// What was put out last says where the next motion begins, and with which feed.
 void FeedCharacteristics::note(const Command& command) {
-    if (!path::is_motion(command.op)) return;
-    at_ = command.to;
-    if (has_feed(command.op)) reached_ = {command.feed, command.feed_mode, 0, false};
-    if (command.op == Op::Thread) reached_.reset();
+    if (!command.is_motion()) return;
+    const path::Motion& motion = command.motion();
+    at_ = motion.to;
+    if (has_feed(motion.op())) reached_ = {motion.feed, motion.feed_mode, 0, false};
+    if (motion.op() == Op::Thread) reached_.reset();
 }
 
 /// Over the way of the block: from the feed before to F.
 FeedPolynomial FeedCharacteristics::polynomial_of(const Run& run, double from) const {
-    const Command& command = held_[run.first];
-    const path::FeedLaw& law = command.dynamics.front().law;
-    return {from, command.feed - from - law.square - law.cube, law.square, law.cube};
+    const path::Motion& motion = held_[run.first].motion();
+    const path::FeedLaw& law = motion.dynamics->law;
+    return {from, motion.feed - from - law.square - law.cube, law.square, law.cube};
 }
 
 void FeedCharacteristics::settle_block(const Run& run) {
     const Command& command = held_[run.first];
-    const bool goes_on = reached_ && reached_->mode == command.feed_mode;
-    const auto feed = polynomial_of(run, goes_on ? reached_->feed : command.feed);
+    const path::Motion& motion = command.motion();
+    const bool goes_on = reached_ && reached_->mode == motion.feed_mode;
+    const auto feed = polynomial_of(run, goes_on ? reached_->feed : motion.feed);
     const bool is_tangent =
         kind_of(command) == FeedCharacteristic::Polynomial && run.length > kStill;
-    const Reached behind{command.feed, command.feed_mode,
+    const Reached behind{motion.feed, motion.feed_mode,
                          is_tangent ? (feed[1] + 2 * feed[2] + 3 * feed[3]) / run.length : 0,
                          is_tangent};
     if (lay(run, feed)) reached_ = behind;
@@ -179,14 +183,15 @@ void FeedCharacteristics::settle_block(const Run& run) {
 
 /// The blocks of a spline, as many as are settled at once: its slopes by those that come behind.
 void FeedCharacteristics::settle_spline(const Run& first) {
-    const Command& start = held_[first.first];
+    const path::Motion& start = held_[first.first].motion();
     const path::FeedMode mode = start.feed_mode;
     const bool goes_on = reached_ && reached_->mode == mode;
     std::vector<Run> runs{first};
     std::vector<path::SplineNode> nodes{{0, Vec3(goes_on ? reached_->feed : start.feed, 0, 0)}};
     const auto add = [&](const Run& run) {
         const double length = std::max(run.length, kStill);
-        nodes.push_back({nodes.back().parameter + length, Vec3(held_[run.first].feed, 0, 0)});
+        nodes.push_back(
+            {nodes.back().parameter + length, Vec3(held_[run.first].motion().feed, 0, 0)});
     };
     add(first);
     std::optional<Vec3> last_slope;  // of a polynomial behind
@@ -194,11 +199,12 @@ void FeedCharacteristics::settle_spline(const Run& first) {
     while (is_open && runs.size() < kWindow) {
         std::size_t i = runs.back().end;
         bool is_broken = false;
-        while ((i < held_.size() || read()) && !path::is_motion(held_[i].op))
+        while ((i < held_.size() || read()) && !held_[i].is_motion())
             is_broken |= breaks(held_[i++]);
-        is_open = i < held_.size() && !is_broken && held_[i].feed_mode == mode &&
+        is_open = i < held_.size() && !is_broken && held_[i].motion().feed_mode == mode &&
                   kind_of(held_[i]) == FeedCharacteristic::Spline;
-        const bool is_polynomial = i < held_.size() && !is_broken && held_[i].feed_mode == mode &&
+        const bool is_polynomial = i < held_.size() && !is_broken &&
+                                   held_[i].motion().feed_mode == mode &&
                                    kind_of(held_[i]) == FeedCharacteristic::Polynomial;
         if (!is_open && !is_polynomial) break;
         const Run next = run_from(i);
@@ -232,7 +238,7 @@ bool FeedCharacteristics::lay(const Run& run, const FeedPolynomial& feed) {
     double way = 0;
     for (std::size_t i = ready_; i < run.end; ++i) {
         Command& command = held_[i];
-        if (!path::is_motion(command.op)) continue;
+        if (!command.is_motion()) continue;
         if (!(lowest > 0)) {
             tell_(command, lowest);
             held_.resize(i);
@@ -240,16 +246,17 @@ bool FeedCharacteristics::lay(const Run& run, const FeedPolynomial& feed) {
             ready_ = i;
             return false;
         }
-        const double length = length_of(command, at_);
+        path::Motion& motion = command.motion();
+        const double length = length_of(motion, at_);
         const double from = run.length > 0 ? way / run.length : 0;
         way += length;
         const double to = i + 1 == run.end || !(run.length > 0) ? 1 : way / run.length;
         path::FeedLaw law;
         law.feed = part_of(feed, from, to);
-        if (law.is_constant() && law.feed[0] == command.feed) law = {};
-        command.dynamics.front().law = law;
-        if (command.dynamics.front() == path::Dynamics()) command.dynamics.clear();
-        at_ = command.to;
+        if (law.is_constant() && law.feed[0] == motion.feed) law = {};
+        motion.dynamics->law = law;
+        if (*motion.dynamics == path::Dynamics()) motion.dynamics.reset();
+        at_ = motion.to;
     }
     ready_ = run.end;
     return true;

@@ -56,7 +56,7 @@ class FeedCharacteristics {
     void settle_spline(const Run& first);
     [[nodiscard]] bool lay(const Run& run, const path::FeedPolynomial& feed);
     path::FeedPolynomial polynomial_of(const Run& run, double from) const;
-    double length_of(const path::Command& command, const AxisValues& from) const;
+    double length_of(const path::Motion& motion, const AxisValues& from) const;
     bool continues(const path::Command& command, const path::Command& next) const;
 
     Stream<path::Command>& commands_;

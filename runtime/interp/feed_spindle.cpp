@@ -64,9 +64,9 @@ void Spindles::put_speed_limits(const Block& block, const SpeedLimits& before) {
     const SpeedLimits now = speed_limits();
     // Of another spindle it matters when that is the master.
     if (now == before || is_master_away_) return;
-    Command& command = channel_.stages.put(Op::SpeedLimit, block);
-    command.speed = now.most;
-    command.least_speed = now.least;
+    path::SpeedLimit& limit = channel_.stages.put(Op::SpeedLimit, block).speed_limit();
+    limit.most = now.most;
+    limit.least = now.least;
 }
 
 void Spindles::bound_speed(const Block& block, Function function, bool is_upper, double bound) {
@@ -101,11 +101,11 @@ void Spindles::update_spindle(const Block& block) {
     if (now == spindle_.told) return;
     if (runs && !(speed > 0)) reporter_.report(diag::SpindleWithoutSpeed, block);
     spindle_.told = now;
-    Command& command = put_spindle(block);
-    command.spindle = now.mode;
-    command.speed = now.speed;
-    command.cutting_speed = now.has_cutting_speed;
-    command.angle_deg = 0;
+    path::Spindle& spindle = put_spindle(block);
+    spindle.mode = now.mode;
+    spindle.speed = now.speed;
+    spindle.has_cutting_speed = now.has_cutting_speed;
+    spindle.angle_deg = 0;
 }
 
 void Spindles::orient_spindle(const Block& block, const Invocation& invocation) {
@@ -130,11 +130,11 @@ void Spindles::stand_spindle(const Block& block, Function function, double angle
     spindle_.angle_deg = angle;
     turn(SpindleMode::Orient);
     spindle_.told = {SpindleMode::Orient, 0, false};
-    Command& command = put_spindle(block);
-    command.spindle = SpindleMode::Orient;
-    command.speed = 0;
-    command.cutting_speed = false;
-    command.angle_deg = angle;
+    path::Spindle& spindle = put_spindle(block);
+    spindle.mode = SpindleMode::Orient;
+    spindle.speed = 0;
+    spindle.has_cutting_speed = false;
+    spindle.angle_deg = angle;
 }
 
 /// A boring cycle is about to take the edge off the wall.

@@ -51,19 +51,18 @@ bool FeedWords::may_count_degrees(const Block& block) const {
            !channel_.transformation.is_transformed();
 }
 
-void FeedWords::count_degrees(const Block& block, path::Command& command) const {
+void FeedWords::count_degrees(const Block& block, path::Motion& motion) const {
     AxisMask moving = 0;
     for (const machine::MachineAxis& axis : machine_.axes) {
         const std::size_t i = index(axis.axis);
-        if (command.to[i] != position_.base()[i]) moving |= bit(axis.axis);
+        if (motion.to[i] != position_.base()[i]) moving |= bit(axis.axis);
     }
     const auto turning = static_cast<AxisMask>(moving & kRotaryABC);
     const bool turns_alone = moving == turning;
     const bool counts_all = rules_.feed_of_all_axes && !turns_alone && (moving & ~kLinearXYZ) != 0;
     const bool has_inches = block.has_inch_feed && turning != 0 && (turns_alone || counts_all);
     if (!counts_all && !has_inches) return;
-    if (command.dynamics.empty()) command.dynamics.emplace_back();
-    path::Dynamics& said = command.dynamics.front();
+    path::Dynamics& said = motion.dynamics.made();
     if (counts_all) said.feed_axes = axes_.present;
     constexpr double kSame = 1e-9;  // mm: a program may say the control's radius
     for (double& radius : said.feed_radius)

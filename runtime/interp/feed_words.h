@@ -46,7 +46,7 @@ class FeedWords {
     /// every control in a block in which rotary axes move alone, of which none has a radius of its
     /// own (SINUMERIK programming manual, FGREF); with other axes where F is the speed of all of
     /// them.
-    void count_degrees(const nc::Block& block, path::Command& command) const;
+    void count_degrees(const nc::Block& block, path::Motion& motion) const;
 
   private:
     Channel& channel_;

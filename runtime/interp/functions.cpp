@@ -706,7 +706,8 @@ void BlockFunctions::act_before_motion(const Block& block, const Actions& action
     if (actions.flood) set_coolant(block, path::CoolantMode::Flood);
     if (actions.mist) set_coolant(block, path::CoolantMode::Mist);
     issue_functions(block, actions, Side::Before);
-    if (actions.message != nullptr) channel_.stages.put(Op::Message, block).text = block.text;
+    if (actions.message != nullptr)
+        channel_.stages.put(Op::Message, block).message().text = block.text;
     if (actions.dwell != nullptr) {
         if (actions.dwell->function == Function::SpindleDwell) {
             channel_.spindles.dwell_by_spindle(block, *actions.dwell);
@@ -753,9 +754,9 @@ void BlockFunctions::dwell(const Block& block, const Invocation& invocation) {
         return;
     }
     if (time == 0 && revolutions == 0) return;
-    Command& command = channel_.stages.put(Op::Dwell, block);
-    command.time = time;
-    command.revolutions = revolutions;
+    path::Dwell& dwell = channel_.stages.put(Op::Dwell, block).dwell();
+    dwell.time = time;
+    dwell.revolutions = revolutions;
 }
 
 void BlockFunctions::write_data(const Block& block, const Invocation& invocation) {

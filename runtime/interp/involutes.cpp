@@ -58,16 +58,13 @@ void Motions::put_involute(const Block& block, const path::InvoluteWords& words,
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     if (!channel_.checks.require_box_within_limits(block, path::bounds(involute))) return;
     position_.note_motion();
-    path::Command& command = channel_.stages.put(path::Op::Involute, block, &target.turn);
-    command.to = target.base;
-    command.moved = target.moved;
-    command.exact_stop = exact_stop;
-    command.center = center;
-    command.normal = normal;
-    command.base_radius = base_radius;
-    command.is_clockwise = normal.dot(path::unit(path::axes_of(modal_.plane).normal)) < 0;
-    command.turns = 0;
-    command.feed = modal_.feed;
+    path::Motion& motion = channel_.stages.put(path::Op::Involute, block, &target.turn).motion();
+    motion.to = target.base;
+    motion.moved = target.moved;
+    motion.exact_stop = exact_stop;
+    const bool is_clockwise = normal.dot(path::unit(path::axes_of(modal_.plane).normal)) < 0;
+    motion.shape = path::InvoluteShape{center, normal, base_radius, is_clockwise};
+    motion.feed = modal_.feed;
     arrive(target);
     position_.come_from(involute.end - path::evaluate(involute, involute.length).tangent);
 }

@@ -161,28 +161,28 @@ void append_virtual(std::string& out, const path::VirtualAxes& axes) {
     }
 }
 
-void append_target(std::string& out, const Command& command, AxisMask axes) {
+void append_target(std::string& out, const path::Motion& motion, AxisMask axes) {
     out += ",\"to\":";
     char separator = '{';
     for (std::size_t i = 0; i < kAxes; ++i) {
-        const bool is_virtual = command.virtual_axes.turns() &&
-                                command.virtual_axes.virtual_axis() == static_cast<Axis>(i);
+        const bool is_virtual = motion.virtual_axes().turns() &&
+                                motion.virtual_axes().virtual_axis() == static_cast<Axis>(i);
         if ((axes >> i & 1u) == 0 && !is_virtual) continue;
         out += separator;
         out += '"';
         out += kAxisNames[i];
         out += "\":";
-        append_number(out, command.to[i]);
+        append_number(out, motion.to[i]);
         separator = ',';
     }
     out += '}';
-    if (command.machine_coordinates) out += ",\"machine_coordinates\":true";
-    if (command.virtual_axes.is_on()) return append_virtual(out, command.virtual_axes);
-    if (command.turning == path::Turning::None) return;
+    if (motion.machine_coordinates) out += ",\"machine_coordinates\":true";
+    if (motion.virtual_axes().is_on()) return append_virtual(out, motion.virtual_axes());
+    if (motion.turning == path::Turning::None) return;
     append_key(out, "tool");
-    append_numbers(out, {command.direction.data(), 3});
-    if (command.turning == path::Turning::Straight) out += ",\"point_to_point\":true";
-    if (!command.contact.empty()) append_contact(out, command.contact.front());
+    append_numbers(out, {motion.direction.data(), 3});
+    if (motion.turning == path::Turning::Straight) out += ",\"point_to_point\":true";
+    if (motion.contact) append_contact(out, *motion.contact);
 }
 
 /// The control points between the ends; the weights of all, unless they are all one.
@@ -222,55 +222,102 @@ void append_curve(std::string& out, const path::CurveShape& shape) {
     out += ']';
 }
 
-void append_arc(std::string& out, const Command& command) {
+/// Of an arc or an involute where its circle lies, and how it runs about it.
+template <typename Circle>
+void append_circle(std::string& out, const Circle& circle, Plane plane) {
     append_key(out, "center");
-    append_numbers(out, {command.center.data(), 3});
-    append_word(out, "plane", plane_name(command.plane));
-    append_word(out, "dir", command.is_clockwise ? "cw" : "ccw");
+    append_numbers(out, {circle.center.data(), 3});
+    append_word(out, "plane", plane_name(plane));
+    append_word(out, "dir", circle.is_clockwise ? "cw" : "ccw");
     // An arc in space goes counter-clockwise about its normal, whatever the plane.
-    const path::Vec3 across = path::unit(path::axes_of(command.plane).normal);
-    if (std::abs(command.normal.dot(across)) < 1 - kSamePlane) {
+    const path::Vec3 across = path::unit(path::axes_of(plane).normal);
+    if (std::abs(circle.normal.dot(across)) < 1 - kSamePlane) {
         append_key(out, "normal");
-        append_numbers(out, {command.normal.data(), 3});
+        append_numbers(out, {circle.normal.data(), 3});
     }
-    if (command.turns != 0) append_field(out, "turns", command.turns);
 }
 
-void append_feed(std::string& out, const Command& command) {
-    append_field(out, "feed", command.feed);
-    if (command.feed_mode == FeedMode::PerRevolution) {
+void append_feed(std::string& out, const path::Motion& motion) {
+    append_field(out, "feed", motion.feed);
+    if (motion.feed_mode == FeedMode::PerRevolution) {
         append_word(out, "feed_mode", "per_revolution");
     }
-    if (command.feed_mode == FeedMode::InverseTime) append_word(out, "feed_mode", "inverse_time");
+    if (motion.feed_mode == FeedMode::InverseTime) append_word(out, "feed_mode", "inverse_time");
 }
 
-/// How the corner behind it is rounded, and within what it may be joined to its neighbours, in mm.
-void append_smoothing(std::string& out, const Command& command) {
-    const path::Blending& blending = command.blending;
-    if (blending.kind != path::BlendKind::None && !command.exact_stop) {
+/// Whether it ends at rest, or how the corner behind it is rounded; and within what it may be
+/// joined to its neighbours, in mm.
+void append_ending(std::string& out, const path::Motion& motion) {
+    if (motion.exact_stop) out += ",\"exact_stop\":true";
+    const path::Blending& blending = motion.blending;
+    if (blending.kind != path::BlendKind::None && !motion.exact_stop) {
         const bool by_distance = blending.kind == path::BlendKind::Distance;
         append_field(out, by_distance ? "blend_distance" : "blend_tolerance", blending.size);
         if (blending.with_tangents) out += ",\"blend_tangents\":true";
-        if (command.turning != path::Turning::None && std::isfinite(blending.orientation))
+        if (motion.turning != path::Turning::None && std::isfinite(blending.orientation))
             append_field(out, "blend_orientation", deg_from_rad(blending.orientation));
     }
-    if (blending.smooths_orientation && command.turning > path::Turning::Straight &&
-        !command.exact_stop)
+    if (blending.smooths_orientation && motion.turning > path::Turning::Straight &&
+        !motion.exact_stop)
         append_field(out, "smooth_orientation", deg_from_rad(blending.orientation));
-    if (command.compress > 0) append_field(out, "compress", command.compress);
+    if (motion.compress > 0) append_field(out, "compress", motion.compress);
 }
 
-void append_spindle(std::string& out, const Command& command) {
-    if (command.spindle_number != 0) append_field(out, "spindle", command.spindle_number);
-    append_word(out, "mode", spindle_name(command.spindle));
-    switch (command.spindle) {
+void append_spindle(std::string& out, const path::Spindle& spindle) {
+    if (spindle.number != 0) append_field(out, "spindle", spindle.number);
+    append_word(out, "mode", spindle_name(spindle.mode));
+    switch (spindle.mode) {
         case SpindleMode::Stop: break;
-        case SpindleMode::Orient: append_field(out, "angle", command.angle_deg); break;
+        case SpindleMode::Orient: append_field(out, "angle", spindle.angle_deg); break;
         case SpindleMode::Cw:
         case SpindleMode::Ccw:
-            append_field(out, command.cutting_speed ? "cutting_speed" : "speed", command.speed);
+            append_field(out, spindle.has_cutting_speed ? "cutting_speed" : "speed", spindle.speed);
             break;
     }
+}
+
+void append_dwell(std::string& out, const path::Dwell& dwell) {
+    if (dwell.revolutions > 0) append_field(out, "revolutions", dwell.revolutions);
+    else append_field(out, "time", dwell.time);
+}
+
+void append_speed_limit(std::string& out, const path::SpeedLimit& limit) {
+    append_field(out, "speed", limit.most);
+    if (limit.least > 0) append_field(out, "least_speed", limit.least);
+}
+
+void append_tool_length(std::string& out, const path::ToolLength& length) {
+    append_field(out, "tool", static_cast<double>(length.number));
+    append_field(out, "length", length.length);
+    for (std::size_t i = 0; i < 3; ++i) {
+        static constexpr std::array kNames = {"length_x", "length_y", "length_z"};
+        const double aside = length.aside[static_cast<Eigen::Index>(i)];
+        if (aside != 0) append_field(out, kNames[i], aside);
+    }
+}
+
+/// Where a motion leads, on which shape, and how fast.
+void append_motion(std::string& out, const path::Motion& motion, AxisMask axes) {
+    append_target(out, motion, axes);
+    switch (motion.op()) {
+        case Op::Rapid: return;
+        case Op::Arc:
+            append_circle(out, motion.arc(), motion.plane);
+            if (motion.arc().turns != 0) append_field(out, "turns", motion.arc().turns);
+            break;
+        case Op::Spline: append_spline(out, motion.spline()); break;
+        case Op::Involute:
+            append_circle(out, motion.involute(), motion.plane);
+            append_field(out, "base_radius", motion.involute().base_radius);
+            break;
+        case Op::Parametric: append_curve(out, motion.curve()); break;
+        default: break;
+    }
+    append_feed(out, motion);
+    if (motion.op() != Op::Thread) return;
+    const path::ThreadShape& thread = motion.thread();
+    if (thread.lead_change != 0) append_field(out, "lead_change", thread.lead_change);
+    if (thread.start_deg != 0) append_field(out, "start", thread.start_deg);
 }
 
 }  // namespace
@@ -281,80 +328,37 @@ Listing::Listing(const machine::Machine& machine) {
 
 void Listing::append(const Command& command, std::string_view source, std::string& out) const {
     out += "{\"op\":\"";
-    out += path::op_name(command.op);
+    out += path::op_name(command.op());
     out += '"';
-    switch (command.op) {
-        case Op::Rapid: append_target(out, command, axes_); break;
+    switch (command.op()) {
+        case Op::Rapid:
         case Op::Line:
-        case Op::Probe:
-            append_target(out, command, axes_);
-            append_feed(out, command);
-            break;
-        case Op::Thread:
-            append_target(out, command, axes_);
-            append_feed(out, command);
-            if (command.lead_change != 0) append_field(out, "lead_change", command.lead_change);
-            if (command.angle_deg != 0) append_field(out, "start", command.angle_deg);
-            break;
         case Op::Arc:
-            append_target(out, command, axes_);
-            append_arc(out, command);
-            append_feed(out, command);
-            break;
         case Op::Spline:
-            append_target(out, command, axes_);
-            append_spline(out, command.spline);
-            append_feed(out, command);
-            break;
         case Op::Involute:
-            append_target(out, command, axes_);
-            append_arc(out, command);
-            append_field(out, "base_radius", command.base_radius);
-            append_feed(out, command);
-            break;
         case Op::Parametric:
-            append_target(out, command, axes_);
-            append_curve(out, command.curve.front());
-            append_feed(out, command);
-            break;
-        case Op::Dwell:
-            if (command.revolutions > 0) {
-                append_field(out, "revolutions", command.revolutions);
-            } else {
-                append_field(out, "time", command.time);
-            }
-            break;
+        case Op::Thread:
+        case Op::Probe: append_motion(out, command.motion(), axes_); break;
+        case Op::Dwell: append_dwell(out, command.dwell()); break;
         case Op::Spindle:
-        case Op::OtherSpindle: append_spindle(out, command); break;
-        case Op::SpeedLimit:
-            append_field(out, "speed", command.speed);
-            if (command.least_speed > 0) append_field(out, "least_speed", command.least_speed);
-            break;
-        case Op::Tool: append_field(out, "tool", static_cast<double>(command.tool)); break;
-        case Op::ToolLength:
-            append_field(out, "tool", static_cast<double>(command.tool));
-            append_field(out, "length", command.length);
-            for (std::size_t i = 0; i < 3; ++i) {
-                static constexpr std::array kNames = {"length_x", "length_y", "length_z"};
-                const double aside = command.aside[static_cast<Eigen::Index>(i)];
-                if (aside != 0) append_field(out, kNames[i], aside);
-            }
-            break;
-        case Op::Coolant: append_word(out, "mode", coolant_name(command.coolant)); break;
+        case Op::OtherSpindle: append_spindle(out, command.spindle()); break;
+        case Op::SpeedLimit: append_speed_limit(out, command.speed_limit()); break;
+        case Op::Tool: append_field(out, "tool", static_cast<double>(command.tool().number)); break;
+        case Op::ToolLength: append_tool_length(out, command.tool_length()); break;
+        case Op::Coolant: append_word(out, "mode", coolant_name(command.coolant().mode)); break;
         case Op::Function:
-            append_field(out, "code", static_cast<double>(command.code));
-            append_word(out, "step", step_name(command.step));
+            append_field(out, "code", static_cast<double>(command.function().code));
+            append_word(out, "step", step_name(command.function().step));
             break;
-        case Op::Message: append_text(out, "text", command.text); break;
-        case Op::External: append_field(out, "time", command.time); break;
+        case Op::Message: append_text(out, "text", command.message().text); break;
+        case Op::External: append_field(out, "time", command.external().time); break;
         case Op::Stop:
         case Op::OptionalStop:
         case Op::ScannerOn:
         case Op::ScannerOff:
         case Op::End: break;
     }
-    if (command.exact_stop) out += ",\"exact_stop\":true";
-    if (path::is_motion(command.op)) append_smoothing(out, command);
+    if (command.is_motion()) append_ending(out, command.motion());
     if (command.line != 0) append_field(out, "iso", command.line);
     if (!source.empty()) append_text(out, "src", source);
     out += "}\n";

@@ -68,16 +68,16 @@ void BlockFunctions::issue_functions(const nc::Block& block, const Actions& acti
             continue;
         }
         if (!has_changed(code, actions)) continue;
-        path::Command& command = channel_.stages.put(path::Op::Function, block);
-        command.code = code;
-        command.step = step;
+        path::Function& function = channel_.stages.put(path::Op::Function, block).function();
+        function.code = code;
+        function.step = step;
     }
 }
 
 void BlockFunctions::set_coolant(const Block& block, path::CoolantMode mode) {
     if (mode == coolant_) return;
     coolant_ = mode;
-    channel_.stages.put(Op::Coolant, block).coolant = mode;
+    channel_.stages.put(Op::Coolant, block).coolant().mode = mode;
 }
 
 /// What it does the machine file says, or the machine builder alone knows; then each is said once.

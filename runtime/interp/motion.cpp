@@ -297,21 +297,21 @@ void Motions::line(const Block& block, const Target& programmed, Op op, bool exa
     }
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     position_.note_motion();
-    Command& command = channel_.stages.put(op, block, &target.turn);
-    command.to = target.base;
-    command.moved = target.moved;
-    command.exact_stop = exact_stop;
-    command.feed = op == Op::Rapid ? 0 : modal_.feed;
+    path::Motion& motion = channel_.stages.put(op, block, &target.turn).motion();
+    motion.to = target.base;
+    motion.moved = target.moved;
+    motion.exact_stop = exact_stop;
+    motion.feed = op == Op::Rapid ? 0 : modal_.feed;
     if (op == Op::Line && block.find(Function::TapFloating) != nullptr) {
-        command.keeps_feed = command.ignores_hold = true;
+        motion.keeps_feed = motion.ignores_hold = true;
         const bool by_minute = modal_.feed_mode == path::FeedMode::PerMinute && spindle_.speed > 0;
         if (by_minute && !block.is_of_cycle())
             channel_.dangers.watch_tap(block, Function::TapFloating);
     }
     if (dynamics_.has_positioning() && block.find(Function::RapidOnce) != nullptr)
-        dynamics_.put_positioning(command);
+        dynamics_.put_positioning(motion);
     if (op != Op::Rapid && channel_.feed.may_count_degrees(block))
-        channel_.feed.count_degrees(block, command);
+        channel_.feed.count_degrees(block, motion);
     arrive(target);
     if (probing) note_probed(*probing);
 }

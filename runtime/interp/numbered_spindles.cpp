@@ -91,10 +91,11 @@ void Spindles::with_spindle(const Block& block, const Invocation& invocation, Ac
 }
 
 /// What the motion side is told of the spindle whose turn it is.
-Command& Spindles::put_spindle(const Block& block) {
-    Command& command = channel_.stages.put(is_master_away_ ? Op::OtherSpindle : Op::Spindle, block);
-    command.spindle_number = shown_number();
-    return command;
+path::Spindle& Spindles::put_spindle(const Block& block) {
+    const Op op = is_master_away_ ? Op::OtherSpindle : Op::Spindle;
+    path::Spindle& spindle = channel_.stages.put(op, block).spindle();
+    spindle.number = shown_number();
+    return spindle;
 }
 
 std::uint8_t Spindles::shown_number() const {
@@ -119,13 +120,13 @@ void Spindles::select_master(const Block& block, const Invocation& invocation) {
     std::swap(spindle_, *other);
     told_.renew_spindle();
     told_.exchange_bound(spindle_.speed);  // of which was told when it was said
-    Command& command = put_spindle(block);
+    path::Spindle& spindle = put_spindle(block);
     // One that stands at an angle does not go there again.
     const bool runs = is_running(spindle_.mode);
-    command.spindle = runs ? spindle_.mode : SpindleMode::Stop;
-    command.speed = runs ? spindle_.told.speed : 0;
-    command.cutting_speed = false;
-    command.angle_deg = 0;
+    spindle.mode = runs ? spindle_.mode : SpindleMode::Stop;
+    spindle.speed = runs ? spindle_.told.speed : 0;
+    spindle.has_cutting_speed = false;
+    spindle.angle_deg = 0;
     put_speed_limits(block, limits);
 }
 
@@ -193,7 +194,8 @@ void Spindles::dwell_by_spindle(const Block& block, const Invocation& invocation
                 .arg(revolutions < 0 ? "it is negative" : "the spindle stands");
             return;
         }
-        if (revolutions > 0) channel_.stages.put(Op::Dwell, block).time = revolutions / speed * 60;
+        if (revolutions > 0)
+            channel_.stages.put(Op::Dwell, block).dwell().time = revolutions / speed * 60;
     });
 }
 

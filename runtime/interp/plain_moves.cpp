@@ -71,16 +71,16 @@ Executor::Plainly Executor::move_plainly(const Block& block) {
     modal_.move_by(motion);
     if (!is_rapid && !channel_.checks.require_feed(block, "line")) return Plainly::Executed;
     position_.note_motion();
-    Command& command = channel_.stages.put_straight_out(is_rapid ? Op::Rapid : Op::Line, block);
-    command.moved = static_cast<AxisMask>(block.given);
-    command.exact_stop = channel_.smoothing.stops_exactly();
-    command.feed = is_rapid ? 0 : modal_.feed;
+    path::Motion& line = channel_.stages.put_straight_out(is_rapid ? Op::Rapid : Op::Line, block);
+    line.moved = static_cast<AxisMask>(block.given);
+    line.exact_stop = channel_.smoothing.stops_exactly();
+    line.feed = is_rapid ? 0 : modal_.feed;
     const path::Vec3 before{position_.base()[0], position_.base()[1], position_.base()[2]};
     bool is_elsewhere = false;
     for (SlotMask rest = block.given; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         is_elsewhere |= i < 3 && to[i] != position_.base()[i];
-        command.to[i] = to[i];
+        line.to[i] = to[i];
         position_.arrive_on(i, block.values[i] * axes_.word_scale[i], to[i]);
     }
     if (spindle_.has_cutting_speed && (block.given & bit(nc::Slot::X)) != 0) [[unlikely]]

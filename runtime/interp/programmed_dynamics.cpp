@@ -94,10 +94,7 @@ void ProgrammedDynamics::choose_feed_course(const Block& block, const Invocation
 }
 
 /// Of the motions from here on.
-path::Dynamics& ProgrammedDynamics::programmed_dynamics() {
-    if (state_.dynamics.empty()) state_.dynamics.emplace_back();
-    return state_.dynamics.front();
-}
+path::Dynamics& ProgrammedDynamics::programmed_dynamics() { return state_.dynamics.made(); }
 
 /// An axis that the machine has; what it has not is reported.
 std::optional<Axis> ProgrammedDynamics::known_axis(const Block& block, const Invocation& invocation,
@@ -198,28 +195,25 @@ double ProgrammedDynamics::suppressed_panel() const {
            (state_.has_exact_stop ? 0 : kExactStop);
 }
 
-/// What of the panel and of the machine's limits acts on a command.
-void ProgrammedDynamics::put_panel(path::Command& command, const Block& block,
+/// What of the panel and of the machine's limits acts on a motion.
+void ProgrammedDynamics::put_panel(path::Motion& motion, const Block& block,
                                    const Acting& acting) const {
-    const bool is_motion = path::is_motion(command.op);
-    const bool is_feed = is_motion && command.op != Op::Rapid;
+    const bool is_feed = motion.op() != Op::Rapid;
     const bool is_tap = is_feed && block.is_of_cycle() && block.context->taps;
-    command.keeps_feed = is_tap || (is_feed && (acting.taps || !state_.has_override));
-    command.ignores_hold = is_tap || (is_motion && (acting.taps || !state_.has_hold));
-    command.dynamics = state_.dynamics;
+    motion.keeps_feed = is_tap || (is_feed && (acting.taps || !state_.has_override));
+    motion.ignores_hold = is_tap || acting.taps || !state_.has_hold;
+    motion.dynamics = state_.dynamics;
     // At rapid an axis has all its speed, whatever it has beside F.
-    if (!command.dynamics.empty() && command.op == Op::Rapid)
-        command.dynamics.front().speed = path::Dynamics().speed;
-    if (state_.has_feed_characteristic && !block.is_of_cycle()) put_feed_law(command, acting);
+    if (motion.dynamics && !is_feed) motion.dynamics->speed = path::Dynamics().speed;
+    if (state_.has_feed_characteristic && !block.is_of_cycle()) put_feed_law(motion, acting);
 }
 
 /// What axes that position by themselves have of their speed: of their own feed the override, up to
 /// what the program leaves them of the machine's.
-void ProgrammedDynamics::put_positioning(path::Command& command) const {
+void ProgrammedDynamics::put_positioning(path::Motion& motion) const {
     const PanelState::Positioning& positioning = state_.positioning;
     if (!positioning.is_said) return;
-    if (command.dynamics.empty()) command.dynamics.emplace_back();
-    AxisValues& parts = command.dynamics.front().velocity;
+    AxisValues& parts = motion.dynamics.made().velocity;
     for (const machine::MachineAxis& axis : machine_.axes) {
         const std::size_t i = index(axis.axis);
         const double own =
@@ -227,8 +221,8 @@ void ProgrammedDynamics::put_positioning(path::Command& command) const {
         const double part = own * positioning.part[i];
         if (part > 0) {
             parts[i] = std::min(parts[i], part);
-        } else if ((command.moved & bit(axis.axis)) != 0) {
-            command.dynamics.front().rapid = 0;  // it stands
+        } else if ((motion.moved & bit(axis.axis)) != 0) {
+            motion.dynamics->rapid = 0;  // it stands
         }
     }
 }
@@ -236,15 +230,14 @@ void ProgrammedDynamics::put_positioning(path::Command& command) const {
 /// How the feed of a motion comes to F; feed_characteristics.h works it out when the motions of its
 /// block are known. Under a feed per revolution F holds from the start (SINUMERIK reference 3.2).
 /// Cycles, whose feeds are their own, have none.
-void ProgrammedDynamics::put_feed_law(path::Command& command, const Acting& acting) const {
+void ProgrammedDynamics::put_feed_law(path::Motion& motion, const Acting& acting) const {
     const std::uint32_t block = acting.block;
     const bool is_polynomial = state_.polynomial.kind != path::FeedCharacteristic::Constant &&
                                state_.polynomial.block == block;
     if (state_.course == path::FeedCharacteristic::Constant && !is_polynomial) return;
-    const bool can_have_one = command.op >= Op::Line && command.op <= Op::Parametric;
+    const bool can_have_one = motion.op() >= Op::Line && motion.op() <= Op::Parametric;
     if (!can_have_one || acting.feed_mode == path::FeedMode::PerRevolution) return;
-    if (command.dynamics.empty()) command.dynamics.emplace_back();
-    path::FeedLaw& law = command.dynamics.front().law;
+    path::FeedLaw& law = motion.dynamics.made().law;
     law = is_polynomial ? state_.polynomial : path::FeedLaw{state_.course, block};
 }
 

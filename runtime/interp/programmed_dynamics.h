@@ -50,16 +50,16 @@ class ProgrammedDynamics {
         path::FeedMode feed_mode;
         std::uint32_t block;  // of the run, by its count
     };
-    /// Fills in what of the panel and of the programmed limits acts on the command.
-    void put_panel(path::Command& command, const nc::Block& block, const Acting& acting) const;
+    /// Fills in what of the panel and of the programmed limits acts on a motion.
+    void put_panel(path::Motion& motion, const nc::Block& block, const Acting& acting) const;
     /// … and the speeds of axes that position by themselves.
-    void put_positioning(path::Command& command) const;
+    void put_positioning(path::Motion& motion) const;
 
   private:
     path::Dynamics& programmed_dynamics();
     std::optional<Axis> known_axis(const nc::Block& block, const nc::Invocation& invocation,
                                    std::size_t parameter);
-    void put_feed_law(path::Command& command, const Acting& acting) const;
+    void put_feed_law(path::Motion& motion, const Acting& acting) const;
 
     const machine::Machine& machine_;
     const AxisData& axes_;

@@ -89,12 +89,13 @@ void Motions::move_in_machine_coordinates(const Block& block) {
                                            : probes ? Op::Probe
                                                     : Op::Line,
                                            block);
-    command.to = to;
-    command.moved = target.moved;
-    command.machine_coordinates = true;
     command.is_unshifted = true;
-    command.exact_stop = true;
-    command.feed = is_rapid ? 0 : modal_.feed;
+    path::Motion& motion = command.motion();
+    motion.to = to;
+    motion.moved = target.moved;
+    motion.machine_coordinates = true;
+    motion.exact_stop = true;
+    motion.feed = is_rapid ? 0 : modal_.feed;
     arrive(target);
     if (probes) note_probed(probing);
 }
@@ -105,12 +106,13 @@ void Motions::rapid_to_machine_position(const Block& block, const AxisValues& to
     target.here = frames_.from_base(target.base);
     if (!channel_.checks.require_within_machine(block, target.base, target.moved)) return;
     Command& command = channel_.stages.put(Op::Rapid, block);
-    command.to = to;
-    command.moved = moved;
-    command.machine_coordinates = true;
     command.is_unshifted = true;
-    command.exact_stop = true;
-    command.feed = 0;
+    path::Motion& motion = command.motion();
+    motion.to = to;
+    motion.moved = moved;
+    motion.machine_coordinates = true;
+    motion.exact_stop = true;
+    motion.feed = 0;
     arrive(target);
 }
 

@@ -1,5 +1,5 @@
-// rotated_command.h — places and commands in a system that is turned against the base system, as a
-// tilted working plane is.
+// rotated_command.h — positions and motions in a system that is turned against the base system, as
+// a tilted working plane is.
 #pragma once
 
 #include "path/command.h"
@@ -12,14 +12,26 @@ inline void turn(const path::Mat3& by, AxisValues& values) {
     path::set_linear(values, by * path::linear(values));
 }
 
-/// All that a command says of places and directions; of a curve's shape nothing.
-inline void turn(const path::Mat3& by, path::Command& command) {
-    turn(by, command.to);
-    command.center = by * command.center;
-    for (path::Vec3& inner : command.spline.inner) inner = by * inner;
-    for (path::Vec3* direction :
-         {&command.normal, &command.direction, &command.turn_from, &command.turn_axis})
-        *direction = by * *direction;
+/// All that a motion says of positions and directions; of a parametric curve's shape nothing.
+inline void turn(const path::Mat3& by, path::Motion& motion) {
+    turn(by, motion.to);
+    motion.direction = by * motion.direction;
+    if (motion.tool_turn) {
+        for (path::Vec3* of_turn : {&motion.tool_turn->from, &motion.tool_turn->axis})
+            *of_turn = by * *of_turn;
+    }
+    const auto turn_circle = [&](auto& circle) {
+        circle.center = by * circle.center;
+        circle.normal = by * circle.normal;
+    };
+    switch (motion.op()) {
+        case path::Op::Arc: return turn_circle(motion.arc());
+        case path::Op::Involute: return turn_circle(motion.involute());
+        case path::Op::Spline:
+            for (path::Vec3& inner : motion.spline().inner) inner = by * inner;
+            return;
+        default: return;
+    }
 }
 
 }  // namespace kadr::interp

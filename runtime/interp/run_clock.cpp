@@ -28,44 +28,46 @@ void RunClock::follow_virtual(const path::VirtualAxes& axes) {
     axes_ = axes;
 }
 
-void RunClock::move(const path::Command& command, const AxisValues& to) {
-    const double time = motion(command, to);
+void RunClock::move(const path::Motion& motion, const AxisValues& to) {
+    const double time = time_of(motion, to);
     seconds_ += time;
-    if (command.op != Op::Rapid) cutting_seconds_ += time;
+    if (motion.op() != Op::Rapid) cutting_seconds_ += time;
     at_ = to;
 }
 
 void RunClock::add(const path::Command& command) {
-    if (path::is_motion(command.op)) {
-        follow_virtual(command.virtual_axes);
-        if (!command.machine_coordinates) return move(command, command.to);
-        AxisValues to = command.to;
+    if (command.is_motion()) {
+        const path::Motion& motion = command.motion();
+        follow_virtual(motion.virtual_axes());
+        if (!motion.machine_coordinates) return move(motion, motion.to);
+        AxisValues to = motion.to;
         for (std::size_t i = 0; i < kAxes; ++i) to[i] -= length_[i];
-        return move(command, to);
+        return move(motion, to);
     }
-    switch (command.op) {
+    switch (command.op()) {
         case Op::Dwell: {
             const double speed = speed_at(at_[0]);
-            seconds_ += command.time;
-            if (command.revolutions > 0 && speed > 0) seconds_ += command.revolutions / speed * 60;
+            seconds_ += command.dwell().time;
+            if (command.dwell().revolutions > 0 && speed > 0)
+                seconds_ += command.dwell().revolutions / speed * 60;
             return;
         }
         case Op::Spindle:
-            spindle_ = command.speed;
-            has_cutting_speed_ = command.cutting_speed;
-            most_speed_ = machine_.max_speed_of(command.spindle_number);
+            spindle_ = command.spindle().speed;
+            has_cutting_speed_ = command.spindle().has_cutting_speed;
+            most_speed_ = machine_.max_speed_of(command.spindle().number);
             [[fallthrough]];
         case Op::OtherSpindle:
-            if (command.spindle == path::SpindleMode::Orient)
-                seconds_ += machine_.orient_time_of(command.spindle_number);
+            if (command.spindle().mode == path::SpindleMode::Orient)
+                seconds_ += machine_.orient_time_of(command.spindle().number);
             return;
         case Op::SpeedLimit:
-            limit_ = command.speed;
-            least_ = command.least_speed;
+            limit_ = command.speed_limit().most;
+            least_ = command.speed_limit().least;
             return;
         case Op::Function: {
-            const machine::MachineFunction* known = machine_.find_function(command.code);
-            const bool waits = command.step == path::FunctionStep::Both;
+            const machine::MachineFunction* known = machine_.find_function(command.function().code);
+            const bool waits = command.function().step == path::FunctionStep::Both;
             if (waits && known != nullptr) seconds_ += known->takes;
             return;
         }
@@ -74,9 +76,10 @@ void RunClock::add(const path::Command& command) {
             // The machine stays where it is: the tip of the other tool is elsewhere.
             for (std::size_t i = 0; i < kAxes; ++i) at_[i] += length_[i];
             length_ = {};
-            length_[index(path::axes_of(command.plane).normal)] = command.length;
+            length_[index(path::axes_of(command.tool_length().plane).normal)] =
+                command.tool_length().length;
             for (std::size_t i = 0; i < 3; ++i) {
-                length_[i] += command.aside[static_cast<Eigen::Index>(i)];
+                length_[i] += command.tool_length().aside[static_cast<Eigen::Index>(i)];
                 at_[i] -= length_[i];
             }
             return;
@@ -85,20 +88,21 @@ void RunClock::add(const path::Command& command) {
     }
 }
 
-double RunClock::motion(const path::Command& command, const AxisValues& to) const {
-    const bool is_straight = command.turning == path::Turning::Straight;
-    if (command.op == Op::Rapid && is_straight) return rapid(machine_place(at_), machine_place(to));
-    if (command.op == Op::Rapid) return rapid(at_, to);
-    const double feed = command.feed;
+double RunClock::time_of(const path::Motion& motion, const AxisValues& to) const {
+    const bool is_straight = motion.turning == path::Turning::Straight;
+    if (motion.op() == Op::Rapid && is_straight)
+        return rapid(machine_place(at_), machine_place(to));
+    if (motion.op() == Op::Rapid) return rapid(at_, to);
+    const double feed = motion.feed;
     if (!(feed > 0)) return 0;
     const bool is_by_turns =
-        command.op == Op::Thread || command.feed_mode == FeedMode::PerRevolution;
-    if (!is_by_turns && command.feed_mode == FeedMode::InverseTime) return 60 / feed;
-    const double distance = way(command, to);
+        motion.op() == Op::Thread || motion.feed_mode == FeedMode::PerRevolution;
+    if (!is_by_turns && motion.feed_mode == FeedMode::InverseTime) return 60 / feed;
+    const double distance = way(motion, to);
     // The pitch grows evenly with the turns, so the mean of both ends is that of the time.
-    const double last = command.op != Op::Thread || command.lead_change == 0
+    const double last = motion.op() != Op::Thread || motion.thread().lead_change == 0
                             ? feed
-                            : std::sqrt(feed * feed + 2 * command.lead_change * distance);
+                            : std::sqrt(feed * feed + 2 * motion.thread().lead_change * distance);
     const double mm_min = is_by_turns ? (feed + last) / 2 * speed_at(to[0]) : feed;
     return mm_min > 0 ? distance / mm_min * 60 : 0;
 }
@@ -127,15 +131,16 @@ double RunClock::rapid(const AxisValues& from, const AxisValues& to) const {
 
 /// Of an arc along it, of a spline its chord, from point to point that of the axes; where no linear
 /// axis moves the angle of the others.
-double RunClock::way(const path::Command& command, const AxisValues& to) const {
-    const bool is_straight = command.turning == path::Turning::Straight;
+double RunClock::way(const path::Motion& motion, const AxisValues& to) const {
+    const bool is_straight = motion.turning == path::Turning::Straight;
     const Vec3 from = linear(is_straight ? machine_place(at_) : at_);
     const Vec3 end = linear(is_straight ? machine_place(to) : to);
-    if (command.op == Op::Arc) {
+    if (motion.op() == Op::Arc) {
+        const path::ArcShape& arc = motion.arc();
         // Only the distance across the normal counts.
-        const Vec3 out = from - command.center;
-        const double radius = (out - command.normal * out.dot(command.normal)).norm();
-        return std::hypot(radius * command.sweep, (end - from).dot(command.normal));
+        const Vec3 out = from - arc.center;
+        const double radius = (out - arc.normal * out.dot(arc.normal)).norm();
+        return std::hypot(radius * arc.sweep, (end - from).dot(arc.normal));
     }
     const double distance = (end - from).norm();
     if (distance > 0) return distance;

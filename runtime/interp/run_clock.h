@@ -26,10 +26,10 @@ class RunClock {
 
   private:
     void follow_virtual(const path::VirtualAxes& axes);
-    void move(const path::Command& command, const AxisValues& to);
-    double motion(const path::Command& command, const AxisValues& to) const;
+    void move(const path::Motion& motion, const AxisValues& to);
+    double time_of(const path::Motion& motion, const AxisValues& to) const;
     double rapid(const AxisValues& from, const AxisValues& to) const;
-    double way(const path::Command& command, const AxisValues& to) const;
+    double way(const path::Motion& motion, const AxisValues& to) const;
     AxisValues machine_place(const AxisValues& at) const;
     double speed_at(double x) const;
 

@@ -164,15 +164,16 @@ CycleShape CycleShapes::shape_of(const ShapeRun& run) const {
     Vec2 from = in_plane(run.before.position.base());
     bool is_first = true;
     for (const Command& command : run.commands) {
-        if (!path::is_motion(command.op)) continue;
-        const Vec2 to = in_plane(command.to);
-        const bool is_way = (to - from).norm() > path::kSamePoint || command.op == Op::Arc;
+        if (!command.is_motion()) continue;
+        const Vec2 to = in_plane(command.motion().to);
+        const bool is_way = (to - from).norm() > path::kSamePoint || command.op() == Op::Arc;
         if (!is_first && is_way) {
             path::Element element = path::line_element(from, to);
-            if (command.op == Op::Arc) {
-                const AxisValues center{command.center.x(), command.center.y(), command.center.z()};
-                element = path::arc_element(from, to, in_plane(center),
-                                            command.is_clockwise != is_mirrored);
+            if (command.op() == Op::Arc) {
+                const path::ArcShape& arc = command.motion().arc();
+                const AxisValues center{arc.center.x(), arc.center.y(), arc.center.z()};
+                element =
+                    path::arc_element(from, to, in_plane(center), arc.is_clockwise != is_mirrored);
             }
             shape.elements.push_back(element);
         }

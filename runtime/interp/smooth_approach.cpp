@@ -29,7 +29,7 @@ const DiagnosticRow* SmoothApproach::end_block(int empty_blocks) {
     bool has_moved = false;
     const DiagnosticRow* fault = nullptr;
     for (Command& command : fresh_) {
-        has_moved = has_moved || path::is_motion(command.op);
+        has_moved = has_moved || command.is_motion();
         // Behind the contour's beginning all goes through.
         if (!is_active_) held_.push_back(std::move(command));
         else if (fault == nullptr) fault = take(command);
@@ -40,29 +40,31 @@ const DiagnosticRow* SmoothApproach::end_block(int empty_blocks) {
 }
 
 const DiagnosticRow* SmoothApproach::take(Command& command) {
-    if (!path::is_motion(command.op)) {
+    if (!command.is_motion()) {
         held_.push_back(std::move(command));
         return nullptr;
     }
-    const bool is_arc = command.op == Op::Arc;
-    const bool is_straight = command.op == Op::Line || command.op == Op::Rapid;
-    if (command.machine_coordinates) return &diag::SoftNoPlace;
-    const Vec2 way = in_plane(command.to) - in_plane(has_place_ ? to_ : from_);
+    const path::Motion& motion = command.motion();
+    const bool is_arc = motion.op() == Op::Arc;
+    const bool is_straight = motion.op() == Op::Line || motion.op() == Op::Rapid;
+    if (motion.machine_coordinates) return &diag::SoftNoPlace;
+    const Vec2 way = in_plane(motion.to) - in_plane(has_place_ ? to_ : from_);
     const bool moves = is_arc || way.norm() > path::kSamePoint;
-    if (!has_place_) return moves && is_straight ? take_place(command) : &diag::SoftNoPlace;
+    if (!has_place_) return moves && is_straight ? take_place(motion) : &diag::SoftNoPlace;
     if (!is_arc && !is_straight) return &diag::SoftNoDirection;
     if (!moves) {
         // The level of the contour, if the approach has not said it.
         if (has_level_ || !is_straight) return &diag::SoftNoPlace;
-        to_ = command.to;
+        to_ = motion.to;
         has_level_ = true;
         return nullptr;
     }
     direction_ = way.normalized();
     if (is_arc) {
-        const Vec2 center{command.center[static_cast<Eigen::Index>(index(axes_.first))],
-                          command.center[static_cast<Eigen::Index>(index(axes_.second))]};
-        const double side = command.normal.dot(path::unit(axes_.normal));
+        const path::ArcShape& arc = motion.arc();
+        const Vec2 center{arc.center[static_cast<Eigen::Index>(index(axes_.first))],
+                          arc.center[static_cast<Eigen::Index>(index(axes_.second))]};
+        const double side = arc.normal.dot(path::unit(axes_.normal));
         if (std::abs(side) < 1 - 1e-9) return &diag::SoftNoDirection;
         const Vec2 arm = (in_plane(to_) - center).normalized();
         direction_ = Vec2(-arm.y(), arm.x()) * side;
@@ -73,11 +75,11 @@ const DiagnosticRow* SmoothApproach::take(Command& command) {
 }
 
 /// The line behind the approach says where the contour begins, and does not move by itself.
-const DiagnosticRow* SmoothApproach::take_place(const Command& command) {
+const DiagnosticRow* SmoothApproach::take_place(const path::Motion& motion) {
     const std::size_t normal = index(axes_.normal);
-    const bool says_level = std::abs(command.to[normal] - to_[normal]) > path::kSamePoint;
+    const bool says_level = std::abs(motion.to[normal] - to_[normal]) > path::kSamePoint;
     if (has_level_ && says_level) return &diag::SoftNoPlace;
-    to_ = command.to;
+    to_ = motion.to;
     has_place_ = true;
     has_level_ = has_level_ || says_level;
     return nullptr;

@@ -62,7 +62,7 @@ class SmoothApproach {
 
   private:
     const DiagnosticRow* take(path::Command& command);
-    const DiagnosticRow* take_place(const path::Command& command);
+    const DiagnosticRow* take_place(const path::Motion& motion);
     path::Vec2 in_plane(const AxisValues& values) const;
 
     bool is_active_ = false;

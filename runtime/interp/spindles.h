@@ -68,7 +68,7 @@ class Spindles {
     void stand_spindle(const nc::Block& block, nc::Function function, double angle, bool is_by);
     template <typename Act>
     void with_spindle(const nc::Block& block, const nc::Invocation& invocation, Act act);
-    path::Command& put_spindle(const nc::Block& block);
+    path::Spindle& put_spindle(const nc::Block& block);
 
     Channel& channel_;
     const machine::Machine& machine_;

@@ -241,8 +241,7 @@ ControlPointBlock Splines::control_point_block(const Block& block, const AxisVal
 }
 
 Command Splines::span_as_programmed(const Block& block) {
-    Command span;
-    span.op = Op::Spline;
+    Command span(Op::Spline);
     channel_.stages.fill_in(span, block);
     return span;
 }
@@ -269,12 +268,9 @@ void Splines::as_programmed(Command& command) const {
     const Command laid = std::exchange(command, spline_commands_.span());
     command.source = laid.source;
     command.line = laid.line;
-    command.turning = laid.turning;
-    command.direction = laid.direction;
-    command.turn_from = laid.turn_from;
-    command.turn_axis = laid.turn_axis;
-    command.turn_angle = laid.turn_angle;
-    command.lean = laid.lean;
+    command.motion().turning = laid.motion().turning;
+    command.motion().direction = laid.motion().direction;
+    command.motion().tool_turn = laid.motion().tool_turn;
 }
 
 /// A span as a command, said by a block.
@@ -300,13 +296,14 @@ void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& sa
     const bool turns = turn.turning != path::Turning::Axes;
     Command& command = channel_.stages.put(Op::Spline, at, &turn);
     if (is_in_spline()) as_programmed(command);
-    command.to = to;
-    command.moved =
+    path::Motion& motion = command.motion();
+    motion.to = to;
+    motion.moved =
         turns ? static_cast<AxisMask>(moved | kLinearXYZ | channel_.transformation.joint_axes())
               : moved;
-    command.spline = shape;
-    command.feed = said.feed;
-    command.exact_stop = exact_stop;
+    motion.spline() = shape;
+    motion.feed = said.feed;
+    motion.exact_stop = exact_stop;
 }
 
 /// Another block follows, or none: the spline ends where its last pole is.

@@ -77,57 +77,75 @@ Command& Stages::behind_corners() {
     return compensation_.is_on() ? compensation_.next() : output_.next();
 }
 
+namespace {
+
+/// Neither does it turn the tool, nor is it told in other axes, nor touch with the cutter's side.
+void forget_extras(path::Motion& motion) {
+    motion.contact.reset();
+    motion.turn_plainly(path::Turning::None);
+    motion.direction = path::Vec3::UnitZ();
+    motion.virtual_system.reset();
+}
+
+}  // namespace
+
 Command& Stages::put(Op op, const Block& block, const TurnPlan* turn) {
     if (path::is_motion(op)) dangers_.begin_motion(op, position_.base());
     const bool waits = channel_.splines.is_in_spline() && op != Op::Spline && !puts_span_;
     Command& command = waits                  ? spline_commands_.next()
                        : corners_.is_active() ? corners_.next()
                                               : behind_corners();
-    command.op = op;
+    command.become(op);
     fill_in(command, block, turn);
     return command;
 }
 
-Command& Stages::put_straight_out(Op op, const Block& block) {
+path::Motion& Stages::put_straight_out(Op op, const Block& block) {
     dangers_.begin_motion(op, position_.base());
     Command& command = output_.next();
-    command.op = op;
-    fill_in_modal(command, block);
-    return command;
+    command.become(op);
+    fill_in_head(command, block);
+    path::Motion& motion = command.motion();
+    fill_in_modal(motion, block);
+    forget_extras(motion);
+    return motion;
 }
 
-/// What the modal state says of a command; one that was something else before forgets it.
-void Stages::fill_in_modal(Command& command, const Block& block) {
-    const Op op = command.op;
-    command.feed_mode = modal_.feed_mode;
-    command.plane = modal_.plane;
-    command.exact_stop = false;
-    command.blending = channel_.smoothing.blending(op);
-    command.compress = block.is_of_cycle() ? 0 : channel_.smoothing.compressing(op);
-    command.machine_coordinates = false;
-    command.is_unshifted = channel_.frames.are_off();
-    dynamics_.put_panel(command, block,
-                        {modal_.taps, modal_.feed_mode, static_cast<std::uint32_t>(block_count_)});
-    command.is_swivelled = false;
-    command.moved = 0;
+void Stages::fill_in_head(Command& command, const Block& block) {
     command.source = block.source;
     command.line = block.line;
     command.cycle = block.is_of_cycle() ? block.context->number : 0;
-    command.to = position_.base();
-    command.turning = path::Turning::None;
-    command.contact.clear();
-    command.virtual_axes = {};
-    command.text.clear();
+    command.is_unshifted = channel_.frames.are_off();
 }
 
+/// What the modal state says of a motion.
+void Stages::fill_in_modal(path::Motion& motion, const Block& block) {
+    const Op op = motion.op();
+    motion.feed_mode = modal_.feed_mode;
+    motion.plane = modal_.plane;
+    motion.exact_stop = false;
+    motion.blending = channel_.smoothing.blending(op);
+    motion.compress = block.is_of_cycle() ? 0 : channel_.smoothing.compressing(op);
+    motion.machine_coordinates = false;
+    dynamics_.put_panel(motion, block,
+                        {modal_.taps, modal_.feed_mode, static_cast<std::uint32_t>(block_count_)});
+    motion.moved = 0;
+    motion.to = position_.base();
+}
+
+/// The slot may have held any other command.
 void Stages::fill_in(Command& command, const Block& block, const TurnPlan* turn) {
-    fill_in_modal(command, block);
-    const Op op = command.op;
+    fill_in_head(command, block);
+    if (!command.is_motion()) return;
+    path::Motion& motion = command.motion();
+    fill_in_modal(motion, block);
+    const bool is_turned = channel_.transformation.is_transformed();
+    if (!is_turned) forget_extras(motion);
     const bool reaches_comp = comp_3d_.is_on() || corners_.is_active();
-    if (comp_.is_face_milling_acting() && reaches_comp && path::is_motion(op))
-        command.contact.push_back({face_, path::Vec3::Zero(), path::Vec3::Zero()});
-    if (channel_.transformation.is_transformed())
-        channel_.tool_motion.put_orientation(command, turn);
+    if (comp_.is_face_milling_acting() && reaches_comp)
+        motion.contact = path::ContactMotion{face_, path::Vec3::Zero(), path::Vec3::Zero()};
+    else motion.contact.reset();
+    if (is_turned) channel_.tool_motion.put_orientation(motion, turn);
 }
 
 Block Stages::block_at(SourceId source, std::uint32_t line) const {

@@ -28,7 +28,7 @@ class Stages {
     /// turn  of the tool in a motion; null: it stays as it stands
     path::Command& put(path::Op op, const nc::Block& block, const TurnPlan* turn = nullptr);
     /// … of a motion where nothing waits, nothing compensates and nothing turns the tool.
-    path::Command& put_straight_out(path::Op op, const nc::Block& block);
+    path::Motion& put_straight_out(path::Op op, const nc::Block& block);
     /// Every command that waits, the nearest to the output first.
     template <typename Visit>
     void visit_waiting(Visit visit) const {
@@ -37,8 +37,8 @@ class Stages {
         comp_3d_.look_at_waiting(visit);
         smooth_approach_.look_at_waiting(visit);
         corners_.look_at_waiting(visit);
-        /// What the modal state says of a command; one that was something else before forgets it.
     }
+    /// What the modal state says of a command; one that was something else before forgets it.
     void fill_in(path::Command& command, const nc::Block& block, const TurnPlan* turn = nullptr);
     /// A block for messages, at the place of a command. Where that is the call of the cycle that
     /// runs, it is one of the cycle's.
@@ -47,7 +47,8 @@ class Stages {
     void locate(nc::Block& at, SourceId source, std::uint32_t line) const;
 
   private:
-    void fill_in_modal(path::Command& command, const nc::Block& block);
+    void fill_in_head(path::Command& command, const nc::Block& block);
+    void fill_in_modal(path::Motion& motion, const nc::Block& block);
 
     Channel& channel_;
     Reporter& reporter_;

@@ -42,7 +42,7 @@ struct PanelState {
     bool has_hold = true;
     bool has_override = true;  // of the feed
     bool has_exact_stop = true;
-    std::vector<path::Dynamics> dynamics;  // one, or none as long as nothing was said
+    Boxed<path::Dynamics> dynamics;  // none as long as nothing was said
 
     /// Of axes that position by themselves.
     struct Positioning {

@@ -47,12 +47,12 @@ void Motions::tap(const Block& block, const Target& target) {
     const bool is_cw = (pitch > 0) == (modal_.motion == Function::TapIn);
     channel_.spindles.turn(is_cw ? SpindleMode::Cw : SpindleMode::Ccw);
     channel_.spindles.update_spindle(block);
-    Command& command = channel_.stages.put(Op::Line, block, &target.turn);
-    command.to = target.base;
-    command.moved = target.moved;
-    command.feed_mode = FeedMode::PerRevolution;
-    command.feed = std::abs(pitch);
-    command.exact_stop = command.keeps_feed = command.ignores_hold = true;
+    path::Motion& motion = channel_.stages.put(Op::Line, block, &target.turn).motion();
+    motion.to = target.base;
+    motion.moved = target.moved;
+    motion.feed_mode = FeedMode::PerRevolution;
+    motion.feed = std::abs(pitch);
+    motion.exact_stop = motion.keeps_feed = motion.ignores_hold = true;
     arrive(target);
     channel_.spindles.turn(SpindleMode::Stop);
     channel_.spindles.update_spindle(block);
@@ -72,16 +72,15 @@ void Motions::thread(const Block& block, const Target& target, const Actions& ac
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     position_.note_motion();
-    Command& command = channel_.stages.put(Op::Thread, block, &target.turn);
-    command.to = target.base;
-    command.moved = target.moved;
-    command.exact_stop = channel_.smoothing.stops_exactly(actions.exact_stop);
-    command.feed_mode = FeedMode::PerRevolution;
+    path::Motion& motion = channel_.stages.put(Op::Thread, block, &target.turn).motion();
+    motion.to = target.base;
+    motion.moved = target.moved;
+    motion.exact_stop = channel_.smoothing.stops_exactly(actions.exact_stop);
+    motion.feed_mode = FeedMode::PerRevolution;
     const double length = (linear(target.base) - linear(position_.base())).norm();
     const double by_way = along > 0 ? length / along : 1;
-    command.feed = *pitch * by_way;
-    command.lead_change = *change * by_way;
-    command.angle_deg = actions.thread_start_deg;
+    motion.feed = *pitch * by_way;
+    motion.shape = path::ThreadShape{*change * by_way, actions.thread_start_deg};
     arrive(target);
 }
 

@@ -425,14 +425,14 @@ void TiltedPlanes::hold_tip(const Block& block, const Vec3& joints, Op op) {
         end[i] = stand[static_cast<Eigen::Index>(i)] - length_shift_[i];
     const auto moved = static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes());
     if (!channel_.checks.require_within_machine(block, end, moved)) return;
-    path::Command& command = channel_.stages.put(op, block);
-    command.to = end;
-    for (std::size_t i = 0; i < 3; ++i) command.to[i] = tip[static_cast<Eigen::Index>(i)];
-    command.moved = moved;
-    command.exact_stop = true;
-    command.feed = op == Op::Rapid ? 0 : modal_.feed;
-    command.turning = path::Turning::Axes;
-    command.direction = machine::tool_vector(chain, joints);
+    path::Motion& motion = channel_.stages.put(op, block).motion();
+    motion.to = end;
+    for (std::size_t i = 0; i < 3; ++i) motion.to[i] = tip[static_cast<Eigen::Index>(i)];
+    motion.moved = moved;
+    motion.exact_stop = true;
+    motion.feed = op == Op::Rapid ? 0 : modal_.feed;
+    motion.turn_plainly(path::Turning::Axes);
+    motion.direction = machine::tool_vector(chain, joints);
     position_.stand_at(end);
     channel_.frames.frame_changed();
     position_.name();
@@ -473,7 +473,7 @@ void TiltedPlanes::stand_at(const Block& block, const AxisValues& axes, bool too
     const Vec3 shift = channel_.tool.length_shift_of(tool_.lengths);
     if (tool_turns || (shift - linear(length_shift_)).norm() > kSameLength) {
         channel_.tool.set_length_shift(shift);
-        channel_.tool.put_tool_length(block, tool_.axis).moved = kLinearXYZ;
+        channel_.tool.put_tool_length(block, tool_.axis).changed = kLinearXYZ;
     }
     channel_.transformation.take_position(
         path::with_linear(position_.base(), linear(axes) - linear(length_shift_)));

@@ -140,7 +140,7 @@ void ToolInUse::change_tool(const Block& block) {
         tool_.edge = 1;
         extra_ = {};
         if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
-        channel_.stages.put(Op::Tool, block).tool = tool_.current;
+        channel_.stages.put(Op::Tool, block).tool().number = tool_.current;
     }
     if (nc::stops_at_tool_change(rules_, channel_.functions.changer())) {
         channel_.spindles.turn(SpindleMode::Stop);

@@ -102,7 +102,7 @@ class ToolInUse {
     /// Machine position less base position, mm.
     void set_length_shift(const path::Vec3& shift);
     /// Tells the motion side what lies between the tip and what the linear axes carry.
-    path::Command& put_tool_length(const nc::Block& block, Axis axis);
+    path::ToolLength& put_tool_length(const nc::Block& block, Axis axis);
 
   private:
     void put_tool_offset(const nc::Block& block, const nc::Invocation& invocation,

@@ -112,7 +112,7 @@ Vec3 ToolInUse::activate_length(const Block& block, AxisMask moved) {
     tool_.lengths = lengths;
     tool_.axis = axis;
     set_length_shift(shift);
-    put_tool_length(block, axis).moved = changed;
+    put_tool_length(block, axis).changed = changed;
     return -carried;
 }
 
@@ -124,23 +124,23 @@ Done ToolInUse::activate_length_on_arc(const Block& block, const Vec3& normal, A
     return kFailed;
 }
 
-Command& ToolInUse::put_tool_length(const Block& block, Axis axis) {
+path::ToolLength& ToolInUse::put_tool_length(const Block& block, Axis axis) {
     const bool is_turned = tilted_plane_.carries || tilted_plane_.turns > 0;
     const Vec3 carried = is_turned ? length_shift_of(tool_.lengths) : tool_.lengths;
     const auto chief = static_cast<Eigen::Index>(index(axis));
-    Command& command = channel_.stages.put(Op::ToolLength, block);
-    command.plane = plane_with_normal(axis);
+    path::ToolLength& length = channel_.stages.put(Op::ToolLength, block).tool_length();
+    length.plane = plane_with_normal(axis);
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
-    command.tool = ToolOffsets::tool_of(number);
-    command.length = carried[chief];
-    command.aside = carried;
-    command.aside[chief] = 0;
-    command.is_swivelled = is_turned || carrier_.stand.has_value();
-    if (carrier_.stand) command.direction = carrier_.stand->head() * path::unit(axis);
-    if (tilted_plane_.turns > 0) command.direction = frames_.tilt().direction(Vec3::UnitZ());
+    length.number = ToolOffsets::tool_of(number);
+    length.length = carried[chief];
+    length.aside = carried;
+    length.aside[chief] = 0;
+    length.is_swivelled = is_turned || carrier_.stand.has_value();
+    if (carrier_.stand) length.direction = carrier_.stand->head() * path::unit(axis);
+    if (tilted_plane_.turns > 0) length.direction = frames_.tilt().direction(Vec3::UnitZ());
     else if (tilted_plane_.carries)
-        command.direction = machine::tool_in_base(machine_.kinematics->chain, tilted_plane_.joints);
-    return command;
+        length.direction = machine::tool_in_base(machine_.kinematics->chain, tilted_plane_.joints);
+    return length;
 }
 
 void ToolInUse::move_length_alone(const Block& block) {

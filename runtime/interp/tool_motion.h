@@ -42,7 +42,7 @@ class ToolMotion {
     /// The rotary axes of the target stand there, rad.
     void put_joints(const path::Vec3& joints, Target& target) const;
     /// plan  of the motion; null: the tool stays as it stands
-    void put_orientation(path::Command& command, const TurnPlan* plan);
+    void put_orientation(path::Motion& motion, const TurnPlan* plan);
     /// Whether a motion of this kind goes from point to point.
     bool goes_straight(path::Op op) const;
     /// … the motion of a block.

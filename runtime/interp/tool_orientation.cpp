@@ -537,11 +537,13 @@ Done ToolMotion::orient_first(const Block& block, const Vec3& to) {
     orienting_.turning = turning;
     if (!is_laid) return kFailed;
     settle_orientation(here);
-    Command& command = channel_.stages.put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line,
-                                           block, &here.turn);
-    command.to = here.base;
-    command.moved = here.moved;
-    command.feed = command.op == Op::Rapid ? 0 : modal_.feed;
+    path::Motion& motion =
+        channel_.stages
+            .put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block, &here.turn)
+            .motion();
+    motion.to = here.base;
+    motion.moved = here.moved;
+    motion.feed = motion.op() == Op::Rapid ? 0 : modal_.feed;
     channel_.motions.arrive(here);
     return kDone;
 }
@@ -663,23 +665,21 @@ void ToolMotion::reset_orientation(const Block& block, const nc::Invocation& inv
 }
 
 /// A motion under the transformation: the turn that waits, or the axes as they are programmed.
-void ToolMotion::put_orientation(Command& command, const TurnPlan* plan) {
-    if (!path::is_motion(command.op)) return;
+void ToolMotion::put_orientation(path::Motion& motion, const TurnPlan* plan) {
     if (virtual_.axes.is_on()) {
-        command.turning = Turning::Axes;
-        command.virtual_axes = virtual_.axes;
+        motion.turn_plainly(Turning::Axes);
+        motion.virtual_system = virtual_.axes;
         return;
     }
+    motion.virtual_system.reset();
     TurnPlan standing;
     standing.direction = direction_;
     const TurnPlan& turn = plan != nullptr && plan->is_made ? *plan : standing;
-    command.turning = turn.turning;
-    command.direction = turn.direction;
-    command.turn_from = turn.from;
-    command.turn_axis = turn.axis;
-    command.turn_angle = turn.angle;
-    command.lean = turn.lean;
-    if (goes_straight(command.op)) command.turning = Turning::Straight;
+    motion.direction = turn.direction;
+    if (goes_straight(motion.op())) return motion.turn_plainly(Turning::Straight);
+    if (turn.turning <= Turning::Axes) return motion.turn_plainly(turn.turning);
+    motion.turning = turn.turning;
+    motion.tool_turn = path::ToolTurn{turn.from, turn.axis, turn.angle, 0, turn.lean};
 }
 
 }  // namespace kadr::interp

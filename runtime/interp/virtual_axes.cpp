@@ -428,12 +428,14 @@ void VirtualPlane::follow_rotary() {
     const std::size_t axis = index(virtual_.axes.rotary);
     for (; rotary_.followed < count; ++rotary_.followed) {
         Command& command = output_.any(rotary_.followed);
-        if (path::is_motion(command.op) && command.virtual_axes.is_on()) {
-            const Vec3 to = linear(command.to);
-            if (!follow_leg_by_leg(command, path::curve_of(command, rotary_.tip, to))) return;
+        if (!command.is_motion()) continue;
+        path::Motion& motion = command.motion();
+        if (motion.virtual_axes().is_on()) {
+            const Vec3 to = linear(motion.to);
+            if (!follow_leg_by_leg(command, path::curve_of(motion, rotary_.tip, to))) return;
             rotary_.tip = to;
         }
-        command.to[axis] = deg_from_rad(rotary_.at);
+        motion.to[axis] = deg_from_rad(rotary_.at);
     }
     const double at = deg_from_rad(rotary_.at);
     position_.arrive_on(axis, at - frames_.shift_values()[axis], at);

@@ -65,9 +65,10 @@ bool is_worth_it(const std::vector<path::PolylinePart>& parts) {
 
 /// Whether the command is a line that a run can begin with.
 bool is_short_line(const Command& command, double length) {
-    const bool is_plain = command.op == Op::Line && (command.moved & ~kLinearXYZ) == 0 &&
-                          !command.machine_coordinates && !command.is_unshifted;
-    const bool has_own_time = command.feed_mode == path::FeedMode::InverseTime;
+    if (command.op() != Op::Line || command.is_unshifted) return false;
+    const path::Motion& line = command.motion();
+    const bool is_plain = (line.moved & ~kLinearXYZ) == 0 && !line.machine_coordinates;
+    const bool has_own_time = line.feed_mode == path::FeedMode::InverseTime;
     return is_plain && !has_own_time && length > kStill && length <= kLongest;
 }
 
@@ -76,8 +77,14 @@ bool is_short_line(const Command& command, double length) {
 void Compressor::take(const Command& command, const Standing& standing) {
     ready_.clear();
     next_ = 0;
+    if (!command.is_motion()) {
+        end_run();
+        ready_.push_back(command);
+        return;
+    }
+    const path::Motion& motion = command.motion();
     const bool was_running = !lines_.empty();
-    const Vec3 to = was_running ? place_of(command) : standing.target_of(command).tip;
+    const Vec3 to = was_running ? place_of(motion) : standing.target_of(motion).tip;
     if (was_running && !joins(command, to)) end_run();
     const Vec3 from = was_running ? points_.back() : standing.tip();
     const bool is_taken = can_take(command) && is_short_line(command, (to - from).norm());
@@ -91,32 +98,32 @@ void Compressor::take(const Command& command, const Standing& standing) {
     }
     lines_.push_back(command);
     points_.push_back(to);
-    if (command.exact_stop) return end_run();
+    if (motion.exact_stop) return end_run();
     if (lines_.size() == kWindow) fit(false);
 }
 
 /// Where a line leads. An axis that is not programmed stands, whatever number it has.
-Vec3 Compressor::place_of(const Command& command) const {
+Vec3 Compressor::place_of(const path::Motion& motion) const {
     Vec3 to = points_.back();
     for (std::size_t i = 0; i < 3; ++i) {
-        const bool is_moved = (command.moved & bit(static_cast<Axis>(i))) != 0;
-        if (is_moved || command.to[i] != lines_.back().to[i])
-            to[static_cast<Eigen::Index>(i)] = command.to[i];
+        const bool is_moved = (motion.moved & bit(static_cast<Axis>(i))) != 0;
+        if (is_moved || motion.to[i] != lines_.back().motion().to[i])
+            to[static_cast<Eigen::Index>(i)] = motion.to[i];
     }
     return to;
 }
 
 bool Compressor::joins(const Command& command, const Vec3& to) const {
-    const Command& last = lines_.back();
+    const path::Motion& next = command.motion();
+    const path::Motion& last = lines_.back().motion();
     const Vec3 way = to - points_.back();
     const Vec3 before = points_.back() - points_[points_.size() - 2];
-    const bool is_same = command.compress == last.compress && command.feed == last.feed &&
-                         command.feed_mode == last.feed_mode && command.blending == last.blending &&
-                         command.keeps_feed == last.keeps_feed &&
-                         command.ignores_hold == last.ignores_hold &&
-                         command.dynamics == last.dynamics;
+    const bool is_same = next.compress == last.compress && next.feed == last.feed &&
+                         next.feed_mode == last.feed_mode && next.blending == last.blending &&
+                         next.keeps_feed == last.keeps_feed &&
+                         next.ignores_hold == last.ignores_hold && next.dynamics == last.dynamics;
     bool others_stand = true;
-    for (std::size_t i = 3; i < kAxes; ++i) others_stand &= command.to[i] == last.to[i];
+    for (std::size_t i = 3; i < kAxes; ++i) others_stand &= next.to[i] == last.to[i];
     return is_same && others_stand && is_short_line(command, way.norm()) &&
            way.dot(before) >= kLeastCos * way.norm() * before.norm();
 }
@@ -138,7 +145,7 @@ void Compressor::end_run() {
 /// Makes commands of the lines: of all, or of the first half of a window.
 void Compressor::fit(bool is_whole) {
     path::PolylineFitOptions options;
-    options.tolerance = lines_.front().compress;
+    options.tolerance = lines_.front().motion().compress;
     if (has_slope_) options.first_slope = slope_;
     if (!is_whole) options.ends = kEnds;
     std::vector<path::PolylinePart> parts = path::fit_polyline(points_, options);
@@ -159,14 +166,16 @@ void Compressor::fit(bool is_whole) {
 /// Lines as one command, with the place in the text of the last one.
 void Compressor::put(const path::PolylinePart& part) {
     if (part.is_line) return put_line(part.from);
-    Command& command = ready_.emplace_back(lines_[part.to - 1]);
+    path::Motion& motion = ready_.emplace_back(lines_[part.to - 1]).motion();
     for (std::size_t i = part.from; i + 1 < part.to; ++i)
-        command.moved = static_cast<AxisMask>(command.moved | lines_[i].moved);
-    if (command.blending.kind == path::BlendKind::Tolerance)
-        command.blending.size = std::max(0.0, command.blending.size - part.apart);
+        motion.moved = static_cast<AxisMask>(motion.moved | lines_[i].motion().moved);
+    if (motion.blending.kind == path::BlendKind::Tolerance)
+        motion.blending.size = std::max(0.0, motion.blending.size - part.apart);
     if (is_flat(part.cubic)) return;
-    command.op = Op::Spline;
-    command.spline = {3, {part.cubic[1], part.cubic[2]}};
+    motion.become(Op::Spline);
+    path::SplineShape& span = motion.spline();
+    span.inner[0] = part.cubic[1];
+    span.inner[1] = part.cubic[2];
 }
 
 }  // namespace kadr::motion

@@ -19,8 +19,9 @@ class Compressor {
     /// Whether a command may be part of a run: a line at feed of X, Y and Z for which the program
     /// gives a tolerance, and no course of the feed.
     static bool can_take(const path::Command& command) {
-        const bool has_law = !command.dynamics.empty() && command.dynamics.front().law.is_said();
-        return command.compress > 0 && !has_law;
+        if (!command.is_motion() || !(command.motion().compress > 0)) return false;
+        const Boxed<path::Dynamics>& dynamics = command.motion().dynamics;
+        return !dynamics || !dynamics->law.is_said();
     }
     /// No line waits and no command is ready.
     bool is_empty() const { return lines_.empty() && next_ == ready_.size(); }
@@ -37,7 +38,7 @@ class Compressor {
 
   private:
     bool joins(const path::Command& command, const path::Vec3& to) const;
-    path::Vec3 place_of(const path::Command& command) const;
+    path::Vec3 place_of(const path::Motion& motion) const;
     void fit(bool is_whole);
     void put_line(std::size_t at) { ready_.push_back(lines_[at]); }
     void put(const path::PolylinePart& part);

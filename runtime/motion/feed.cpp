@@ -74,10 +74,10 @@ void cut_evenly(const Uneven& uneven, const Part& part, std::vector<double>& bou
 }
 
 /// What the program says of the feed axes, if F is not about X, Y and Z; of a thread it never is.
-const path::Dynamics* feed_axes_of(const path::Command& command) {
-    if (command.dynamics.empty() || command.op == path::Op::Thread) return nullptr;
+const path::Dynamics* feed_axes_of(const path::Motion& motion) {
+    if (!motion.dynamics || motion.op() == path::Op::Thread) return nullptr;
     static const path::Dynamics kPlain;
-    const path::Dynamics& said = command.dynamics.front();
+    const path::Dynamics& said = *motion.dynamics;
     const bool is_plain =
         said.feed_axes == kPlain.feed_axes && said.feed_radius == kPlain.feed_radius;
     return is_plain ? nullptr : &said;
@@ -85,27 +85,26 @@ const path::Dynamics* feed_axes_of(const path::Command& command) {
 
 }  // namespace
 
-Result<double, FeedFault> path_feed(const path::Command& command, const Segment& piece,
-                                    double length, const Spindle& spindle, const AxisTable* axes) {
-    if (!(command.feed > 0)) return FeedFault::NoFeed;
+Result<double, FeedFault> path_feed(const path::Motion& motion, const Segment& piece, double length,
+                                    const Spindle& spindle, const AxisTable* axes) {
+    if (!(motion.feed > 0)) return FeedFault::NoFeed;
     // The time of the block is what it is, whatever the way that F is about.
-    if (command.feed_mode == path::FeedMode::InverseTime) return length * command.feed / 60;
-    const path::Dynamics* said = feed_axes_of(command);
+    if (motion.feed_mode == path::FeedMode::InverseTime) return length * motion.feed / 60;
+    const path::Dynamics* said = feed_axes_of(motion);
     const double rate = said == nullptr ? 1 : mean_feed_axes_rate(*said, piece, length, axes);
-    if (command.feed_mode == path::FeedMode::PerMinute)
-        return feed_from_mm_min(command.feed) / rate;
-    const auto feed = feed_per_revolution(command.feed, piece.curve, spindle);
+    if (motion.feed_mode == path::FeedMode::PerMinute) return feed_from_mm_min(motion.feed) / rate;
+    const auto feed = feed_per_revolution(motion.feed, piece.curve, spindle);
     return feed ? Result<double, FeedFault>(*feed / rate) : feed;
 }
 
-std::vector<double> feed_bounds(const path::Command& command, const Segment& piece, double length,
+std::vector<double> feed_bounds(const path::Motion& motion, const Segment& piece, double length,
                                 const Spindle& spindle) {
     const bool is_by_turns = spindle.is_turning && spindle.holds_cutting_speed &&
-                             command.feed_mode == path::FeedMode::PerRevolution;
+                             motion.feed_mode == path::FeedMode::PerRevolution;
     const bool is_straight = std::holds_alternative<path::Line>(piece.curve);
     const bool is_by_axes =
-        !is_straight && !piece.is_transformed() && command.feed_mode != path::FeedMode::InverseTime;
-    const Uneven uneven{piece, is_by_axes ? feed_axes_of(command) : nullptr,
+        !is_straight && !piece.is_transformed() && motion.feed_mode != path::FeedMode::InverseTime;
+    const Uneven uneven{piece, is_by_axes ? feed_axes_of(motion) : nullptr,
                         is_by_turns ? &spindle : nullptr};
     const Part whole{0, length};
     std::vector<double> bounds;

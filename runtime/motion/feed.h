@@ -10,7 +10,7 @@
 #include "motion/axis_table.h"
 #include "motion/segment.h"
 #include "motion/spindle.h"
-#include "path/command.h"
+#include "path/motion.h"
 
 namespace kadr::motion {
 
@@ -24,14 +24,13 @@ enum class FeedFault : std::uint8_t { NoFeed, SpindleStands };
 /// length       of the path, mm (deg), > 0
 /// axes         may be null: of a transformed piece only axes that follow it are known then
 /// source       reference motion §2.8, §9.1; feed_axes.h
-Result<double, FeedFault> path_feed(const path::Command& command, const Segment& piece,
-                                    double length, const Spindle& spindle,
-                                    const AxisTable* axes = nullptr);
+Result<double, FeedFault> path_feed(const path::Motion& motion, const Segment& piece, double length,
+                                    const Spindle& spindle, const AxisTable* axes = nullptr);
 
 /// Where a piece is cut so that one feed does for each part: its feed is within a hundredth of what
 /// the spindle's speed and the feed axes make it everywhere in the part. Lengths from 0 to that of
 /// the piece; empty if neither changes on it.
-std::vector<double> feed_bounds(const path::Command& command, const Segment& piece, double length,
+std::vector<double> feed_bounds(const path::Motion& motion, const Segment& piece, double length,
                                 const Spindle& spindle);
 
 }  // namespace kadr::motion

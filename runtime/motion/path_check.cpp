@@ -94,22 +94,23 @@ class Layer {
 
     /// False: it moves nothing.
     bool lay(const Command& command, Waiting& out) {
-        if (command.op == path::Op::ToolLength) {
-            standing_.set_tool_length(command, axes_);
+        if (command.op() == path::Op::ToolLength) {
+            standing_.set_tool_length(command.tool_length(), axes_);
             ++system_;
         }
-        if (!path::is_motion(command.op)) return false;
-        if (standing_.follow_transformation(command)) {
+        if (!command.is_motion()) return false;
+        const path::Motion& motion = command.motion();
+        if (standing_.follow_transformation(motion)) {
             ++system_;
-            was_turned_ |= command.turning != path::Turning::None;
+            was_turned_ |= motion.turning != path::Turning::None;
         }
-        const Standing::Target target = standing_.target_of(command);
+        const Standing::Target target = standing_.target_of(motion);
         out.source = command.source;
         out.line = command.line;
-        lay_way(command, target, out);
-        standing_.arrive(command, target);
-        const path::Blending behind = command.exact_stop ? path::Blending{} : command.blending;
-        set_tolerance(command, behind, out);
+        lay_way(motion, target, out);
+        standing_.arrive(motion, target);
+        const path::Blending behind = motion.exact_stop ? path::Blending{} : motion.blending;
+        set_tolerance(motion, behind, out);
         before_ = behind;
         return out.length > 0;
     }
@@ -136,13 +137,13 @@ class Layer {
     std::size_t followers() const { return followers_; }
 
   private:
-    void lay_way(const Command& command, const Standing::Target& target, Waiting& out) const {
-        lay_plain(command, target, out);
+    void lay_way(const path::Motion& motion, const Standing::Target& target, Waiting& out) const {
+        lay_plain(motion, target, out);
         if (!out.is_plain) {
             out.motion = std::make_unique<ProgrammedMotion>();
             Segment& way = out.motion->way;
             way = standing_.still();
-            out.length = standing_.lay_path(command, target, way);
+            out.length = standing_.lay_path(motion, target, way);
             find_turns(*out.motion);
             // From point to point the tip is told as without a transformation.
             out.system = 2 * system_ + (way.goes_straight() ? 1 : 0);
@@ -157,11 +158,11 @@ class Layer {
 
     /// A line, or a span that goes on towards its end, on which nothing else moves. A line without
     /// length is one as well.
-    void lay_plain(const Command& command, const Standing::Target& target, Waiting& out) const {
-        const bool is_line = command.op == path::Op::Line || command.op == path::Op::Rapid;
-        const bool may_be = is_plain_ && (is_line || command.op == path::Op::Spline) &&
-                            command.turning == path::Turning::None &&
-                            !command.virtual_axes.is_on() &&
+    void lay_plain(const path::Motion& motion, const Standing::Target& target, Waiting& out) const {
+        const bool is_line = motion.op() == path::Op::Line || motion.op() == path::Op::Rapid;
+        const bool may_be = is_plain_ && (is_line || motion.op() == path::Op::Spline) &&
+                            motion.turning == path::Turning::None &&
+                            !motion.virtual_axes().is_on() &&
                             target.followers == standing_.followers();
         if (!may_be) return;
         const Vec3& from = standing_.tip();
@@ -172,19 +173,20 @@ class Layer {
             return;
         }
         if (!goes) return;
-        if (const auto steady = path::steady_span(from, target.tip, command.spline)) {
+        if (const auto steady = path::steady_span(from, target.tip, motion.spline())) {
             out.is_plain = true;
             out.plain = plain_way(*steady);
         }
     }
 
     /// Of curves around both of its corners, and of one that takes the place of lines.
-    void set_tolerance(const Command& command, const path::Blending& behind, Waiting& out) const {
+    void set_tolerance(const path::Motion& motion, const path::Blending& behind,
+                       Waiting& out) const {
         const double room = std::max(room_of(before_), room_of(behind));
         const bool is_distance =
             behind.kind == path::BlendKind::Distance || before_.kind == path::BlendKind::Distance;
         const double curved =
-            is_distance ? room + command.compress : std::max(room, command.compress);
+            is_distance ? room + motion.compress : std::max(room, motion.compress);
         out.tolerance = curved + (was_turned_ ? kExactBehindTurn : kExact);
         out.lean = kExactDirection + pole_ +
                    std::max(direction_error_of(before_), direction_error_of(behind));

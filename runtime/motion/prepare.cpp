@@ -130,8 +130,8 @@ const Command* Preparer::State::next_read() {
 }
 
 void Preparer::State::execute(const Command& command) {
-    if (!path::is_motion(command.op)) release();
-    switch (command.op) {
+    if (!command.is_motion()) release();
+    switch (command.op()) {
         case Op::Rapid:
         case Op::Line:
         case Op::Arc:
@@ -144,19 +144,19 @@ void Preparer::State::execute(const Command& command) {
         case Op::Spindle: set_spindle(command); return;
         case Op::OtherSpindle: set_other_spindle(command); return;
         case Op::SpeedLimit:
-            spindle.limit = speed_from_rpm(command.speed);
-            spindle.least = speed_from_rpm(command.least_speed);
+            spindle.limit = speed_from_rpm(command.speed_limit().most);
+            spindle.least = speed_from_rpm(command.speed_limit().least);
             return;
         case Op::Tool:
-            tool_number = command.tool;
+            tool_number = command.tool().number;
             stand(command, SegmentKind::ToolChange, machine.tool_change_time);
             return;
-        case Op::ToolLength: standing.set_tool_length(command, axes); return;
+        case Op::ToolLength: standing.set_tool_length(command.tool_length(), axes); return;
         case Op::Stop:
         case Op::OptionalStop:
         case Op::End: last.must_stop = true; return;
         case Op::Function: issue(command); return;
-        case Op::External: stand(command, SegmentKind::External, command.time); return;
+        case Op::External: stand(command, SegmentKind::External, command.external().time); return;
         // The module that they are for takes them out; without one they say nothing.
         case Op::ScannerOn:
         case Op::ScannerOff:
@@ -169,50 +169,53 @@ void Preparer::State::execute(const Command& command) {
 // ------------------------------------------------------------------------------ standstill
 
 void Preparer::State::set_spindle(const Command& command) {
+    const path::Spindle& wanted = command.spindle();
     told.renew(Once::NoFeed);
-    if (command.spindle == path::SpindleMode::Orient) {
+    if (wanted.mode == path::SpindleMode::Orient) {
         spindle.is_turning = false;
-        stand(command, SegmentKind::Orient, machine.orient_time_of(command.spindle_number));
+        stand(command, SegmentKind::Orient, machine.orient_time_of(wanted.number));
         return;
     }
-    spindle.machine_limit = machine.max_speed_of(command.spindle_number);
-    spindle.is_turning = command.spindle != path::SpindleMode::Stop && command.speed > 0;
-    spindle.is_counterclockwise = command.spindle == path::SpindleMode::Ccw;
-    spindle.holds_cutting_speed = command.cutting_speed;
-    if (command.cutting_speed) {
-        spindle.cutting_speed = feed_from_mm_min(command.speed * 1000);  // from m/min
+    spindle.machine_limit = machine.max_speed_of(wanted.number);
+    spindle.is_turning = wanted.mode != path::SpindleMode::Stop && wanted.speed > 0;
+    spindle.is_counterclockwise = wanted.mode == path::SpindleMode::Ccw;
+    spindle.holds_cutting_speed = wanted.has_cutting_speed;
+    if (wanted.has_cutting_speed) {
+        spindle.cutting_speed = feed_from_mm_min(wanted.speed * 1000);  // from m/min
         return;
     }
-    spindle.speed = speed_from_rpm(command.speed);
+    spindle.speed = speed_from_rpm(wanted.speed);
     if (spindle.is_turning) check_speed(command);
 }
 
 void Preparer::State::check_speed(const Command& command) {
-    const double most = machine.max_speed_of(command.spindle_number);
-    if (!(most > 0) || speed_from_rpm(command.speed) <= most) return;
+    const path::Spindle& wanted = command.spindle();
+    const double most = machine.max_speed_of(wanted.number);
+    if (!(most > 0) || speed_from_rpm(wanted.speed) <= most) return;
     report(sink, diag::SpindleTooFast, command, options.place_of)
-        .arg(command.speed)
+        .arg(wanted.speed)
         .arg(round_to(rpm_from_speed(most), 3));
 }
 
 /// The path waits for it where it is to stand at an angle, and does not follow it.
 void Preparer::State::set_other_spindle(const Command& command) {
-    if (command.spindle == path::SpindleMode::Orient) {
-        stand(command, SegmentKind::Orient, machine.orient_time_of(command.spindle_number));
-    } else if (command.spindle != path::SpindleMode::Stop && !command.cutting_speed) {
+    const path::Spindle& wanted = command.spindle();
+    if (wanted.mode == path::SpindleMode::Orient) {
+        stand(command, SegmentKind::Orient, machine.orient_time_of(wanted.number));
+    } else if (wanted.mode != path::SpindleMode::Stop && !wanted.has_cutting_speed) {
         check_speed(command);
     }
 }
 
 void Preparer::State::dwell(const Command& command) {
-    double duration = command.time;
-    if (command.revolutions > 0) {
+    double duration = command.dwell().time;
+    if (command.dwell().revolutions > 0) {
         const double turns = spindle.speed_at(standing.tip()[0]);
         if (turns > 0) {
-            duration = command.revolutions / turns;
+            duration = command.dwell().revolutions / turns;
         } else {
             report(sink, diag::DwellWithoutSpindle, command, options.place_of)
-                .arg(command.revolutions);
+                .arg(command.dwell().revolutions);
             alarm_raised();
         }
     }
@@ -245,11 +248,11 @@ Piece& Preparer::State::emit_stand(const Command& command, SegmentKind kind) {
 /// An M function goes with the piece behind it, or with the stand in which it is awaited.
 void Preparer::State::issue(const Command& command) {
     if (has_ended) return;
-    if (command.step != path::FunctionStep::Await) {
-        issued.push_back({command.code, 0, command.line});
+    if (command.function().step != path::FunctionStep::Await) {
+        issued.push_back({command.function().code, 0, command.line});
         ++to_issue;
     }
-    if (command.step == path::FunctionStep::Issue) return;
+    if (command.function().step == path::FunctionStep::Issue) return;
     last.must_stop = true;
     emit_stand(command, SegmentKind::Wait).awaits = true;
 }
@@ -257,17 +260,18 @@ void Preparer::State::issue(const Command& command) {
 // ------------------------------------------------------------------------------ motion
 
 void Preparer::State::move(const Command& command) {
+    const path::Motion& motion = command.motion();
     follow_dynamics(command);
-    if (standing.follow_transformation(command)) last.must_stop = true;
+    if (standing.follow_transformation(motion)) last.must_stop = true;
     meet_spindle(command);
     if (has_pulses()) rest_at_points(command);
-    Standing::Target target = standing.target_of(command);
+    Standing::Target target = standing.target_of(motion);
     Segment segment = standing.still();
-    segment.kind = command.op == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
+    segment.kind = motion.op() == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
     segment.line = command.line;
     segment.cycle = command.cycle;
     segment.source = command.source;
-    const double length = standing.lay_path(command, target, segment);
+    const double length = standing.lay_path(motion, target, segment);
     const Arrival arrival{length, joints_of(axes.chain(), target.followers)};
     if (segment.is_transformed() && length > 0) {
         const double from = round_corner(command, segment, arrival);
@@ -283,18 +287,18 @@ void Preparer::State::move(const Command& command) {
             end_command();
         }
         if (!has_ended) check.widen_travel();
-    } else if (!has_ended && (length > 0 || command.exact_stop)) {
+    } else if (!has_ended && (length > 0 || motion.exact_stop)) {
         release();
     }
     if (has_ended) return;
-    standing.arrive(command, target);
-    if (command.exact_stop) last.must_stop = true;
+    standing.arrive(motion, target);
+    if (motion.exact_stop) last.must_stop = true;
 }
 
 /// The pulses of a laser are timed from rest to rest where nothing burns, and in the mode that
 /// stops from point to point as well: no corner there takes anything from the ramps.
 void Preparer::State::rest_at_points(const Command& command) {
-    const bool burned = std::exchange(burns_point, command.op != Op::Rapid && spindle.is_turning);
+    const bool burned = std::exchange(burns_point, command.op() != Op::Rapid && spindle.is_turning);
     const bool stops = machine.laser->mode == machine::PulseMode::Stop;
     if (burned != burns_point || (burned && stops)) last.must_stop = true;
 }
@@ -357,18 +361,19 @@ void Preparer::State::emit_curves(const Command& command, const Segment& whole, 
         const double part = path::length(curve);
         from += part;
         // Under inverse time the time of the block is shared out by length.
-        if (command.feed_mode == path::FeedMode::InverseTime)
-            share.feed = command.feed * length / part;
+        if (command.motion().feed_mode == path::FeedMode::InverseTime)
+            share.motion().feed = command.motion().feed * length / part;
         emit_feed_parts(share, piece, part);
     }
 }
 
 void Preparer::State::emit_feed_parts(const Command& command, const Segment& segment,
                                       double length) {
-    if (command.op == Op::Thread && command.lead_change != 0 && spindle.is_turning)
+    if (command.op() == Op::Thread && command.motion().thread().lead_change != 0 &&
+        spindle.is_turning)
         return emit_varying_thread(command, segment, length);
-    if (command.op != Op::Rapid) {
-        const auto parts = feed_bounds(command, segment, length, spindle);
+    if (command.op() != Op::Rapid) {
+        const auto parts = feed_bounds(command.motion(), segment, length, spindle);
         if (!parts.empty()) return emit_parts(command, segment, parts);
     }
     const auto bounds =
@@ -387,11 +392,11 @@ void Preparer::State::emit_parts(const Command& command, const Segment& whole,
 /// Whether the pieces of a motion may be cells at all.
 bool Preparer::State::allows_cells(const Command& command) const {
     // The pulses of a laser time whole blocks.
-    if (axes.limits_jerk() || command.op == Op::Thread || has_pulses()) return false;
+    if (axes.limits_jerk() || command.op() == Op::Thread || has_pulses()) return false;
     if (has_law(command)) return false;
     // A cell has one course of its speed, which an event would break.
     if (!options.events.empty()) return false;
-    return command.feed_mode == path::FeedMode::PerMinute;
+    return command.motion().feed_mode == path::FeedMode::PerMinute;
 }
 
 /// Where a bent piece is cut into cells: nowhere unless its bend takes so much of an axis that
@@ -399,7 +404,7 @@ bool Preparer::State::allows_cells(const Command& command) const {
 std::vector<double> Preparer::State::cells_in(const Command& command, const Segment& whole,
                                               double length) {
     if (!allows_cells(command)) return {};
-    const auto feed = path_feed(command, whole, length, spindle, &axes);
+    const auto feed = path_feed(command.motion(), whole, length, spindle, &axes);
     if (!feed) return {};
     const AxisRates start = axes.start_rates(whole);
     follow_dynamics(command);
@@ -452,7 +457,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
         programmed = most * std::min(1.0, programmed_override(command));
         feed = limits.speed = std::min(most, wanted_feed(command, segment, programmed));
     }
-    if (command.op == Op::Thread && limits.speed < feed * (1 - kSameSpeed)) {
+    if (command.op() == Op::Thread && limits.speed < feed * (1 - kSameSpeed)) {
         report_thread_speed(command, feed, limits.speed);
         if (has_ended) return;
     }
@@ -462,14 +467,15 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.segment.nominal_feed =
         segment.kind == SegmentKind::Feed ? programmed / programmed_override(command) : 0;
     piece.segment.ends_command = false;
-    piece.segment.is_thread =
-        command.op == Op::Thread || (command.keeps_feed && command.ignores_hold);
-    if (command.op == Op::Thread && !thread_goes_on)
-        piece.segment.thread_start = static_cast<float>(command.angle_deg / 360);
+    piece.segment.is_thread = command.op() == Op::Thread ||
+                              (command.motion().keeps_feed && command.motion().ignores_hold);
+    if (command.op() == Op::Thread && !thread_goes_on)
+        piece.segment.thread_start = static_cast<float>(command.motion().thread().start_deg / 360);
     piece.segment.spindle = spindle;
     piece.segment.tool_number = tool_number;
-    if (segment.kind == SegmentKind::Feed && command.feed_mode == path::FeedMode::PerRevolution) {
-        piece.segment.feed_per_revolution = command.feed * feed_override(command);
+    if (segment.kind == SegmentKind::Feed &&
+        command.motion().feed_mode == path::FeedMode::PerRevolution) {
+        piece.segment.feed_per_revolution = command.motion().feed * feed_override(command);
     }
     piece.length = length;
     piece.speed = limits.speed;
@@ -478,7 +484,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.turning_acceleration = limits.turning_acceleration;
     piece.programmed = programmed;
     piece.follows_spindle = how.follows_spindle;
-    piece.has_dynamics = !command.dynamics.empty();
+    piece.has_dynamics = static_cast<bool>(command.motion().dynamics);
     if (!options.events.empty()) ask(command, piece);
     piece.entry_limit = how.is_inside ? kInfinity : corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
@@ -510,8 +516,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
 /// What the operator acts on while the piece is run: a thread follows the spindle, and so does a
 /// tap.
 void Preparer::State::ask(const Command& command, Piece& piece) const {
-    piece.can_be_held = command.op != Op::Thread && !command.ignores_hold;
-    if (command.op == Op::Thread || command.keeps_feed) return;
+    piece.can_be_held = command.op() != Op::Thread && !command.motion().ignores_hold;
+    if (command.op() == Op::Thread || command.motion().keeps_feed) return;
     const bool is_rapid = piece.segment.kind == SegmentKind::Rapid;
     (is_rapid ? piece.rapid_asked : piece.feed_asked) =
         is_rapid ? piece.programmed : AxisTable::path_speed(piece.segment, piece.programmed);
@@ -529,8 +535,8 @@ void Preparer::State::report_thread_speed(const Command& command, double feed, d
 /// The path speed that the program asks for, without the operator's override; infinite at rapid.
 double Preparer::State::programmed_feed(const Command& command, const Segment& segment,
                                         double length) {
-    if (command.op == Op::Rapid) return kInfinity;
-    const auto feed = path_feed(command, segment, length, spindle, &axes);
+    if (command.op() == Op::Rapid) return kInfinity;
+    const auto feed = path_feed(command.motion(), segment, length, spindle, &axes);
     if (feed) return *feed * programmed_override(command);
     const bool no_feed = feed.error() == FeedFault::NoFeed;
     if (told.first_time(Once::NoFeed)) {
@@ -544,8 +550,8 @@ double Preparer::State::programmed_feed(const Command& command, const Segment& s
 double Preparer::State::wanted_feed(const Command& command, const Segment& segment,
                                     double programmed) const {
     // A thread follows the spindle: neither an override nor a limit of the feed acts on it.
-    if (command.op == Op::Thread || command.op == Op::Rapid) return programmed;
-    const double wanted = programmed * (command.keeps_feed ? 1 : options.feed_override);
+    if (command.op() == Op::Thread || command.op() == Op::Rapid) return programmed;
+    const double wanted = programmed * (command.motion().keeps_feed ? 1 : options.feed_override);
     return machine.max_feed > 0 && !segment.is_rotary_only ? std::min(wanted, machine.max_feed)
                                                            : wanted;
 }

@@ -143,8 +143,8 @@ constexpr bool is_rounded(Op op) {
 /// the motion becomes pieces. Without the operator's override: the way does not depend on it.
 std::optional<double> Preparer::State::feed_of(const Command& command, const Segment& segment,
                                                double length) const {
-    if (command.op == Op::Rapid) return kInfinity;
-    const auto feed = path_feed(command, segment, length, spindle, &axes);
+    if (command.op() == Op::Rapid) return kInfinity;
+    const auto feed = path_feed(command.motion(), segment, length, spindle, &axes);
     if (!feed) return std::nullopt;
     return *feed * programmed_override(command);
 }
@@ -153,7 +153,7 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
 /// those that turn the tool, and the pulses of a laser burn the programmed points.
 bool Preparer::State::can_be_blended(const Command& command, const Segment& segment,
                                      const Arrival& arrival) const {
-    if (!is_rounded(command.op) || has_pulses() || segment.is_rotary_only) return false;
+    if (!is_rounded(command.op()) || has_pulses() || segment.is_rotary_only) return false;
     const bool is_free =
         segment.is_transformed() ? is_one_way(segment, arrival.joints) : segment.followers == 0;
     return is_free && feed_of(command, segment, arrival.length).has_value();
@@ -162,10 +162,10 @@ bool Preparer::State::can_be_blended(const Command& command, const Segment& segm
 /// Keeps a motion until the next one is known; false if nothing is asked for behind it.
 bool Preparer::State::hold(const Command& command, const Segment& segment, const Arrival& arrival,
                            double from) {
-    const path::Blending& wish = command.blending;
+    const path::Blending& wish = command.motion().blending;
     const bool rounds = wish.kind != path::BlendKind::None && wish.size > 0;
     const bool smooths = wish.smooths_orientation && segment.is_transformed();
-    if (command.exact_stop || !(rounds || smooths)) return false;
+    if (command.motion().exact_stop || !(rounds || smooths)) return false;
     if (!can_be_blended(command, segment, arrival)) return false;
     held.is_held = true;
     held.command = command;
@@ -212,8 +212,8 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
         held.segment.goes_straight() != segment.goes_straight())
         return release(), 0;
     if (is_transformed) return blend_orientation_corner(command, segment, length);
-    const auto found =
-        rounding({held.segment.curve, held.command.blending}, {segment.curve, command.blending});
+    const auto found = rounding({held.segment.curve, held.command.motion().blending},
+                                {segment.curve, command.motion().blending});
     if (!found) return keep_sharp(), 0;
     const std::array<path::Curve, 2> before{found->curve[0], found->curve[1]};
     const std::array<path::Curve, 2> behind{found->curve[2], found->curve[3]};
@@ -304,9 +304,9 @@ bool Preparer::State::gains_time(const OrientationBlend& around, const Command& 
 OrientationAtCorner Preparer::State::blended_orientation(const Command& command,
                                                          const OrientationPath& before,
                                                          const OrientationPath& behind) {
-    const path::Blending& wish = held.command.blending;
+    const path::Blending& wish = held.command.motion().blending;
     if (wish.kind == path::BlendKind::None || !(wish.size > 0)) return {};
-    auto found = orientation_blend(axes.chain(), before, wish, behind, command.blending);
+    auto found = orientation_blend(axes.chain(), before, wish, behind, command.motion().blending);
     if (!found) return {};
     const bool rests = axes.limits_jerk();
     if (gains_time(*found, command, before, behind,
@@ -320,7 +320,7 @@ OrientationAtCorner Preparer::State::blended_orientation(const Command& command,
 std::optional<OrientationBlend> Preparer::State::smoothed_way(const Command& command,
                                                               const OrientationPath& before,
                                                               const OrientationPath& behind) {
-    const path::Blending& wish = held.command.blending;
+    const path::Blending& wish = held.command.motion().blending;
     if (!wish.smooths_orientation) return std::nullopt;
     auto found = smoothed_orientation(axes.chain(), before, behind, wish.orientation);
     if (found && !gains_time(*found, command, before, behind, CornerAsItIs::OfTheTip))

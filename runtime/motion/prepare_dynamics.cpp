@@ -11,12 +11,12 @@ namespace kadr::motion {
 
 /// The limits are those of the command from here on.
 void Preparer::State::follow_dynamics(const path::Command& command) {
-    if (is_plain && command.dynamics.empty()) return;  // nearly always
+    if (is_plain && !command.motion().dynamics) return;  // nearly always
     static const path::Dynamics kPlain;
-    const path::Dynamics& wanted = command.dynamics.empty() ? kPlain : command.dynamics.front();
+    const path::Dynamics& wanted = !command.motion().dynamics ? kPlain : *command.motion().dynamics;
     if (wanted == dynamics) return;
     dynamics = wanted;
-    is_plain = command.dynamics.empty();
+    is_plain = !command.motion().dynamics;
     axes = machine_axes.under(dynamics);
     set_jumps();
 }
@@ -57,19 +57,19 @@ double Preparer::State::jerk_of_bend(std::size_t axis) const {
 
 /// What F is multiplied with by the program.
 double Preparer::State::programmed_override(const path::Command& command) const {
-    const bool is_free = command.keeps_feed || command.op == path::Op::Thread;
-    return is_free || command.dynamics.empty() ? 1 : command.dynamics.front().feed;
+    const bool is_free = command.motion().keeps_feed || command.op() == path::Op::Thread;
+    return is_free || !command.motion().dynamics ? 1 : command.motion().dynamics->feed;
 }
 
 /// … and by the operator at the start of the run.
 double Preparer::State::feed_override(const path::Command& command) const {
-    const bool is_free = command.keeps_feed || command.op == path::Op::Thread;
+    const bool is_free = command.motion().keeps_feed || command.op() == path::Op::Thread;
     return is_free ? 1 : options.feed_override * programmed_override(command);
 }
 
 /// The program may take all speed from a motion.
 Done Preparer::State::require_override(const path::Command& command) {
-    const bool is_rapid = command.op == path::Op::Rapid;
+    const bool is_rapid = command.op() == path::Op::Rapid;
     if ((is_rapid ? dynamics.rapid : programmed_override(command)) > 0) return kDone;
     report(sink, diag::StandsForEver, command, options.place_of)
         .arg("an override of 0 % in the program")

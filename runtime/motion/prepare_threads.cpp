@@ -46,7 +46,7 @@ double ramp_to(double speed, const PathLimits& limits) {
 /// A thread begins when the spindle is at the angle that it says, so that passes run in one groove.
 /// One that goes on with another does not wait. S 4.6.
 void Preparer::State::meet_spindle(const path::Command& command) {
-    const bool is_thread = command.op == path::Op::Thread;
+    const bool is_thread = command.op() == path::Op::Thread;
     thread_goes_on = is_thread && is_threading && !last.must_stop;
     leaves_thread = is_threading && !is_thread;
     is_threading = is_thread;
@@ -56,7 +56,7 @@ void Preparer::State::meet_spindle(const path::Command& command) {
     last.must_stop = true;
     Piece& stand = emit_stand(command, SegmentKind::Wait);
     stand.awaits_mark = true;
-    stand.mark = command.angle_deg / 360;
+    stand.mark = command.motion().thread().start_deg / 360;
 }
 
 /// No axis changes its velocity at once: where a chain of threads turns, the pitch goes down with
@@ -74,14 +74,14 @@ void Preparer::State::check_thread_corner(const path::Command& command, const Pi
 void Preparer::State::emit_varying_thread(const path::Command& command, const Segment& whole,
                                           double length) {
     const double turns = spindle.speed_at(path::start(whole.curve)[0]);  // 1/s
-    const Lead lead{command.feed, command.lead_change};
+    const Lead lead{command.motion().feed, command.motion().thread().lead_change};
     path::Command share = command;
     const auto part_at = [&](double from, double to, double pitch) {
-        share.feed = pitch;
+        share.motion().feed = pitch;
         emit(share, part_of(whole, from, to), to - from);
     };
     // Under a constant cutting speed no acceleration suits the way: many even pieces do.
-    const auto parts = feed_bounds(command, whole, length, spindle);
+    const auto parts = feed_bounds(command.motion(), whole, length, spindle);
     if (!parts.empty()) {
         for (std::size_t i = 0; i + 1 < parts.size() && !has_ended; ++i)
             part_at(parts[i], parts[i + 1], (lead.at(parts[i]) + lead.at(parts[i + 1])) / 2);
@@ -102,7 +102,8 @@ void Preparer::State::emit_varying_thread(const path::Command& command, const Se
     if (has_ended) return;
     Piece& geared = pieces.back(0);
     geared.is_geared = true;
-    geared.acceleration = std::abs(command.lead_change) * turns * turns * (1 + kGearSlack);
+    geared.acceleration =
+        std::abs(command.motion().thread().lead_change) * turns * turns * (1 + kGearSlack);
     geared.jerk = geared.turning_acceleration = std::numeric_limits<double>::infinity();
     part_at(end, length, lead.at(end));
 }

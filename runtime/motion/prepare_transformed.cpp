@@ -298,9 +298,9 @@ void Preparer::State::turn_alone(const Command& command, const Segment& at, Axis
     turn.turn.length = deg_from_rad(std::abs(way));
     turn.follower_rate[index(axis) - 3] = way / turn.turn.length;
     Command rapid = command;
-    rapid.op = Op::Rapid;
+    rapid.become(Op::Rapid);
     // Its feed changes along the path, of which this is none.
-    if (has_law(rapid)) rapid.dynamics.front().law = {};
+    if (has_law(rapid)) rapid.motion().dynamics->law = {};
     last.must_stop = true;
     emit_path(rapid, turn, turn.turn.length);
     last.must_stop = true;
@@ -325,7 +325,7 @@ std::optional<LogicalAxes> Preparer::State::emit_path(const Command& command, co
                                                       double length) {
     const Chain& chain = axes.chain();
     const double wanted = feed_of(command, leg, leg.turn.length).value_or(kInfinity) *
-                          (command.keeps_feed ? 1 : options.feed_override);
+                          (command.motion().keeps_feed ? 1 : options.feed_override);
     const bool is_rapid = leg.kind == SegmentKind::Rapid;
     const bool as_cells = allows_cells(command) && (!is_rapid || options.rapid_override == 1);
     const std::vector<Segment> parts =
@@ -339,13 +339,13 @@ std::optional<LogicalAxes> Preparer::State::emit_path(const Command& command, co
     double from = 0;
     for (const Segment& part : parts) {
         if (has_ended) return std::nullopt;
-        if (command.feed_mode == path::FeedMode::InverseTime)
-            share.feed = command.feed * length / part.turn.length;
+        if (command.motion().feed_mode == path::FeedMode::InverseTime)
+            share.motion().feed = command.motion().feed * length / part.turn.length;
         // Between two parts the axes go on evenly: the ends of their courses differ by rounding.
         const bool is_inside = as_cells && &part != &parts.front();
         const double to = from + part.turn.length;
         const double before = starts_at_rest ? kInfinity : from;
-        const double behind = command.exact_stop ? kInfinity : leg.turn.length - to;
+        const double behind = command.motion().exact_stop ? kInfinity : leg.turn.length - to;
         emit(share, part, part.turn.length,
              {.as_cell = as_cells, .is_inside = is_inside, .margin = std::min(before, behind)});
         from = to;

@@ -31,7 +31,7 @@ constexpr double kNoJump = 1e-9;
 }  // namespace
 
 bool Preparer::State::has_law(const path::Command& command) const {
-    return !command.dynamics.empty() && command.dynamics.front().law.is_said();
+    return command.motion().dynamics && command.motion().dynamics->law.is_said();
 }
 
 /// Pieces of the motion follow, from this length of its way on.
@@ -42,10 +42,10 @@ void Preparer::State::begin_law(double from, double length) { lawful = {from, le
 std::optional<path::FeedPolynomial> Preparer::State::law_on(const path::Command& command,
                                                             const Segment& segment,
                                                             double length) const {
-    path::Command unit = command;
+    path::Motion unit = command.motion();
     unit.feed = 1;
     double scale = lawful.length / 60;  // of the inverse of a time
-    if (command.feed_mode != path::FeedMode::InverseTime) {
+    if (unit.feed_mode != path::FeedMode::InverseTime) {
         const auto speed = path_feed(unit, segment, length, spindle, &axes);
         if (!speed || std::isinf(*speed)) return std::nullopt;
         scale = *speed;
@@ -53,14 +53,14 @@ std::optional<path::FeedPolynomial> Preparer::State::law_on(const path::Command&
     scale *= feed_override(command);
     // From the part of the whole way to mm of this piece.
     const double begin = std::min(lawful.done / lawful.length, 1.0);
-    const path::FeedPolynomial feed = path::feed_from(command.dynamics.front().law.feed, begin);
+    const path::FeedPolynomial feed = path::feed_from(command.motion().dynamics->law.feed, begin);
     return path::feed_in_units(feed, scale, 1 / lawful.length);
 }
 
 void Preparer::State::emit_by_law(const path::Command& command, const Segment& segment,
                                   double length, const Emission& how) {
     path::Command share = command;
-    share.dynamics.front().law = {};
+    share.motion().dynamics->law = {};
     follow_dynamics(share);
     if (!require_override(share)) return;
     Emission own = how;
@@ -69,7 +69,7 @@ void Preparer::State::emit_by_law(const path::Command& command, const Segment& s
     lawful.done += length;
     const bool has_feed = feed && feed_override(share) > 0;
     if (!has_feed) return emit(share, segment, length, own);
-    share.feed_mode = path::FeedMode::PerMinute;
+    share.motion().feed_mode = path::FeedMode::PerMinute;
     emit_law_part(share, segment, *feed, {0, length}, own);
 }
 
@@ -92,9 +92,9 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
     own.is_inside = how.is_inside || (part.from > 0 && segment.is_transformed());
     const auto emit_at = [&](double wanted) {
         // In the unit of F, and without the overrides, which act on it again.
-        share.feed = 1;
-        const auto unit = path_feed(share, piece, length, spindle, &axes);
-        share.feed = wanted / (*unit * feed_override(share));
+        share.motion().feed = 1;
+        const auto unit = path_feed(share.motion(), piece, length, spindle, &axes);
+        share.motion().feed = wanted / (*unit * feed_override(share));
         emit(share, piece, length, own);
     };
     const double own_limit =

@@ -12,7 +12,6 @@
 
 namespace kadr::motion {
 
-using path::Command;
 using path::Op;
 using path::Vec3;
 
@@ -31,28 +30,28 @@ Vec3 tool_axis(path::Plane plane, const AxisTable& axes) {
 }
 
 /// How far the tool's direction goes while the tip stands, rad.
-double turned_angle(const Command& command, const Vec3& from) {
-    if (command.turning != path::Turning::Cone) return path::angle_between(from, command.direction);
-    return std::abs(command.turn_angle) * command.turn_axis.cross(from).norm();
+double turned_angle(const path::Motion& motion, const Vec3& from) {
+    if (motion.turning != path::Turning::Cone) return path::angle_between(from, motion.direction);
+    return std::abs(motion.turn().angle) * motion.turn().axis.cross(from).norm();
 }
 
 bool turns(std::size_t follower) { return is_rotary(static_cast<Axis>(follower + 3)); }
 
 /// The way of the contact, of which corners have left a part. Where it stands, there is none.
-path::Curve touched_path(const Command& command, const path::ContactMotion& motion) {
-    const path::ContactKind kind = motion.contact.kind;
+path::Curve touched_path(const path::Motion& motion, const path::ContactMotion& touched) {
+    const path::ContactKind kind = touched.contact.kind;
     if (kind == path::ContactKind::Pivot || kind == path::ContactKind::Corner)
-        return path::Point{motion.from};
-    const path::Curve whole = path::curve_of(command, motion.from, motion.to);
-    if (motion.begin == 0 && motion.end == 1) return whole;
+        return path::Point{touched.from};
+    const path::Curve whole = path::curve_of(motion, touched.from, touched.to);
+    if (touched.begin == 0 && touched.end == 1) return whole;
     const double length = path::length(whole);
-    return path::part(whole, motion.begin * length, motion.end * length);
+    return path::part(whole, touched.begin * length, touched.end * length);
 }
 
 /// While the contact stands, the way of the tip about it is the path.
-double pivot_length(const Command& command, const path::Curve& touched) {
-    if (command.contact.empty() || !std::holds_alternative<path::Point>(touched)) return 0;
-    return path::tip_travel_about(command.contact.front().contact, command.direction);
+double pivot_length(const path::Motion& motion, const path::Curve& touched) {
+    if (!motion.contact || !std::holds_alternative<path::Point>(touched)) return 0;
+    return path::tip_travel_about(motion.contact->contact, motion.direction);
 }
 
 }  // namespace
@@ -99,44 +98,45 @@ double Standing::virtual_angle() const {
     return virtual_.turns() ? followers_[index(virtual_.rotary) - 3] : 0;
 }
 
-bool Standing::follow_transformation(const Command& command) {
-    const bool is_wanted = command.turning != path::Turning::None;
-    const bool is_other = is_wanted != is_transformed_ || command.virtual_axes != virtual_;
-    if (!is_other || (chain_ == nullptr && is_wanted && !command.virtual_axes.is_on()))
+bool Standing::follow_transformation(const path::Motion& motion) {
+    const bool is_wanted = motion.turning != path::Turning::None;
+    const bool is_other = is_wanted != is_transformed_ || motion.virtual_axes() != virtual_;
+    if (!is_other || (chain_ == nullptr && is_wanted && !motion.virtual_axes().is_on()))
         return false;
     const Vec3 stays = carrier();
     is_transformed_ = is_wanted;
-    virtual_ = command.virtual_axes;
+    virtual_ = motion.virtual_axes();
     put_carrier(stays);
     // What the command says of the other axes is of the new system.
     last_to_.fill(std::numeric_limits<double>::quiet_NaN());
     return true;
 }
 
-Standing::Target Standing::target_of(const Command& command) const {
+Standing::Target Standing::target_of(const path::Motion& motion) const {
     Target target{tip_, followers_};
     for (std::size_t i = 0; i < kAxes; ++i) {
         // An axis that is not programmed and whose value did not change stands. Its value may be of
         // another kind than the position now: machine coordinates, or before a tool length.
-        const bool is_moved = (command.moved & bit(static_cast<Axis>(i))) != 0;
-        if (!is_moved && (command.machine_coordinates || command.to[i] == last_to_[i])) continue;
+        const bool is_moved = (motion.moved & bit(static_cast<Axis>(i))) != 0;
+        if (!is_moved && (motion.machine_coordinates || motion.to[i] == last_to_[i])) continue;
         if (i >= 3) {
-            target.followers[i - 3] = turns(i - 3) ? rad_from_deg(command.to[i]) : command.to[i];
+            target.followers[i - 3] = turns(i - 3) ? rad_from_deg(motion.to[i]) : motion.to[i];
             continue;
         }
         const auto k = static_cast<Eigen::Index>(i);
-        target.tip[k] = command.machine_coordinates ? command.to[i] - held_[k] : command.to[i];
+        target.tip[k] = motion.machine_coordinates ? motion.to[i] - held_[k] : motion.to[i];
     }
     return target;
 }
 
-double Standing::lay_path(const Command& command, const Target& target, Segment& segment) const {
-    if (command.turning == path::Turning::Straight) lay_straight(target, segment);
-    else if (command.contact.empty()) segment.curve = path::curve_of(command, tip_, target.tip);
-    else segment.curve = touched_path(command, command.contact.front());
-    double length = std::max(path::length(segment.curve), pivot_length(command, segment.curve));
+double Standing::lay_path(const path::Motion& motion, const Target& target,
+                          Segment& segment) const {
+    if (motion.turning == path::Turning::Straight) lay_straight(target, segment);
+    else if (!motion.contact) segment.curve = path::curve_of(motion, tip_, target.tip);
+    else segment.curve = touched_path(motion, *motion.contact);
+    double length = std::max(path::length(segment.curve), pivot_length(motion, segment.curve));
     if (target.followers != followers_) lay_followers(target, length, segment);
-    if (segment.is_transformed()) lay_orientation(command, length, segment);
+    if (segment.is_transformed()) lay_orientation(motion, length, segment);
     return length > kStill ? length : 0;
 }
 
@@ -151,9 +151,9 @@ void Standing::lay_straight(const Target& target, Segment& segment) const {
 
 /// A rotary axis of virtual coordinates follows the path. Where the tool's way is given R1 and R2
 /// follow it; where only it turns, its angle is the path.
-void Standing::lay_orientation(const Command& command, double& length, Segment& segment) const {
+void Standing::lay_orientation(const path::Motion& motion, double& length, Segment& segment) const {
     path::Turn& turn = segment.turn;
-    turn.kind = command.turning;
+    turn.kind = motion.turning;
     if (virtual_.turns()) {
         segment.follower_rate[index(virtual_.rotary) - 3] = 0;
         segment.followers |= bit(virtual_.rotary);
@@ -162,9 +162,9 @@ void Standing::lay_orientation(const Command& command, double& length, Segment& 
         const Vec3 from = machine::tool_vector(*chain_, joints_of(*chain_, followers_));
         const bool stands = std::holds_alternative<path::Point>(segment.curve);
         const bool is_parallel = (segment.followers & ~kRotaryABC) != 0;
-        if (stands && !is_parallel && pivot_length(command, segment.curve) <= kStill) {
+        if (stands && !is_parallel && pivot_length(motion, segment.curve) <= kStill) {
             const double before = length;
-            length = deg_from_rad(turned_angle(command, from));
+            length = deg_from_rad(turned_angle(motion, from));
             segment.is_rotary_only = true;
             if (length > kStill)
                 for (double& rate : segment.follower_rate) rate *= before / length;
@@ -177,14 +177,14 @@ void Standing::lay_orientation(const Command& command, double& length, Segment& 
         }
         const double share = length > kStill ? 1 / length : 0;
         const bool is_point = turn.kind == path::Turning::Point;
-        turn.start = turn.kind == path::Turning::Cone ? from : command.turn_from;
-        turn.axis = is_point ? Vec3(share * command.turn_axis) : command.turn_axis;
-        turn.rate = share * command.turn_angle;
-        turn.lean = command.lean;
-        turn.outwards = command.orient_outwards;
+        turn.start = turn.kind == path::Turning::Cone ? from : motion.turn().from;
+        turn.axis = is_point ? Vec3(share * motion.turn().axis) : motion.turn().axis;
+        turn.rate = share * motion.turn().angle;
+        turn.lean = motion.turn().lean;
+        turn.outwards = motion.turn().outwards;
     }
     turn.length = length;
-    if (!command.contact.empty()) segment.contact = command.contact.front().contact;
+    if (motion.contact) segment.contact = motion.contact->contact;
 }
 
 /// X Y Z make the path if they move, else U V W, else the rotary axes in degrees; the others follow
@@ -222,24 +222,24 @@ Segment Standing::still() const {
     return segment;
 }
 
-void Standing::arrive(const Command& command, const Target& target) {
+void Standing::arrive(const path::Motion& motion, const Target& target) {
     tip_ = target.tip;
     followers_ = target.followers;
-    last_to_ = command.to;
+    last_to_ = motion.to;
 }
 
-void Standing::set_tool_length(const Command& command, const AxisTable& axes) {
+void Standing::set_tool_length(const path::ToolLength& length, const AxisTable& axes) {
     const Vec3 stays = carrier();
-    tool_ = tool_axis(command.plane, axes);
-    held_ = command.length * tool_ + command.aside;
-    if (command.is_swivelled) {
-        tool_ = command.direction;
-    } else if (!command.aside.isZero(0)) {  // a lathe's tool: what carries it lies aside as well
+    tool_ = tool_axis(length.plane, axes);
+    held_ = length.length * tool_ + length.aside;
+    if (length.is_swivelled) {
+        tool_ = length.direction;
+    } else if (!length.aside.isZero(0)) {  // a lathe's tool: what carries it lies aside as well
         tool_ = held_.normalized();
     }
     put_carrier(stays);
     // What was said of axes that all have another length now is of no use: a head has turned.
-    if ((command.moved & kLinearXYZ) == kLinearXYZ)
+    if ((length.changed & kLinearXYZ) == kLinearXYZ)
         last_to_.fill(std::numeric_limits<double>::quiet_NaN());
 }
 

@@ -27,23 +27,23 @@ class Standing {
         path::Vec3 tip;
         std::array<double, kFollowers> followers;  // rad or mm
     };
-    /// Goes over to the system in which the command says its target, transformed or not; the axes
+    /// Goes over to the system in which the motion says its target, transformed or not; the axes
     /// stay where they are. True if it is another one.
-    bool follow_transformation(const path::Command& command);
-    Target target_of(const path::Command& command) const;
+    bool follow_transformation(const path::Motion& motion);
+    Target target_of(const path::Motion& motion) const;
 
     /// The way of a Rapid, Line or Arc to its target as geometry. Returns the length of the path in
     /// mm, or in degrees if only rotary axes move (`segment.is_rotary_only`); 0 if nothing moves.
-    double lay_path(const path::Command& command, const Target& target, Segment& segment) const;
+    double lay_path(const path::Motion& motion, const Target& target, Segment& segment) const;
 
     /// A segment in which the machine stands here, for the caller to complete.
     Segment still() const;
 
-    void arrive(const path::Command& command, const Target& target);
+    void arrive(const path::Motion& motion, const Target& target);
 
     /// Another tool length acts. The axes stay where they are; what changes is the point of the
     /// tool that they carry.
-    void set_tool_length(const path::Command& command, const AxisTable& axes);
+    void set_tool_length(const path::ToolLength& length, const AxisTable& axes);
 
     const path::Vec3& tip() const { return tip_; }
     const std::array<double, kFollowers>& followers() const { return followers_; }
@@ -56,7 +56,7 @@ class Standing {
     double virtual_angle() const;
     void put_carrier(const path::Vec3& carrier);
     void lay_straight(const Target& target, Segment& segment) const;
-    void lay_orientation(const path::Command& command, double& length, Segment& segment) const;
+    void lay_orientation(const path::Motion& motion, double& length, Segment& segment) const;
     void lay_followers(const Target& target, double& length, Segment& segment) const;
 
     const machine::Chain* chain_ = nullptr;  // null if the machine has no transformation

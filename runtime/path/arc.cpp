@@ -138,7 +138,7 @@ Result<Arc, ArcFault> arc_along_tangent(const ArcEnds& ends, const Vec3& tangent
     return Arc{ends.start, ends.end, ends.start + radius * inwards, along.cross(inwards), sweep};
 }
 
-ArcShape shape_of(const Arc& arc) {
+ArcMeasures measures_of(const Arc& arc) {
     const Vec3 to_end = arc.end - arc.center;
     const double height = to_end.dot(arc.normal) - (arc.start - arc.center).dot(arc.normal);
     return {in_plane(arc.start - arc.center, arc.normal).norm(),
@@ -146,7 +146,7 @@ ArcShape shape_of(const Arc& arc) {
 }
 
 ArcPoint point_at(const Arc& arc, double angle) {
-    const ArcShape shape = shape_of(arc);
+    const ArcMeasures shape = measures_of(arc);
     const Vec3 outwards = in_plane(arc.start - arc.center, arc.normal) / shape.start_radius;
     const Vec3 sideways = arc.normal.cross(outwards);
     const double growth = (shape.end_radius - shape.start_radius) / arc.sweep;  // of the radius
@@ -162,7 +162,7 @@ ArcPoint point_at(const Arc& arc, double angle) {
 double length_of(const Arc& arc) {
     // |C'|² = r² + g², where g² gathers what does not change along the arc: growth of the radius
     // and climb, both by the angle.
-    const ArcShape shape = shape_of(arc);
+    const ArcMeasures shape = measures_of(arc);
     const double growth = (shape.end_radius - shape.start_radius) / arc.sweep;
     const double g = std::hypot(growth, shape.height / arc.sweep);
     const auto speed = [g](double r) { return std::hypot(r, g); };

@@ -91,12 +91,12 @@ struct ArcPoint {
 ArcPoint point_at(const Arc& arc, double angle);
 
 /// Radius at the start and at the end, and the height from start to end along the normal, mm.
-struct ArcShape {
+struct ArcMeasures {
     double start_radius = 0;
     double end_radius = 0;
     double height = 0;
 };
-ArcShape shape_of(const Arc& arc);
+ArcMeasures measures_of(const Arc& arc);
 
 /// Length of the arc, mm; closed form, exact for equal radii and for spirals.
 double length_of(const Arc& arc);

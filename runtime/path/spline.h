@@ -20,8 +20,9 @@ Pole control_point_of(const Vec3& point, double weight);
 
 /// A span as a Command states it: control points between the ends, and the weights of all.
 struct SplineShape {
-    int degree = 3;                                      // 1 … 5
-    std::array<Vec3, 4> inner{};                         // degree − 1 of them hold, mm
+    int degree = 3;  // 1 … 5
+    /// degree − 1 of them hold, mm
+    std::array<Vec3, 4> inner = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
     std::array<double, 6> weights = {1, 1, 1, 1, 1, 1};  // degree + 1 of them hold, > 0
 };
 

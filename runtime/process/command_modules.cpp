@@ -87,7 +87,7 @@ std::size_t ServedCommands::pull(std::span<Command> out) {
         }
         const Command& command = batch_[batch_at_++];
         ++taken_;
-        CommandModule* module = serves_[static_cast<std::size_t>(command.op)];
+        CommandModule* module = serves_[static_cast<std::size_t>(command.op())];
         if (module == nullptr) {
             put(command);
             continue;

@@ -116,23 +116,23 @@ std::uint64_t ScannerCommands::taken_for(std::uint64_t count) const {
 bool ScannerCommands::take(Command& out) {
     Command& command = batch_[batch_at_++];
     ++taken_;
-    if (command.op == Op::ScannerOn) {
+    if (command.op() == Op::ScannerOn) {
         if (!is_on_) switch_on();
         is_lent_ = false;
         return false;
     }
-    if (std::ranges::find(serves_, command.op) != serves_.end() && !is_on_) {
+    if (std::ranges::find(serves_, command.op()) != serves_.end() && !is_on_) {
         switch_on();
         is_lent_ = true;
-    } else if (is_lent_ && path::is_motion(command.op) && !refusal_ &&
-               std::ranges::find(serves_, command.op) == serves_.end()) {
+    } else if (is_lent_ && command.is_motion() && !refusal_ &&
+               std::ranges::find(serves_, command.op()) == serves_.end()) {
         return_axes(command);
     }
     if (is_on_) {
         scan(command);
         return false;
     }
-    if (command.op == Op::ScannerOff) return false;
+    if (command.op() == Op::ScannerOff) return false;
     follow(command);
     if (!ready_.empty()) {  // behind the list that was closed for it
         ready_.push_back(std::move(command));
@@ -144,22 +144,24 @@ bool ScannerCommands::take(Command& out) {
 
 /// The axes' own command, as the planner will take it.
 void ScannerCommands::follow(const Command& command) {
-    if (path::is_motion(command.op)) axes_at_.arrive(command, axes_at_.target_of(command));
-    if (command.op == Op::ToolLength) axes_at_.set_tool_length(command, axes_);
+    if (command.is_motion())
+        axes_at_.arrive(command.motion(), axes_at_.target_of(command.motion()));
+    if (command.op() == Op::ToolLength) axes_at_.set_tool_length(command.tool_length(), axes_);
     follow_spindle(command);
 }
 
 void ScannerCommands::follow_spindle(const Command& command) {
-    if (command.op == Op::SpeedLimit) {
-        spindle_.limit = speed_from_rpm(command.speed);
-        spindle_.least = speed_from_rpm(command.least_speed);
+    if (command.op() == Op::SpeedLimit) {
+        spindle_.limit = speed_from_rpm(command.speed_limit().most);
+        spindle_.least = speed_from_rpm(command.speed_limit().least);
     }
-    if (command.op != Op::Spindle) return;
-    spindle_.is_turning = command.spindle != path::SpindleMode::Stop &&
-                          command.spindle != path::SpindleMode::Orient && command.speed > 0;
-    spindle_.holds_cutting_speed = command.cutting_speed;
-    if (command.cutting_speed) spindle_.cutting_speed = feed_from_mm_min(command.speed * 1000);
-    else spindle_.speed = speed_from_rpm(command.speed);
+    if (command.op() != Op::Spindle) return;
+    const path::Spindle& wanted = command.spindle();
+    spindle_.is_turning = wanted.mode != path::SpindleMode::Stop &&
+                          wanted.mode != path::SpindleMode::Orient && wanted.speed > 0;
+    spindle_.holds_cutting_speed = wanted.has_cutting_speed;
+    if (wanted.has_cutting_speed) spindle_.cutting_speed = feed_from_mm_min(wanted.speed * 1000);
+    else spindle_.speed = speed_from_rpm(wanted.speed);
 }
 
 /// The axes' next motion goes from where the stage stands to its own end.
@@ -188,7 +190,7 @@ void ScannerCommands::switch_off(const Command& command) {
 
 /// A command while the scanner is on.
 void ScannerCommands::scan(const Command& command) {
-    switch (command.op) {
+    switch (command.op()) {
         case Op::Rapid:
         case Op::Line:
         case Op::Arc:
@@ -222,18 +224,19 @@ void ScannerCommands::scan(const Command& command) {
 }
 
 void ScannerCommands::scan_way(const Command& command) {
-    if (command.machine_coordinates) return refuse_busy(command, "a place in machine coordinates");
-    const motion::Standing::Target target = beam_at_.target_of(command);
+    if (command.motion().machine_coordinates)
+        return refuse_busy(command, "a place in machine coordinates");
+    const motion::Standing::Target target = beam_at_.target_of(command.motion());
     ScanMotion motion;
     motion.segment = still(command);
-    const double length = beam_at_.lay_path(command, target, motion.segment);
+    const double length = beam_at_.lay_path(command.motion(), target, motion.segment);
     if (!require_own_axes(command, motion.segment, target)) return;
-    beam_at_.arrive(command, target);
+    beam_at_.arrive(command.motion(), target);
     if (!(length > 0)) return;
     const path::Curve& curve = motion.segment.curve;
     motion.first_direction = direction_at(curve, kEnd * length);
     motion.last_direction = direction_at(curve, (1 - kEnd) * length);
-    if (command.op != Op::Rapid) return mark(command, std::move(motion), length);
+    if (command.op() != Op::Rapid) return mark(command, std::move(motion), length);
     motion.segment.kind = SegmentKind::Jump;
     motion.segment.feed = scanner_.jump_speed;
     motion.vectors = {field_.end_of(curve, axes_at_.tip())};
@@ -243,7 +246,7 @@ void ScannerCommands::scan_way(const Command& command) {
 }
 
 void ScannerCommands::mark(const Command& command, ScanMotion motion, double length) {
-    const auto feed = motion::path_feed(command, motion.segment, length, spindle_);
+    const auto feed = motion::path_feed(command.motion(), motion.segment, length, spindle_);
     if (!feed) {
         const bool no_feed = feed.error() == motion::FeedFault::NoFeed;
         return refuse([this, command, no_feed] {
@@ -276,16 +279,16 @@ void ScannerCommands::put_motion(const Command& command, ScanMotion motion, doub
 }
 
 void ScannerCommands::scan_dwell(const Command& command) {
-    double time = command.time;
-    if (command.revolutions > 0) {
+    double time = command.dwell().time;
+    if (command.dwell().revolutions > 0) {
         const double turns = spindle_.speed_at(axes_at_.tip()[0]);
         if (!(turns > 0)) {
             return refuse([this, command] {
                 motion::report(sink_, diag::DwellWithoutSpindle, command, options_.place_of)
-                    .arg(command.revolutions);
+                    .arg(command.dwell().revolutions);
             });
         }
-        time = command.revolutions / turns;
+        time = command.dwell().revolutions / turns;
     }
     builder_.stand(still(command), time, spindle_.is_turning);
 }
@@ -321,9 +324,8 @@ void ScannerCommands::refuse_busy(const Command& command, const char* what) {
 /// The axes stand while a list runs.
 void ScannerCommands::put_list(const Command& command, ScanList list) {
     if (!(list.duration > 0)) return;
-    Command standing;
-    standing.op = Op::External;
-    standing.time = list.duration;
+    Command standing(Op::External);
+    standing.external().time = list.duration;
     standing.line = list.pieces.empty() ? command.line : list.pieces.front().line;
     standing.source = list.pieces.empty() ? command.source : list.pieces.front().source;
     lists_.push_back(std::move(list));

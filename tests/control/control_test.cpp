@@ -180,16 +180,17 @@ std::string shown(const ControlVariable& variable) {
 }
 
 std::string kind_of(const path::Command& command) {
-    if (command.op == path::Op::Rapid) return "rapid";
-    if (command.op == path::Op::Line) return "line";
-    if (command.op == path::Op::Spline) return "spline";
-    if (command.op == path::Op::Involute) return "involute";
-    return command.is_clockwise ? "cw" : "ccw";
+    if (command.op() == path::Op::Rapid) return "rapid";
+    if (command.op() == path::Op::Line) return "line";
+    if (command.op() == path::Op::Spline) return "spline";
+    if (command.op() == path::Op::Involute) return "involute";
+    const bool is_arc = command.op() == path::Op::Arc;
+    return is_arc && command.motion().arc().is_clockwise ? "cw" : "ccw";
 }
 
 /// How the tool turns in a motion under a transformation.
 std::string turning_of(const path::Command& command) {
-    switch (command.turning) {
+    switch (command.motion().turning) {
         case path::Turning::None: return "";
         case path::Turning::Straight: return "ptp";
         case path::Turning::Joints:
@@ -220,23 +221,26 @@ bool is_at(const path::Command& command, const std::string& place) {
             continue;
         }
         if (word[0] == 'O') {
-            if (!is_direction(command.direction, word.substr(1))) return false;
+            if (!is_direction(command.motion().direction, word.substr(1))) return false;
             continue;
         }
         if (const std::size_t center = std::string_view("IJK").find(word[0]);
             center != std::string_view::npos) {
-            const double at = command.center[static_cast<Eigen::Index>(center)];
+            const path::Motion& motion = command.motion();
+            const path::Vec3& about =
+                command.op() == path::Op::Involute ? motion.involute().center : motion.arc().center;
+            const double at = about[static_cast<Eigen::Index>(center)];
             if (std::abs(at - std::stod(word.substr(1))) > 1e-4) return false;
             continue;
         }
         if (word[0] == 'F') {
-            if (std::abs(command.feed - std::stod(word.substr(1))) > 1e-6) return false;
+            if (std::abs(command.motion().feed - std::stod(word.substr(1))) > 1e-6) return false;
             continue;
         }
         const auto axis = std::ranges::find(kAxisNames, word.substr(0, 1));
         const double wanted = std::stod(word.substr(1));
         const auto i = static_cast<std::size_t>(axis - kAxisNames.begin());
-        if (std::abs(command.to[i] - wanted) > 5e-5) return false;
+        if (std::abs(command.motion().to[i] - wanted) > 5e-5) return false;
     }
     return true;
 }
@@ -244,30 +248,32 @@ bool is_at(const path::Command& command, const std::string& place) {
 std::string place_of(const path::Command& command) {
     std::string out;
     for (std::size_t i = 0; i < kAxes; ++i) {
-        if (i > 2 && command.to[i] == 0) continue;
-        out += std::string(kAxisNames[i]) + format_shortest(round_to(command.to[i], 6)) + ' ';
+        if (i > 2 && command.motion().to[i] == 0) continue;
+        out +=
+            std::string(kAxisNames[i]) + format_shortest(round_to(command.motion().to[i], 6)) + ' ';
     }
     out += kind_of(command);
-    if (command.turning != path::Turning::None) {
+    if (command.motion().turning != path::Turning::None) {
         out += ' ' + turning_of(command) + " O";
         for (std::size_t i = 0; i < 3; ++i) {
-            const double part = command.direction[static_cast<Eigen::Index>(i)];
+            const double part = command.motion().direction[static_cast<Eigen::Index>(i)];
             out += (i == 0 ? "" : ",") + format_shortest(round_to(part, 6));
         }
     }
-    if (command.op == path::Op::Arc) {
+    if (command.op() == path::Op::Arc) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const double at = command.center[static_cast<Eigen::Index>(i)];
+            const double at = command.motion().arc().center[static_cast<Eigen::Index>(i)];
             out += std::string(" ") + "IJK"[i] + format_shortest(round_to(at, 6));
         }
     }
-    return out + " F" + format_shortest(command.feed);
+    return out + " F" + format_shortest(command.motion().feed);
 }
 
 /// `t1.5:`, or `t1.5@90:` where the thread begins at an angle of the spindle.
 std::string thread_kind(const path::Command& command) {
-    std::string out = 't' + format_shortest(round_to(command.feed, 4));
-    if (command.angle_deg != 0) out += '@' + format_shortest(round_to(command.angle_deg, 3));
+    std::string out = 't' + format_shortest(round_to(command.motion().feed, 4));
+    if (command.motion().thread().start_deg != 0)
+        out += '@' + format_shortest(round_to(command.motion().thread().start_deg, 3));
     return out + ':';
 }
 
@@ -278,21 +284,21 @@ std::string path_of(const std::vector<path::Command>& motions, bool is_lathe) {
     double feed = 0;
     for (const path::Command& command : motions) {
         std::string word;
-        const bool is_rapid = command.op == path::Op::Rapid;
+        const bool is_rapid = command.op() == path::Op::Rapid;
         for (std::size_t i = 0; i < kAxes; ++i) {
-            if (std::abs(command.to[i] - here[i]) < 1e-6) continue;
+            if (std::abs(command.motion().to[i] - here[i]) < 1e-6) continue;
             const char name = kAxisNames[i][0];
-            const double value = command.to[i] * (is_lathe && i == 0 ? 2 : 1);
+            const double value = command.motion().to[i] * (is_lathe && i == 0 ? 2 : 1);
             word += is_rapid ? name : static_cast<char>(name - 'A' + 'a');
             word += format_shortest(round_to(value, 3));
         }
-        here = command.to;
-        const std::string kind = command.op == path::Op::Thread ? thread_kind(command)
-                                 : command.op != path::Op::Arc  ? ""
-                                 : command.is_clockwise         ? "cw:"
-                                                                : "ccw:";
-        if (!is_rapid && command.op != path::Op::Thread && command.feed != feed) {
-            feed = command.feed;
+        here = command.motion().to;
+        const std::string kind = command.op() == path::Op::Thread      ? thread_kind(command)
+                                 : command.op() != path::Op::Arc       ? ""
+                                 : command.motion().arc().is_clockwise ? "cw:"
+                                                                       : "ccw:";
+        if (!is_rapid && command.op() != path::Op::Thread && command.motion().feed != feed) {
+            feed = command.motion().feed;
             word += 'f' + format_shortest(round_to(feed, 4));
         }
         if (!word.empty()) out += (out.empty() ? "" : " ") + kind + word;
@@ -386,17 +392,18 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     std::vector<path::Command> batch(5);
     while (const std::size_t count = interpreter.pull(batch)) {
         for (const path::Command& command : std::span(batch).first(count)) {
-            if (command.op == path::Op::Rapid || command.op == path::Op::Line ||
-                command.op == path::Op::Arc || command.op == path::Op::Spline ||
-                command.op == path::Op::Thread || command.op == path::Op::Involute)
+            if (command.op() == path::Op::Rapid || command.op() == path::Op::Line ||
+                command.op() == path::Op::Arc || command.op() == path::Op::Spline ||
+                command.op() == path::Op::Thread || command.op() == path::Op::Involute)
                 outcome.motions.push_back(command);
-            if (command.op == path::Op::Message) {
-                outcome.shown.push_back(command.text.empty() ? "message"
-                                                             : "message " + command.text);
+            if (command.op() == path::Op::Message) {
+                outcome.shown.push_back(command.message().text.empty()
+                                            ? "message"
+                                            : "message " + command.message().text);
             }
-            if (command.op == path::Op::Dwell)
-                outcome.dwells.push_back(format_shortest(round_to(command.time, 6)));
-            if (command.op == path::Op::Stop) outcome.shown.emplace_back("stop");
+            if (command.op() == path::Op::Dwell)
+                outcome.dwells.push_back(format_shortest(round_to(command.dwell().time, 6)));
+            if (command.op() == path::Op::Stop) outcome.shown.emplace_back("stop");
         }
     }
     outcome.variables = program.variables();
@@ -770,7 +777,7 @@ void check_roughing(const RandomShape& shape, double side) {
     for (const Diagnostic& message : outcome.messages)
         ASSERT_NE(message.severity, Severity::Alarm) << message.message();
     ASSERT_GT(outcome.motions.size(), 3u);
-    const RandomShape::Point last = shape.seen(outcome.motions.back().to);
+    const RandomShape::Point last = shape.seen(outcome.motions.back().motion().to);
     EXPECT_NEAR(last.x, shape.start.x, 1e-9);
     EXPECT_NEAR(last.z, shape.start.z, 1e-9);
 
@@ -778,18 +785,18 @@ void check_roughing(const RandomShape& shape, double side) {
     const double front = shape.start.z + shape.left_z;
     const double end = shape.points.back().z + shape.left_z;
     std::vector<RandomShape::Point> cuts;  // parallel ones: height and end
-    RandomShape::Point here = shape.seen(outcome.motions.front().to);
+    RandomShape::Point here = shape.seen(outcome.motions.front().motion().to);
     for (std::size_t i = 1; i + 1 < outcome.motions.size(); ++i) {
         const path::Command& command = outcome.motions[i];
-        const RandomShape::Point to = shape.seen(command.to);
-        for (int k = 0; k <= 40 && command.op != path::Op::Arc; ++k) {
+        const RandomShape::Point to = shape.seen(command.motion().to);
+        for (int k = 0; k <= 40 && command.op() != path::Op::Arc; ++k) {
             const double x = here.x + (to.x - here.x) * k / 40;
             const double z = here.z + (to.z - here.z) * k / 40;
             if (z < end - 1e-6) continue;  // behind the shape the bar stays as it is
             // On a wall the tool touches what stands behind it.
             EXPECT_GE(side * x, stands_at(shape, z + 1e-5, side) - 2e-3) << x << ' ' << z;
         }
-        const bool is_parallel = command.op == path::Op::Line && std::abs(to.x - here.x) < 1e-9 &&
+        const bool is_parallel = command.op() == path::Op::Line && std::abs(to.x - here.x) < 1e-9 &&
                                  side * (here.x - begin) > 1e-6 && std::abs(here.z - front) < 1e-9;
         if (is_parallel) cuts.push_back(to);
         here = to;

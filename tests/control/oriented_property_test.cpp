@@ -42,7 +42,7 @@ struct Done {
 Done done_by(interp::Interpreter& interpreter, const DiagnosticList& messages) {
     Done done;
     for (const Command& command : commands_of(interpreter))
-        if (path::is_motion(command.op)) done.motions.push_back(command);
+        if (command.is_motion()) done.motions.push_back(command);
     for (const Diagnostic& message : messages.all())
         if (message.severity == Severity::Alarm) done.alarms += std::string(message.row->code);
     return done;
@@ -72,11 +72,14 @@ void assert_alike(const Done& meant, const Done& found) {
     for (std::size_t i = 0; i < meant.motions.size(); ++i) {
         const Command& a = meant.motions[i];
         const Command& b = found.motions[i];
-        RC_ASSERT(a.op == b.op && a.turning == b.turning);
-        RC_ASSERT((a.direction - b.direction).norm() < 1e-5);
-        RC_ASSERT((a.turn_axis * a.turn_angle - b.turn_axis * b.turn_angle).norm() < 1e-4);
-        for (std::size_t k = 0; k < kAxes; ++k) RC_ASSERT(std::abs(a.to[k] - b.to[k]) < 2e-3);
-        RC_ASSERT(std::abs(a.feed - b.feed) < 1e-4);
+        RC_ASSERT(a.op() == b.op() && a.motion().turning == b.motion().turning);
+        RC_ASSERT((a.motion().direction - b.motion().direction).norm() < 1e-5);
+        RC_ASSERT((a.motion().turn().axis * a.motion().turn().angle -
+                   b.motion().turn().axis * b.motion().turn().angle)
+                      .norm() < 1e-4);
+        for (std::size_t k = 0; k < kAxes; ++k)
+            RC_ASSERT(std::abs(a.motion().to[k] - b.motion().to[k]) < 2e-3);
+        RC_ASSERT(std::abs(a.motion().feed - b.motion().feed) < 1e-4);
     }
 }
 

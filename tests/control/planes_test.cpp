@@ -116,16 +116,19 @@ TEST_F(Planes, ArePreferredByNothing) {
             for (std::size_t n = 0; n < first.size(); ++n) {
                 const path::Command& a = first[n];
                 const path::Command& b = other[n];
-                ASSERT_EQ(a.op, b.op) << n;
-                EXPECT_NEAR(a.feed, b.feed, 1e-6) << n;
+                ASSERT_EQ(a.op(), b.op()) << n;
+                if (!a.is_motion()) continue;
+                EXPECT_NEAR(a.motion().feed, b.motion().feed, 1e-6) << n;
                 for (std::size_t i = 0; i < 3; ++i) {
                     const std::size_t axis = (i + 3 - static_cast<std::size_t>(turns)) % 3;
-                    EXPECT_NEAR(a.to[i], b.to[axis], 1e-6) << n << " axis " << i;
-                    if (a.op != path::Op::Arc) continue;
+                    EXPECT_NEAR(a.motion().to[i], b.motion().to[axis], 1e-6) << n << " axis " << i;
+                    if (a.op() != path::Op::Arc) continue;
                     const auto from = static_cast<Eigen::Index>(i);
                     const auto to = static_cast<Eigen::Index>(axis);
-                    EXPECT_NEAR(a.center[from], b.center[to], 1e-6) << n << " centre " << i;
-                    EXPECT_NEAR(a.normal[from], b.normal[to], 1e-9) << n << " normal " << i;
+                    EXPECT_NEAR(a.motion().arc().center[from], b.motion().arc().center[to], 1e-6)
+                        << n << " centre " << i;
+                    EXPECT_NEAR(a.motion().arc().normal[from], b.motion().arc().normal[to], 1e-9)
+                        << n << " normal " << i;
                 }
             }
         }

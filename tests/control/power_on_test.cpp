@@ -56,7 +56,8 @@ std::string commands_of(const nc::Dialect& dialect, const std::string& text) {
         for (std::size_t i = 0; i < count; ++i) {
             batch[i].line = 0;  // which line says it does not matter
             listing.append(batch[i], "", out);
-            out += "turning " + std::to_string(static_cast<int>(batch[i].turning)) + '\n';
+            if (!batch[i].is_motion()) continue;
+            out += "turning " + std::to_string(static_cast<int>(batch[i].motion().turning)) + '\n';
         }
     for (const Diagnostic& message : messages.all()) out += std::string(message.row->code) + '\n';
     return out;

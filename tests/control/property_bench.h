@@ -134,13 +134,15 @@ inline std::string listed(const std::vector<Command>& commands) {
     interp::Listing listing(wide_mill());
     AxisValues at{};
     for (Command command : commands) {
-        const bool is_still = path::is_motion(command.op) && command.op != path::Op::Arc &&
-                              way(at, command.to) < 1e-6;
-        if (path::is_motion(command.op)) at = command.to;
+        const bool is_still = command.is_motion() && command.op() != path::Op::Arc &&
+                              way(at, command.motion().to) < 1e-6;
+        if (command.is_motion()) at = command.motion().to;
         if (is_still) continue;
         command.line = 0;
-        for (double& value : command.to) value = round_to(value, 3) + 0.0;
-        for (int i = 0; i < 3; ++i) command.center[i] = round_to(command.center[i], 3) + 0.0;
+        if (command.is_motion())
+            for (double& value : command.motion().to) value = round_to(value, 3) + 0.0;
+        if (command.op() == path::Op::Arc)
+            for (double& value : command.motion().arc().center) value = round_to(value, 3) + 0.0;
         listing.append(command, {}, out);
     }
     return out;

@@ -79,9 +79,10 @@ std::vector<Command> motions(const std::vector<Command>& commands) {
     std::vector<Command> out;
     AxisValues at{};
     for (const Command& command : commands) {
-        if (!path::is_motion(command.op)) continue;
-        if (command.op == Op::Arc || way(at, command.to) > kShortMove) out.push_back(command);
-        at = command.to;
+        if (!command.is_motion()) continue;
+        if (command.op() == Op::Arc || way(at, command.motion().to) > kShortMove)
+            out.push_back(command);
+        at = command.motion().to;
     }
     return out;
 }
@@ -99,16 +100,16 @@ std::string shown(const Step& step) {
 
 Step step_of(const Command& command) {
     Step step;
-    if (command.op == Op::Line) step.kind = Step::Kind::Line;
-    if (command.op == Op::Arc) {
+    if (command.op() == Op::Line) step.kind = Step::Kind::Line;
+    if (command.op() == Op::Arc) {
         step.kind = Step::Kind::Arc;
-        step.center[0] = command.center.x();
-        step.center[1] = command.center.y();
-        step.sweep = command.sweep;
-        step.is_clockwise = command.is_clockwise;
+        step.center[0] = command.motion().arc().center.x();
+        step.center[1] = command.motion().arc().center.y();
+        step.sweep = command.motion().arc().sweep;
+        step.is_clockwise = command.motion().arc().is_clockwise;
     }
-    std::copy_n(command.to.begin(), 3, step.to);
-    if (command.op != Op::Rapid) step.feed = command.feed;
+    std::copy_n(command.motion().to.begin(), 3, step.to);
+    if (command.op() != Op::Rapid) step.feed = command.motion().feed;
     return step;
 }
 

@@ -38,8 +38,8 @@ const std::map<std::string, Size> kLargeClasses = {
 };
 
 /// Data that is generated, loaded once, or the words of one block: as many members as it has.
-const std::set<std::string> kData = {"DialectTables", "Language", "Form",  "Command",
-                                     "Segment",       "Piece",    "Frame", "Actions"};
+const std::set<std::string> kData = {"DialectTables", "Language", "Form",   "Segment",
+                                     "Piece",         "Frame",    "Actions"};
 
 const std::map<std::string, std::size_t> kLargeHeaders = {
     {"compiler/sema/checker.h", 587},

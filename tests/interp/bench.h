@@ -238,7 +238,7 @@ inline Ran run(std::vector<Block> blocks, const Setup& setup = {}) {
     }
     EXPECT_EQ(interpreter.pull(batch), 0u) << "after the end there is nothing";
     if (setup.spindle_runs && !ran.commands.empty()) ran.commands.erase(ran.commands.begin());
-    if (setup.ended && !ran.commands.empty() && ran.commands.back().op == path::Op::End) {
+    if (setup.ended && !ran.commands.empty() && ran.commands.back().op() == path::Op::End) {
         ran.commands.pop_back();
     }
     ran.messages = messages.all();
@@ -251,12 +251,12 @@ inline Ran run(std::vector<Block> blocks, const Setup& setup = {}) {
 inline std::string end_of(const Ran& ran) {
     char text[80] = "no motion";
     for (const path::Command& command : ran.commands) {
-        if (command.op != path::Op::Rapid && command.op != path::Op::Line &&
-            command.op != path::Op::Arc) {
+        if (command.op() != path::Op::Rapid && command.op() != path::Op::Line &&
+            command.op() != path::Op::Arc) {
             continue;
         }
-        std::snprintf(text, sizeof text, "%.4f %.4f %.4f", round_to(command.to[0], 4),
-                      round_to(command.to[1], 4), round_to(command.to[2], 4));
+        std::snprintf(text, sizeof text, "%.4f %.4f %.4f", round_to(command.motion().to[0], 4),
+                      round_to(command.motion().to[1], 4), round_to(command.motion().to[2], 4));
     }
     return text;
 }

@@ -78,12 +78,12 @@ Contour as_read(const Contour& contour, const Control& control, double distance,
     Contour all;
     Vec2 at = Vec2::Zero();
     for (const path::Command& command : ran.commands) {
-        if (!path::is_motion(command.op)) continue;
-        const Vec2 to(command.to[0], command.to[1]);
+        if (!command.is_motion()) continue;
+        const Vec2 to(command.motion().to[0], command.motion().to[1]);
         Element element = path::line_element(at, to);
-        if (command.op == Op::Arc) {
-            element.center = command.center.head<2>();
-            element.sweep = command.sweep * command.normal.z();
+        if (command.op() == Op::Arc) {
+            element.center = command.motion().arc().center.head<2>();
+            element.sweep = command.motion().arc().sweep * command.motion().arc().normal.z();
         }
         all.push_back(element);
         at = to;
@@ -109,8 +109,8 @@ double least_distance(const Ran& ran, const Contour& contour) {
     double least = std::numeric_limits<double>::infinity();
     Vec3 at = Vec3::Zero();
     for (const path::Command& command : ran.commands) {
-        if (!path::is_motion(command.op)) continue;
-        const Vec3 to(command.to[0], command.to[1], command.to[2]);
+        if (!command.is_motion()) continue;
+        const Vec3 to(command.motion().to[0], command.motion().to[1], command.motion().to[2]);
         const auto look = [&](double length, const auto& point) {
             const int count = 1 + static_cast<int>(length / 0.02);
             for (int i = 0; i <= count; ++i) {
@@ -118,15 +118,18 @@ double least_distance(const Ran& ran, const Contour& contour) {
                 least = std::min(least, path::nearest(contour, here.head<2>()).distance);
             }
         };
-        if (command.op == Op::Line) {
+        if (command.op() == Op::Line) {
             look((to - at).norm(), [&](double u) -> Vec3 { return at + (to - at) * u; });
-        } else if (command.op == Op::Arc) {
-            const Vec3 arm = at - command.center;
-            look(arm.norm() * command.sweep, [&](double u) -> Vec3 {
-                return command.center + Eigen::AngleAxisd(command.sweep * u, command.normal) * arm;
+        } else if (command.op() == Op::Arc) {
+            const Vec3 arm = at - command.motion().arc().center;
+            look(arm.norm() * command.motion().arc().sweep, [&](double u) -> Vec3 {
+                return command.motion().arc().center +
+                       Eigen::AngleAxisd(command.motion().arc().sweep * u,
+                                         command.motion().arc().normal) *
+                           arm;
             });
-        } else if (command.op == Op::Spline) {
-            const path::CubicSpan span = path::make_spline(at, to, command.spline);
+        } else if (command.op() == Op::Spline) {
+            const path::CubicSpan span = path::make_spline(at, to, command.motion().spline());
             look(span.length * 2,
                  [&](double u) -> Vec3 { return path::point_at(span, u).position; });
         }

@@ -20,12 +20,14 @@ std::vector<path::Command> motions(const std::string& text) {
     EXPECT_EQ(alarms(ran), "") << text;
     std::vector<path::Command> found;
     for (const path::Command& command : ran.commands) {
-        if (path::is_motion(command.op)) found.push_back(command);
+        if (command.is_motion()) found.push_back(command);
     }
     return found;
 }
 
-Vec3 tip(const path::Command& command) { return {command.to[0], command.to[1], command.to[2]}; }
+Vec3 tip(const path::Command& command) {
+    return {command.motion().to[0], command.motion().to[1], command.motion().to[2]};
+}
 
 TEST(Compensation3d, TheRhombusOfTheOracle) {
     std::ifstream file(KADR_ROOT "/tests/oracles/cutter_comp.json");
@@ -52,10 +54,10 @@ TEST(Compensation3d, TheRhombusOfTheOracle) {
     }
     EXPECT_LT((tip(motion.back()) - Vec3(30, 0, -3)).norm(), 1e-12);
     // On the arcs about corners the tool turns: they say what is touched.
-    ASSERT_EQ(motion[5].contact.size(), 1u);
-    EXPECT_EQ(motion[5].contact[0].contact.kind, path::ContactKind::Pivot);
-    EXPECT_LT((motion[5].contact[0].from - Vec3(0, 13, -3)).norm(), 1e-12);
-    EXPECT_TRUE(motion[4].contact.empty());
+    ASSERT_TRUE(motion[5].motion().contact);
+    EXPECT_EQ(motion[5].motion().contact->contact.kind, path::ContactKind::Pivot);
+    EXPECT_LT((motion[5].motion().contact->from - Vec3(0, 13, -3)).norm(), 1e-12);
+    EXPECT_FALSE(motion[4].motion().contact);
 }
 
 /// With the tool upright it is what the plane has: the same way.
@@ -68,7 +70,7 @@ TEST(Compensation3d, AnUprightToolGoesAsInThePlane) {
         const auto space = motions("G0 X-10 Y-10 Z0\nTRAORI\nCUT3DC\n" + side + " " + contour);
         ASSERT_EQ(space.size(), plane.size());
         for (std::size_t i = 0; i < plane.size(); ++i) {
-            EXPECT_EQ(space[i].op, plane[i].op) << i;
+            EXPECT_EQ(space[i].op(), plane[i].op()) << i;
             EXPECT_LT((tip(space[i]) - tip(plane[i])).norm(), 1e-8) << i;
         }
     }
@@ -97,15 +99,16 @@ TEST(Compensation3d, InACornerThatClosesBothLinesAreTouched) {
         "X40 Y40\nG40 Y60 C3=1");
     bool has_corner = false;
     for (const path::Command& command : motion) {
-        has_corner = has_corner || (!command.contact.empty() &&
-                                    command.contact[0].contact.kind == path::ContactKind::Corner);
+        has_corner =
+            has_corner || (command.motion().contact &&
+                           command.motion().contact->contact.kind == path::ContactKind::Corner);
     }
     EXPECT_TRUE(has_corner);
     // Before and behind the turn the axis is five millimetres from both walls.
     for (std::size_t i = 0; i + 1 < motion.size(); ++i) {
-        if (motion[i].contact.empty()) continue;
+        if (!motion[i].motion().contact) continue;
         const Vec3 place = tip(motion[i]);
-        const Vec3 tool = motion[i].direction;
+        const Vec3 tool = motion[i].motion().direction;
         for (const Vec3& wall : {Vec3::UnitX().eval(), Vec3::UnitY().eval()}) {
             const Vec3 across = wall.cross(tool).normalized();
             EXPECT_NEAR(std::abs((place - Vec3(40, 0, 0)).dot(across)), 5, 1e-9);
@@ -126,11 +129,12 @@ TEST(Compensation3d, TheToolMayTurnBeforeTheArc) {
         "G0 X-10 Y-10 Z0\nTRAORI\nCUT3DC ORID\nG42 G1 X0 Y0 F500\nX40\nB3=-0.2 C3=1\nX40 Y40\n"
         "G40 Y60");
     std::size_t turn = 0;
-    while (turn < motion.size() && motion[turn].contact.empty()) ++turn;
+    while (turn < motion.size() && !motion[turn].motion().contact) ++turn;
     ASSERT_LT(turn + 1, motion.size());
-    EXPECT_EQ(motion[turn].contact[0].contact.turn, 0);
-    EXPECT_EQ(motion[turn + 1].op, path::Op::Arc);
-    EXPECT_LT((motion[turn + 1].direction - motion[turn].direction).norm(), 1e-12);
+    EXPECT_EQ(motion[turn].motion().contact->contact.turn, 0);
+    EXPECT_EQ(motion[turn + 1].op(), path::Op::Arc);
+    EXPECT_LT((motion[turn + 1].motion().direction - motion[turn].motion().direction).norm(),
+              1e-12);
 }
 
 struct Refused {

@@ -17,24 +17,26 @@ std::string way_of(const Ran& ran) {
     std::string out;
     double height = 0;
     for (const Command& command : ran.commands) {
-        const bool is_aside = command.op == Op::Spindle || command.op == Op::Tool ||
-                              command.op == Op::ToolLength || command.op == Op::End;
+        const bool is_aside = command.op() == Op::Spindle || command.op() == Op::Tool ||
+                              command.op() == Op::ToolLength || command.op() == Op::End;
         if (is_aside) continue;
         if (!out.empty()) out += ' ';
-        if (!path::is_motion(command.op)) {
-            out += command.op == Op::Coolant ? "coolant" : "other";
+        if (!command.is_motion()) {
+            out += command.op() == Op::Coolant ? "coolant" : "other";
             continue;
         }
-        out += command.op == Op::Rapid  ? "R"
-               : command.op == Op::Line ? "L"
-               : command.is_clockwise   ? "A"
-                                        : "C";
+        const bool is_arc = command.op() == Op::Arc;
+        out += command.op() == Op::Rapid                       ? "R"
+               : command.op() == Op::Line                      ? "L"
+               : is_arc && command.motion().arc().is_clockwise ? "A"
+                                                               : "C";
         char text[64];
         const auto rounded = [](double value) { return std::round(value * 1000) / 1000 + 0.0; };
-        std::snprintf(text, sizeof text, "%g,%g", rounded(command.to[0]), rounded(command.to[1]));
+        std::snprintf(text, sizeof text, "%g,%g", rounded(command.motion().to[0]),
+                      rounded(command.motion().to[1]));
         out += text;
-        if (command.to[2] == height) continue;
-        height = command.to[2];
+        if (command.motion().to[2] == height) continue;
+        height = command.motion().to[2];
         std::snprintf(text, sizeof text, "/%g", height);
         out += text;
     }
@@ -193,7 +195,7 @@ TEST(Compensation, FanucTypeB) {
 const Command& spline_of(const Ran& ran) {
     static const Command kNone;
     for (const Command& command : ran.commands) {
-        if (command.op == Op::Spline) return command;
+        if (command.op() == Op::Spline) return command;
     }
     ADD_FAILURE() << "no spline";
     return kNone;
@@ -206,11 +208,11 @@ TEST(Compensation, PointedArcs) {
                                           "G40 X60\nM30\n");
     const Command& conic = spline_of(ran);
     const auto middle_at = [](const Command& command) {
-        const path::CubicSpan span =
-            path::make_spline(path::Vec3(40, -5, 0), path::Vec3(45, 0, 0), command.spline);
+        const path::CubicSpan span = path::make_spline(path::Vec3(40, -5, 0), path::Vec3(45, 0, 0),
+                                                       command.motion().spline());
         return (path::point_at(span, 0.5).position - path::Vec3(40, 0, 0)).norm();
     };
-    EXPECT_EQ(conic.spline.degree, 2);
+    EXPECT_EQ(conic.motion().spline().degree, 2);
     EXPECT_NEAR(middle_at(conic), 5 + 0.3 * 5 * (std::sqrt(2.0) - 1), 1e-9);
     const Ran most = read("sinumerik", kSinumerik +
                                            "G0 X0 Y-20\nG42 G1 X0 Y0 DISC=90\nX40\nY30\n"
@@ -220,7 +222,7 @@ TEST(Compensation, PointedArcs) {
     const Ran sharp = read("sinumerik", kSinumerik +
                                             "G0 X0 Y-20\nG42 G1 G451 X0 Y0 DISC=30\nX40\nX0 Y10\n"
                                             "G40 X-20\nM30\n");
-    EXPECT_EQ(spline_of(sharp).spline.degree, 2);
+    EXPECT_EQ(spline_of(sharp).motion().spline().degree, 2);
     check("sinumerik", kSinumerik,
           {{"rapids go along tangents", "G0 X-20 Y-20\nG42 G0 X0 Y0 DISC=50\nX40\nY30\nG40 X60\n",
             "R-20,-20 R0,-5 R40,-5 R43.536,-5 R45,-3.536 R45,0 R45,30 R60,30"}});
@@ -238,10 +240,11 @@ TEST(Compensation, CurvesIn) {
         std::vector<path::CubicSpan> curves;
         path::Vec3 at(30, -20, 10);
         for (const Command& command : ran.commands) {
-            if (!path::is_motion(command.op)) continue;
-            const path::Vec3 to(command.to[0], command.to[1], command.to[2]);
-            if (command.op == Op::Spline)
-                curves.push_back(path::make_spline(at, to, command.spline));
+            if (!command.is_motion()) continue;
+            const path::Vec3 to(command.motion().to[0], command.motion().to[1],
+                                command.motion().to[2]);
+            if (command.op() == Op::Spline)
+                curves.push_back(path::make_spline(at, to, command.motion().spline()));
             at = to;
         }
         ASSERT_EQ(curves.size(), 2U);
@@ -298,7 +301,7 @@ TEST(Compensation, FeedOnArcs) {
         "G0 X0 Y-20\nG42 G1 X0 Y0\nX20\nG3 X40 Y20 CR=20\nG1 Y40\nG40 X60\nM30\n";
     const auto feed_of_arc = [](const Ran& ran) {
         for (const Command& command : ran.commands) {
-            if (command.op == Op::Arc) return command.feed;
+            if (command.op() == Op::Arc) return command.motion().feed;
         }
         return 0.0;
     };

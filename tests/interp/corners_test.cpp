@@ -16,18 +16,21 @@ using path::Vec2;
 
 const std::string kStart = "M3 S1000 F200\nG0 X0 Y0\n";
 
-Vec2 end_of(const path::Command& command) { return {command.to[0], command.to[1]}; }
+Vec2 end_of(const path::Command& command) {
+    return {command.motion().to[0], command.motion().to[1]};
+}
 
 /// The motions behind the first one as elements of the plane X-Y.
 path::Contour contour_of(const Ran& ran) {
     path::Contour contour;
     std::optional<Vec2> at;
     for (const path::Command& command : ran.commands) {
-        if (!path::is_motion(command.op)) continue;
+        if (!command.is_motion()) continue;
         const Vec2 to = end_of(command);
-        if (at && command.op == Op::Arc) {
-            contour.push_back(path::arc_element(*at, to, {command.center[0], command.center[1]},
-                                                command.is_clockwise));
+        if (at && command.op() == Op::Arc) {
+            contour.push_back(path::arc_element(
+                *at, to, {command.motion().arc().center[0], command.motion().arc().center[1]},
+                command.motion().arc().is_clockwise));
         } else if (at) {
             contour.push_back(path::line_element(*at, to));
         }
@@ -215,8 +218,9 @@ TEST(Corners, UnderInverseTimeThePiecesKeepTheSpeed) {
     std::vector<double> speeds;
     Vec2 at = Vec2::Zero();
     for (const path::Command& command : ran.commands) {
-        if (command.op == Op::Line) speeds.push_back((end_of(command) - at).norm() * command.feed);
-        if (path::is_motion(command.op)) at = end_of(command);
+        if (command.op() == Op::Line)
+            speeds.push_back((end_of(command) - at).norm() * command.motion().feed);
+        if (command.is_motion()) at = end_of(command);
     }
     ASSERT_EQ(speeds.size(), 3u);
     EXPECT_NEAR(speeds[0], 80, 1e-9);
@@ -228,11 +232,11 @@ TEST(Corners, WhatStandsBetweenWaitsAndKeepsItsOrder) {
     ASSERT_EQ(alarms(ran), "");
     std::string order;
     for (const path::Command& command : ran.commands) {
-        order += command.op == Op::Line      ? 'L'
-                 : command.op == Op::Arc     ? 'A'
-                 : command.op == Op::Coolant ? 'c'
-                 : command.op == Op::Rapid   ? 'R'
-                                             : ' ';
+        order += command.op() == Op::Line      ? 'L'
+                 : command.op() == Op::Arc     ? 'A'
+                 : command.op() == Op::Coolant ? 'c'
+                 : command.op() == Op::Rapid   ? 'R'
+                                               : ' ';
     }
     EXPECT_EQ(order, " RcLccAL ");
 }

@@ -24,11 +24,13 @@ Words start_end(Words words, double start, double end) {
 std::vector<path::Command> of(const Ran& ran, Op op) {
     std::vector<path::Command> found;
     for (const path::Command& command : ran.commands)
-        if (command.op == op) found.push_back(command);
+        if (command.op() == op) found.push_back(command);
     return found;
 }
 
-Vec3 place(const path::Command& command) { return {command.to[0], command.to[1], command.to[2]}; }
+Vec3 place(const path::Command& command) {
+    return {command.motion().to[0], command.motion().to[1], command.motion().to[2]};
+}
 
 std::string codes(std::vector<Block> blocks) {
     blocks.insert(blocks.begin(), line().x(0).y(0).z(0).f(500));
@@ -48,11 +50,11 @@ TEST(ThroughSplines, HaveASpanForEveryPoint) {
         for (std::size_t i = 0; i < spans.size(); ++i) {
             EXPECT_EQ(place(spans[i])[0], 10.0 * static_cast<double>(i + 1));
             EXPECT_EQ(spans[i].line, i + 2);
-            EXPECT_EQ(spans[i].feed, i == 0 ? 500 : 300);
+            EXPECT_EQ(spans[i].motion().feed, i == 0 ? 500 : 300);
             if (i > 0) {
                 // One direction from span to span.
-                const Vec3 in = from - spans[i - 1].spline.inner[1];
-                const Vec3 out = spans[i].spline.inner[0] - from;
+                const Vec3 in = from - spans[i - 1].motion().spline().inner[1];
+                const Vec3 out = spans[i].motion().spline().inner[0] - from;
                 EXPECT_LT((in.normalized() - out.normalized()).norm(), 1e-12);
             }
             from = place(spans[i]);
@@ -65,8 +67,8 @@ TEST(ThroughSplines, HaveASpanForEveryPoint) {
     ASSERT_EQ(spans.size(), 2u);
     // d0 = (0.6, 0.8), d1 = (0.6, −0.8): M1 = 6·(0, −1.6)/20 = (0, −0.48). Slope at the start:
     // d0 − h·M1/6 = (0.6, 1.2), so the first pole is (1, 2).
-    EXPECT_LT((spans[0].spline.inner[0] - Vec3(1, 2, 0)).norm(), 1e-12);
-    EXPECT_LT((spans[0].spline.inner[1] - Vec3(2, 4, 0)).norm(), 1e-12);
+    EXPECT_LT((spans[0].motion().spline().inner[0] - Vec3(1, 2, 0)).norm(), 1e-12);
+    EXPECT_LT((spans[0].motion().spline().inner[1] - Vec3(2, 4, 0)).norm(), 1e-12);
 }
 
 TEST(ThroughSplines, EndAtAnythingElse) {
@@ -86,8 +88,8 @@ TEST(ThroughSplines, EndAtAnythingElse) {
                              at(20, 0), through(second).x(30).y(10), at(40, 0), line().x(50)});
         EXPECT_EQ(of(ran, Op::Spline).size(), 4u);
         const auto spans = of(ran, Op::Spline);
-        const Vec3 in = place(spans[1]) - spans[1].spline.inner[1];
-        const Vec3 out = spans[2].spline.inner[0] - place(spans[1]);
+        const Vec3 in = place(spans[1]) - spans[1].motion().spline().inner[1];
+        const Vec3 out = spans[2].motion().spline().inner[0] - place(spans[1]);
         return in.normalized().dot(out.normalized());
     };
     EXPECT_NEAR(mean_y(Function::CubicSpline), 1, 1e-12);
@@ -109,8 +111,9 @@ TEST(ThroughSplines, BeginAndEndInTheDirectionBeside) {
     EXPECT_EQ(ran.codes(), "");
     const auto spans = of(ran, Op::Spline);
     ASSERT_EQ(spans.size(), 3u);
-    EXPECT_LT((spans[0].spline.inner[0].normalized() - Vec3(1, 0, 0)).norm(), 1e-12);
-    EXPECT_LT(((place(spans[2]) - spans[2].spline.inner[1]).normalized() - Vec3(0, 1, 0)).norm(),
+    EXPECT_LT((spans[0].motion().spline().inner[0].normalized() - Vec3(1, 0, 0)).norm(), 1e-12);
+    EXPECT_LT(((place(spans[2]) - spans[2].motion().spline().inner[1]).normalized() - Vec3(0, 1, 0))
+                  .norm(),
               1e-12);
     // Arcs, by their centre and by their radius, under a rotated frame: (1, 0) becomes (0, 1).
     const auto end_before = [](const Words& next) {
@@ -119,7 +122,7 @@ TEST(ThroughSplines, BeginAndEndInTheDirectionBeside) {
                  start_end(through(Function::AkimaSpline).x(10).y(10), 1, 2), at(20, 0), next});
         EXPECT_EQ(turned.codes(), "");
         const auto found = of(turned, Op::Spline);
-        return Vec3((place(found.at(1)) - found.at(1).spline.inner[1]).normalized());
+        return Vec3((place(found.at(1)) - found.at(1).motion().spline().inner[1]).normalized());
     };
     EXPECT_LT((end_before(ccw().x(30).y(10).i(0).j(10)) - Vec3(0, 1, 0)).norm(), 1e-12);
     EXPECT_LT((end_before(cw().x(40).y(0).i(10).j(0)) - Vec3(-1, 0, 0)).norm(), 1e-12);
@@ -130,9 +133,10 @@ TEST(ThroughSplines, BeginAndEndInTheDirectionBeside) {
     EXPECT_EQ(tangent.codes(), "");
     const auto arcs = of(tangent, Op::Arc);
     ASSERT_EQ(arcs.size(), 1u);
-    const Vec3 in =
-        place(of(tangent, Op::Spline).at(1)) - of(tangent, Op::Spline).at(1).spline.inner[1];
-    const Vec3 out = arcs[0].normal.cross(Vec3(20, 0, 0) - arcs[0].center);
+    const Vec3 in = place(of(tangent, Op::Spline).at(1)) -
+                    of(tangent, Op::Spline).at(1).motion().spline().inner[1];
+    const Vec3 out =
+        arcs[0].motion().arc().normal.cross(Vec3(20, 0, 0) - arcs[0].motion().arc().center);
     EXPECT_LT((in.normalized() - out.normalized()).norm(), 1e-9);
 }
 
@@ -150,9 +154,10 @@ TEST(ThroughSplines, AreTheSameInAnyFrame) {
         ASSERT_EQ(moved.size(), 4u);
         for (std::size_t i = 0; i < plain.size(); ++i) {
             for (std::size_t k = 0; k < 2; ++k)
-                EXPECT_LT(
-                    (moved[i].spline.inner[k] - plain[i].spline.inner[k] - Vec3(100, -7, 0)).norm(),
-                    1e-9);
+                EXPECT_LT((moved[i].motion().spline().inner[k] -
+                           plain[i].motion().spline().inner[k] - Vec3(100, -7, 0))
+                              .norm(),
+                          1e-9);
         }
     }
     const Ran incremental =
@@ -181,10 +186,10 @@ TEST(ThroughSplines, OtherAxesComeAlongFromPointToPoint) {
         ASSERT_EQ(plain.size(), 4u);
         const std::array<double, 4> wanted = {20, 20, -40, -40};
         for (std::size_t i = 0; i < led.size(); ++i) {
-            EXPECT_EQ(led[i].to[index(Axis::C)], wanted[i]) << i;
+            EXPECT_EQ(led[i].motion().to[index(Axis::C)], wanted[i]) << i;
             EXPECT_EQ(place(led[i]), place(plain[i])) << i;
-            EXPECT_EQ(led[i].spline.inner[0], plain[i].spline.inner[0]) << i;
-            EXPECT_EQ(led[i].spline.inner[1], plain[i].spline.inner[1]) << i;
+            EXPECT_EQ(led[i].motion().spline().inner[0], plain[i].motion().spline().inner[0]) << i;
+            EXPECT_EQ(led[i].motion().spline().inner[1], plain[i].motion().spline().inner[1]) << i;
         }
     }
 }
@@ -238,9 +243,9 @@ TEST(Polynomials, AreEvaluatedAsTheyAreSaid) {
     EXPECT_EQ(ran.codes(), "");
     const auto spans = of(ran, Op::Spline);
     ASSERT_EQ(spans.size(), 1u);
-    ASSERT_EQ(spans[0].spline.degree, 5);
+    ASSERT_EQ(spans[0].motion().spline().degree, 5);
     const path::QuinticSpan span =
-        path::make_quintic(Vec3(1, 5, 3), place(spans[0]), spans[0].spline);
+        path::make_quintic(Vec3(1, 5, 3), place(spans[0]), spans[0].motion().spline());
     const double a1 = (10 - 1 - 2 * 4 + 0.5 * 8 - 0.1 * 16 - 0.02 * 32) / 2;
     for (const double p : {0.0, 0.3, 1.0, 1.7, 2.0}) {
         const double x = 1 + a1 * p + 2 * p * p - 0.5 * std::pow(p, 3) + 0.1 * std::pow(p, 4) +
@@ -260,7 +265,8 @@ TEST(Polynomials, DividedTheyAreConics) {
     EXPECT_EQ(ran.codes(), "");
     const auto spans = of(ran, Op::Spline);
     ASSERT_EQ(spans.size(), 1u);
-    const auto curve = path::make_spline(Vec3(110, 0, 4), Vec3(100, 10, 4), spans[0].spline);
+    const auto curve =
+        path::make_spline(Vec3(110, 0, 4), Vec3(100, 10, 4), spans[0].motion().spline());
     EXPECT_NEAR(curve.length, 5 * std::acos(-1.0), 1e-9);
     for (const double u : {0.1, 0.4, 0.5, 0.9})
         EXPECT_NEAR((path::point_at(curve, u).position - Vec3(100, 0, 4)).norm(), 10, 1e-12);
@@ -270,7 +276,8 @@ TEST(Polynomials, DividedTheyAreConics) {
     even.y(10).fn(Function::PolynomialWeight, {{0, 2}, {1, 1}});
     const auto beside = of(run({line().x(10).y(0).f(500), even}), Op::Spline);
     ASSERT_EQ(beside.size(), 1u);
-    const auto curved = path::make_spline(Vec3(10, 0, 0), Vec3(0, 10, 0), beside[0].spline);
+    const auto curved =
+        path::make_spline(Vec3(10, 0, 0), Vec3(0, 10, 0), beside[0].motion().spline());
     for (const double u : {0.1, 0.5, 0.9})
         EXPECT_NEAR(path::point_at(curved, u).position.y(), 10 * u, 1e-12);
     // A denominator that dips has control points of no weight: the block becomes several spans.
@@ -280,7 +287,7 @@ TEST(Polynomials, DividedTheyAreConics) {
     const Ran dipped = run({line().x(10).y(0).f(500), dips});
     EXPECT_EQ(dipped.codes(), "");
     EXPECT_GT(of(dipped, Op::Spline).size(), 1u);
-    EXPECT_EQ(of(dipped, Op::Spline).back().to[0], 20);
+    EXPECT_EQ(of(dipped, Op::Spline).back().motion().to[0], 20);
 }
 
 TEST(Polynomials, ChainInTheirDirection) {
@@ -292,10 +299,15 @@ TEST(Polynomials, ChainInTheirDirection) {
         run({line().x(0).y(0).f(500), words, through(Function::ArcTangent).x(20).y(20)});
     const auto arcs = of(ran, Op::Arc);
     ASSERT_EQ(arcs.size(), 1u);
-    const Vec3 out = arcs[0].normal.cross(Vec3(10, 10, 0) - arcs[0].center);
+    const Vec3 out =
+        arcs[0].motion().arc().normal.cross(Vec3(10, 10, 0) - arcs[0].motion().arc().center);
     EXPECT_LT((out.normalized() - Vec3(1, 2, 0).normalized()).norm(), 1e-9);
     // Without a polynomial it is a line.
-    EXPECT_EQ(of(run({line().x(0).y(0).f(500), poly().x(5).y(5)}), Op::Spline).at(0).spline.degree,
+    EXPECT_EQ(of(run({line().x(0).y(0).f(500), poly().x(5).y(5)}), Op::Spline)
+                  .at(0)
+                  .motion()
+                  .spline()
+                  .degree,
               1);
 }
 
@@ -314,8 +326,8 @@ TEST(Polynomials, OtherAxesGoEvenlyWithTheParameter) {
     Vec3 from(0, 0, 0);
     double turned = 0;
     for (const path::Command& command : spans) {
-        const auto curve = path::make_spline(from, place(command), command.spline);
-        const double to = command.to[index(Axis::C)];
+        const auto curve = path::make_spline(from, place(command), command.motion().spline());
+        const double to = command.motion().to[index(Axis::C)];
         for (int i = 0; i <= 16; ++i) {
             const double share = i / 16.0;
             const double q = path::position(curve, share * curve.length)[0] / 10;
@@ -341,8 +353,8 @@ TEST(Polynomials, UnderInverseTimeThePiecesShareTheTime) {
     EXPECT_EQ(ran.codes(), "");
     double minutes = 0;
     for (const path::Command& command : of(ran, Op::Spline)) {
-        EXPECT_EQ(command.feed_mode, path::FeedMode::InverseTime);
-        minutes += 1 / command.feed;
+        EXPECT_EQ(command.motion().feed_mode, path::FeedMode::InverseTime);
+        minutes += 1 / command.motion().feed;
     }
     EXPECT_NEAR(minutes, 0.5, 1e-9);
 }
@@ -381,21 +393,23 @@ TEST(Involutes, BySaidAngleAndBySaidEnd) {
     EXPECT_EQ(by_angle.codes(), "");
     const auto found = of(by_angle, Op::Involute);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NEAR(found[0].base_radius, 8, 1e-12);
-    EXPECT_NEAR(std::atan2(found[0].to[1], found[0].to[0]), 120 * std::acos(-1.0) / 180, 1e-12);
+    EXPECT_NEAR(found[0].motion().involute().base_radius, 8, 1e-12);
+    EXPECT_NEAR(std::atan2(found[0].motion().to[1], found[0].motion().to[0]),
+                120 * std::acos(-1.0) / 180, 1e-12);
     EXPECT_GT(place(found[0]).norm(), 20);
     // The end rounded to the micrometre: the same curve, met exactly.
-    const double x = round_to(found[0].to[0], 3);
-    const double y = round_to(found[0].to[1], 3);
+    const double x = round_to(found[0].motion().to[0], 3);
+    const double y = round_to(found[0].motion().to[1], 3);
     const Ran by_end =
         run({line().x(20).y(0).f(500), involute(Function::InvoluteCcw).x(x).y(y).i(-20).j(0).r(8)});
     EXPECT_EQ(by_end.codes(), "");
     const auto met = of(by_end, Op::Involute);
     ASSERT_EQ(met.size(), 1u);
-    EXPECT_NEAR(met[0].base_radius, 8, 0.002);
-    EXPECT_NE(met[0].base_radius, 8);
-    const path::Involute curve = path::make_involute(Vec3(20, 0, 0), place(met[0]), met[0].center,
-                                                     met[0].normal, met[0].base_radius);
+    EXPECT_NEAR(met[0].motion().involute().base_radius, 8, 0.002);
+    EXPECT_NE(met[0].motion().involute().base_radius, 8);
+    const path::Involute curve = path::make_involute(
+        Vec3(20, 0, 0), place(met[0]), met[0].motion().involute().center,
+        met[0].motion().involute().normal, met[0].motion().involute().base_radius);
     EXPECT_LT((path::position(curve, curve.length * (1 - 1e-12)) - Vec3(x, y, 0)).norm(), 1e-8);
     // Below zero it runs towards the circle.
     const Ran inwards =
@@ -403,7 +417,7 @@ TEST(Involutes, BySaidAngleAndBySaidEnd) {
              involute(Function::InvoluteCw).i(-20).j(0).r(8).set(Slot::Opening, -30)});
     EXPECT_EQ(inwards.codes(), "");
     EXPECT_LT(place(of(inwards, Op::Involute).at(0)).norm(), 20);
-    EXPECT_TRUE(of(inwards, Op::Involute).at(0).is_clockwise);
+    EXPECT_TRUE(of(inwards, Op::Involute).at(0).motion().involute().is_clockwise);
 }
 
 TEST(Involutes, FollowFramesThatMirrorAndScale) {
@@ -417,13 +431,13 @@ TEST(Involutes, FollowFramesThatMirrorAndScale) {
     };
     const path::Command plain = drawn({});
     const path::Command mirrored = drawn({fn(Function::Mirror, {{1, 0}})});
-    EXPECT_NEAR(mirrored.to[1], -plain.to[1], 1e-9);
-    EXPECT_TRUE(mirrored.is_clockwise);
-    EXPECT_NEAR(mirrored.base_radius, 8, 1e-12);
+    EXPECT_NEAR(mirrored.motion().to[1], -plain.motion().to[1], 1e-9);
+    EXPECT_TRUE(mirrored.motion().involute().is_clockwise);
+    EXPECT_NEAR(mirrored.motion().involute().base_radius, 8, 1e-12);
     const path::Command scaled = drawn({fn(Function::Scale, {{0, 2}})});
-    EXPECT_NEAR(scaled.base_radius, 16, 1e-12);
-    EXPECT_NEAR(scaled.to[0], 2 * plain.to[0], 1e-9);
-    EXPECT_NEAR(scaled.to[2], 10, 1e-12);
+    EXPECT_NEAR(scaled.motion().involute().base_radius, 16, 1e-12);
+    EXPECT_NEAR(scaled.motion().to[0], 2 * plain.motion().to[0], 1e-9);
+    EXPECT_NEAR(scaled.motion().to[2], 10, 1e-12);
     // Under unequal factors it is none any more.
     EXPECT_EQ(run({fn(Function::Scale, {{4, 2}, {5, 1}, {6, 1}}), line().x(20).y(0).f(500),
                    involute(Function::InvoluteCcw).i(-20).j(0).r(8).set(Slot::Opening, 120)})
@@ -458,18 +472,18 @@ TEST(VaryingThreads, SayPitchAndChangeAlongTheWay) {
     EXPECT_EQ(ran.codes(), "");
     const auto threads = of(ran, Op::Thread);
     ASSERT_EQ(threads.size(), 2u);
-    EXPECT_EQ(threads[0].feed, 1.5);
-    EXPECT_EQ(threads[0].lead_change, 0.1);
+    EXPECT_EQ(threads[0].motion().feed, 1.5);
+    EXPECT_EQ(threads[0].motion().thread().lead_change, 0.1);
     // Along the taper of 8 and 6 a turn is as much longer as the way is; X is the longer one.
-    EXPECT_EQ(threads[1].feed, 3.75);
-    EXPECT_EQ(threads[1].lead_change, -0.125);
-    EXPECT_EQ(threads[1].feed_mode, path::FeedMode::PerRevolution);
+    EXPECT_EQ(threads[1].motion().feed, 3.75);
+    EXPECT_EQ(threads[1].motion().thread().lead_change, -0.125);
+    EXPECT_EQ(threads[1].motion().feed_mode, path::FeedMode::PerRevolution);
     // An even thread behind it is even.
     const auto even =
         of(run({line().x(0).y(0).z(0).f(500), grows, through(Function::Thread).z(-30).k(2)}),
            Op::Thread);
     ASSERT_EQ(even.size(), 2u);
-    EXPECT_EQ(even[1].lead_change, 0);
+    EXPECT_EQ(even[1].motion().thread().lead_change, 0);
 }
 
 TEST(VaryingThreads, WhatIsWrong) {
@@ -544,8 +558,8 @@ struct Meeting {
 Meeting meeting_behind(const Ran& ran, std::size_t i, Vec3 start) {
     std::vector<path::Curve> ways;
     for (const path::Command& command : ran.commands) {
-        if (!path::is_motion(command.op)) continue;
-        ways.push_back(path::curve_of(command, start, place(command)));
+        if (!command.is_motion()) continue;
+        ways.push_back(path::curve_of(command.motion(), start, place(command)));
         start = place(command);
     }
     if (i + 1 >= ways.size()) return {};

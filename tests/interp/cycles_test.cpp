@@ -53,11 +53,11 @@ Words drill(std::initializer_list<std::pair<std::size_t, double>> arguments) {
 std::string path_of(const Ran& ran) {
     std::string out;
     for (const path::Command& command : ran.commands) {
-        if (command.op != Op::Rapid && command.op != Op::Line) continue;
+        if (command.op() != Op::Rapid && command.op() != Op::Line) continue;
         if (!out.empty()) out += ", ";
-        out += command.op == Op::Rapid ? "rapid" : "line";
+        out += command.op() == Op::Rapid ? "rapid" : "line";
         for (std::size_t i = 0; i < 3; ++i)
-            out += ' ' + format_shortest(round_to(command.to[i], 6));
+            out += ' ' + format_shortest(round_to(command.motion().to[i], 6));
     }
     return out;
 }
@@ -79,7 +79,7 @@ TEST(Cycles, ACallIsExecutedByItsBlocks) {
     EXPECT_EQ(cycles.calls[0].position[0], 10);
     // Blocks of the cycle have no place of their own: they bear the call's.
     EXPECT_EQ(ran.commands.at(2).line, 3u);
-    EXPECT_EQ(ran.commands.at(4).op, Op::Stop) << "behind the cycle";
+    EXPECT_EQ(ran.commands.at(4).op(), Op::Stop) << "behind the cycle";
 }
 
 TEST(Cycles, ModalCycleDrillsInEveryBlockWithAnAxis) {

@@ -25,7 +25,9 @@ std::vector<path::Command> milled(int type, const std::string& text) {
     return motions(ran);
 }
 
-Vec3 tip(const path::Command& command) { return {command.to[0], command.to[1], command.to[2]}; }
+Vec3 tip(const path::Command& command) {
+    return {command.motion().to[0], command.motion().to[1], command.motion().to[2]};
+}
 
 /// Of the tip from the contact, by motion.md §8.3.
 Vec3 aside(double radius, double edge, const Vec3& normal, const Vec3& tool) {
@@ -53,7 +55,7 @@ TEST(SurfaceCompensation, EachShapeTouchesWithItsEdge) {
         EXPECT_LT((tip(motion[1]) - off).norm(), 1e-9);
         EXPECT_LT((tip(motion[2]) - Vec3(40, 0, 8) - off).norm(), 1e-9);
         EXPECT_LT((tip(motion[3]) - Vec3(60, 0, 30)).norm(), 1e-12);
-        EXPECT_TRUE(motion[2].contact.empty()) << "a shifted line is a line";
+        EXPECT_FALSE(motion[2].motion().contact) << "a shifted line is a line";
     }
 }
 
@@ -86,8 +88,8 @@ TEST(SurfaceCompensation, ANormalMayTurnAlongTheBlock) {
         EXPECT_LT((tip(motion[1 + i]) - place - aside(5, 2, normals[i], tool)).norm(), 1e-9) << i;
     }
     for (const std::size_t i : {2u, 3u}) {
-        ASSERT_EQ(motion[i].contact.size(), 1u);
-        const path::Contact& contact = motion[i].contact[0].contact;
+        ASSERT_TRUE(motion[i].motion().contact);
+        const path::Contact& contact = motion[i].motion().contact->contact;
         EXPECT_EQ(contact.kind, path::ContactKind::Face);
         EXPECT_LT((contact.guide - normals[i - 2]).norm(), 1e-12);
         EXPECT_LT((path::guide_at(contact, 1) - normals[i - 1]).norm(), 1e-12);
@@ -157,7 +159,7 @@ TEST(SurfaceCompensation, ThreeAxesGetSplines) {
     EXPECT_EQ(alarms(ran), "");
     const auto motion = motions(ran);
     ASSERT_GT(motion.size(), 3u);
-    EXPECT_EQ(motion[2].op, path::Op::Spline);
+    EXPECT_EQ(motion[2].op(), path::Op::Spline);
     const Vec3 off = 5 * Vec3(0.5, 0, 1).normalized() - 5 * Vec3::UnitZ();
     EXPECT_LT((tip(motion[motion.size() - 2]) - Vec3(40, 0, 0) - off).norm(), 1e-9);
 }

@@ -12,7 +12,7 @@ Words course(int kind) { return fn(Function::FeedCourse, {{0, kind}}); }
 
 /// The law of a motion; all 0 where F is its feed.
 Law law_of(const path::Command& command) {
-    return command.dynamics.empty() ? Law{} : command.dynamics.front().law.feed;
+    return !command.motion().dynamics ? Law{} : command.motion().dynamics->law.feed;
 }
 
 void expect_laws(const Ran& ran, const std::vector<Law>& expected) {
@@ -56,7 +56,7 @@ TEST(FeedCharacteristics, PolynomialsOfOneBlock) {
     });
     // 100 + lin − 50 + 20 = 300
     expect_laws(ran, {{}, {100, 230, -50, 20}, {}});
-    EXPECT_EQ(ran.commands[2].feed, 300);
+    EXPECT_EQ(ran.commands[2].motion().feed, 300);
 }
 
 /// Through 100 at the start and 200, 100 at the ends of blocks of 10 mm, without curvature at the

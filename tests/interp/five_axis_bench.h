@@ -38,15 +38,15 @@ inline machine::Machine trunnion() {
 inline std::vector<path::Command> motions(const Ran& ran) {
     std::vector<path::Command> found;
     for (const path::Command& command : ran.commands) {
-        if (path::is_motion(command.op)) found.push_back(command);
+        if (command.is_motion()) found.push_back(command);
     }
     return found;
 }
 
 /// Direction of the tool where a command ends, by the kinematics alone.
 inline Vec3 tool_of(const path::Command& command) {
-    const Vec3 joints(rad_from_deg(command.to[index(Axis::C)]),
-                      rad_from_deg(command.to[index(Axis::A)]), 0);
+    const Vec3 joints(rad_from_deg(command.motion().to[index(Axis::C)]),
+                      rad_from_deg(command.motion().to[index(Axis::A)]), 0);
     return machine::tool_vector(trunnion().kinematics->chain, joints);
 }
 

@@ -186,11 +186,11 @@ TEST(Frames, MirrorTurnsArcsRound) {
     // FANUC 12: `G51.1X0` + `G02` in XY executes as a counter-clockwise arc.
     const Ran ran = run({mirror_x(), rapid().x(10).y(0), cw().x(0).y(-10).i(-10).f(100)});
     const Command& arc = ran.commands.at(1);
-    EXPECT_EQ(arc.op, Op::Arc);
-    EXPECT_FALSE(arc.is_clockwise);
-    EXPECT_NEAR(arc.sweep, 1.5707963267948966, 1e-12);
-    EXPECT_LT((arc.normal - path::Vec3(0, 0, 1)).norm(), 1e-12);
-    EXPECT_LT(arc.center.norm(), 1e-12);
+    EXPECT_EQ(arc.op(), Op::Arc);
+    EXPECT_FALSE(arc.motion().arc().is_clockwise);
+    EXPECT_NEAR(arc.motion().arc().sweep, 1.5707963267948966, 1e-12);
+    EXPECT_LT((arc.motion().arc().normal - path::Vec3(0, 0, 1)).norm(), 1e-12);
+    EXPECT_LT(arc.motion().arc().center.norm(), 1e-12);
     EXPECT_EQ(end_of(ran), "0.0000 -10.0000 0.0000");
 }
 
@@ -198,8 +198,8 @@ TEST(Frames, RotatedArcKeepsItsShape) {
     const Ran ran =
         run({shift(10, 20), rotate(90), rapid().x(5).y(0), ccw().x(0).y(5).i(-5).j(0).f(100)});
     const Command& arc = ran.commands.at(1);
-    EXPECT_LT((arc.center - path::Vec3(10, 20, 0)).norm(), 1e-12);
-    EXPECT_FALSE(arc.is_clockwise);
+    EXPECT_LT((arc.motion().arc().center - path::Vec3(10, 20, 0)).norm(), 1e-12);
+    EXPECT_FALSE(arc.motion().arc().is_clockwise);
     EXPECT_EQ(end_of(ran), "5.0000 20.0000 0.0000");
 }
 
@@ -209,8 +209,8 @@ TEST(Frames, SetPosition) {
     const Block here_is_zero = fn(Function::SetPosition, {{0, 0}});
     const Ran ran = run(
         {work_offset(1), rapid().x(25), here_is_zero, rapid().x(0), work_offset(2), rapid().x(0)});
-    EXPECT_EQ(ran.commands.at(1).to[0], -275);
-    EXPECT_EQ(ran.commands.at(2).to[0], 35);
+    EXPECT_EQ(ran.commands.at(1).motion().to[0], -275);
+    EXPECT_EQ(ran.commands.at(2).motion().to[0], 35);
     // Unnamed axes keep their coordinates.
     EXPECT_EQ(end_of(run({rapid().x(3).y(4), here_is_zero, rapid().x(1).y(1)})),
               "4.0000 1.0000 0.0000");
@@ -254,27 +254,27 @@ TEST(Frames, MachineCoordinates) {
         SCOPED_TRACE("without the tool length: Z0 is the spindle nose, 100 above the tip");
         const Ran ran = run(blocks, {.spindle_runs = false});
         const Command& command = ran.commands.at(3);
-        EXPECT_TRUE(command.machine_coordinates);
-        EXPECT_EQ(command.to[2], 0);
-        EXPECT_EQ(command.to[0], -300);
-        EXPECT_EQ(ran.commands.at(4).to[2], -100);
-        EXPECT_FALSE(ran.commands.at(4).machine_coordinates);
-        EXPECT_EQ(ran.commands.at(4).to[0], -299) << "the frame is back";
+        EXPECT_TRUE(command.motion().machine_coordinates);
+        EXPECT_EQ(command.motion().to[2], 0);
+        EXPECT_EQ(command.motion().to[0], -300);
+        EXPECT_EQ(ran.commands.at(4).motion().to[2], -100);
+        EXPECT_FALSE(ran.commands.at(4).motion().machine_coordinates);
+        EXPECT_EQ(ran.commands.at(4).motion().to[0], -299) << "the frame is back";
     }
     {
         SCOPED_TRACE("with the tool length");
         const Ran ran =
             run(blocks, {.rules = "<rule name=\"machine_coordinates_keep_length\" value=\"yes\"/>",
                          .spindle_runs = false});
-        EXPECT_FALSE(ran.commands.at(3).machine_coordinates);
-        EXPECT_EQ(ran.commands.at(3).to[2], 0);
-        EXPECT_EQ(ran.commands.at(4).to[2], 0);
+        EXPECT_FALSE(ran.commands.at(3).motion().machine_coordinates);
+        EXPECT_EQ(ran.commands.at(3).motion().to[2], 0);
+        EXPECT_EQ(ran.commands.at(4).motion().to[2], 0);
     }
     const std::string_view kRapid = "<rule name=\"machine_coordinates_rapid\" value=\"yes\"/>";
     const std::string_view kAbsolute =
         "<rule name=\"machine_coordinates_need_absolute\" value=\"yes\"/>";
-    EXPECT_EQ(run({g53_line}).commands.at(0).op, Op::Line);
-    EXPECT_EQ(run({g53_line}, {.rules = kRapid}).commands.at(0).op, Op::Rapid);
+    EXPECT_EQ(run({g53_line}).commands.at(0).op(), Op::Line);
+    EXPECT_EQ(run({g53_line}, {.rules = kRapid}).commands.at(0).op(), Op::Rapid);
     EXPECT_EQ(end_of(run({rapid().z(30), incremental(), g53})), "0.0000 0.0000 30.0000");
     const Ran ignored = run({rapid().z(30), incremental(), g53}, {.rules = kAbsolute});
     EXPECT_EQ(ignored.codes(), "K5233");

@@ -32,11 +32,11 @@ machine::Machine lathe(double radius, int tip) {
 std::string tips_of(const Ran& ran) {
     std::string out;
     for (const Command& command : ran.commands) {
-        if (!path::is_motion(command.op)) continue;
+        if (!command.is_motion()) continue;
         const auto rounded = [](double value) { return std::round(value * 1000) / 1000 + 0.0; };
         char text[64];
         std::snprintf(text, sizeof text, "%s%g,%g", out.empty() ? "" : " ",
-                      rounded(2 * command.to[0]), rounded(command.to[2]));
+                      rounded(2 * command.motion().to[0]), rounded(command.motion().to[2]));
         out += text;
     }
     return out;
@@ -145,17 +145,17 @@ Part random_part(std::mt19937& random, double radius) {
 /// Places on the way of a command, in Z and X.
 std::vector<Vec2> places_on(const Command& command, const Vec2& from) {
     constexpr int kPlaces = 40;
-    const Vec2 to{command.to[2], command.to[0]};
+    const Vec2 to{command.motion().to[2], command.motion().to[0]};
     std::vector<Vec2> places;
     for (int i = 0; i <= kPlaces; ++i) {
         const double t = static_cast<double>(i) / kPlaces;
-        if (command.op != Op::Arc) {
+        if (command.op() != Op::Arc) {
             places.push_back(from + t * (to - from));
             continue;
         }
-        const Vec2 center{command.center[2], command.center[0]};
-        const bool is_left = command.normal.y() > 0;
-        const double angle = t * command.sweep * (is_left ? 1 : -1);
+        const Vec2 center{command.motion().arc().center[2], command.motion().arc().center[0]};
+        const bool is_left = command.motion().arc().normal.y() > 0;
+        const double angle = t * command.motion().arc().sweep * (is_left ? 1 : -1);
         const Vec2 arm = from - center;
         places.push_back(center + Vec2{arm.x() * std::cos(angle) - arm.y() * std::sin(angle),
                                        arm.x() * std::sin(angle) + arm.y() * std::cos(angle)});
@@ -196,7 +196,7 @@ TEST(LatheCompensation, TheNoseTouchesTheContourAndNeverCutsIntoIt) {
         int number = 0;
         std::vector<const Command*> motions;
         for (const Command& command : ran.commands) {
-            if (path::is_motion(command.op)) motions.push_back(&command);
+            if (command.is_motion()) motions.push_back(&command);
         }
         ASSERT_GE(motions.size(), 4u);
         std::vector<bool> is_touched(part.elements.size());
@@ -218,7 +218,7 @@ TEST(LatheCompensation, TheNoseTouchesTheContourAndNeverCutsIntoIt) {
                     EXPECT_LE(least, radius + kTolerance) << "motion " << number;
                 }
             }
-            from = {command->to[2], command->to[0]};
+            from = {command->motion().to[2], command->motion().to[0]};
             ++number;
         }
         for (std::size_t i = 0; i < is_touched.size(); ++i) {

@@ -20,17 +20,16 @@ std::string line_of(const Command& command, std::string_view source = {}) {
 }
 
 TEST(Listing, Line) {
-    Command line;
-    line.op = Op::Line;
-    line.to = {10, 0, -1.25};
-    line.feed = 200;
+    Command line(Op::Line);
+    line.motion().to = {10, 0, -1.25};
+    line.motion().feed = 200;
     line.line = 12;
     EXPECT_EQ(
         line_of(line, "part.kadr:34"),
         "{\"op\":\"line\",\"to\":{\"X\":10,\"Y\":0,\"Z\":-1.25,\"B\":0},\"feed\":200,\"iso\":12,"
         "\"src\":\"part.kadr:34\"}\n");
-    line.feed_mode = path::FeedMode::InverseTime;
-    line.exact_stop = true;
+    line.motion().feed_mode = path::FeedMode::InverseTime;
+    line.motion().exact_stop = true;
     line.line = 0;
     EXPECT_EQ(line_of(line),
               "{\"op\":\"line\",\"to\":{\"X\":10,\"Y\":0,\"Z\":-1.25,\"B\":0},\"feed\":200,"
@@ -40,39 +39,37 @@ TEST(Listing, Line) {
 TEST(Listing, RoundedCornersAndCompressedLines) {
     const std::string begin =
         "{\"op\":\"line\",\"to\":{\"X\":0,\"Y\":0,\"Z\":0,\"B\":0},\"feed\":0";
-    Command line;
-    line.op = Op::Line;
-    line.blending = {path::BlendKind::Distance, false, 0.5};
+    Command line(Op::Line);
+    line.motion().blending = {path::BlendKind::Distance, false, 0.5};
     EXPECT_EQ(line_of(line), begin + ",\"blend_distance\":0.5}\n");
-    line.blending = {path::BlendKind::Tolerance, true, 0.02};
-    line.compress = 0.01;
+    line.motion().blending = {path::BlendKind::Tolerance, true, 0.02};
+    line.motion().compress = 0.01;
     EXPECT_EQ(line_of(line),
               begin + ",\"blend_tolerance\":0.02,\"blend_tangents\":true,\"compress\":0.01}\n");
-    line.exact_stop = true;
-    line.compress = 0;
+    line.motion().exact_stop = true;
+    line.motion().compress = 0;
     EXPECT_EQ(line_of(line), begin + ",\"exact_stop\":true}\n");
 }
 
 TEST(Listing, Arc) {
-    Command arc;
-    arc.op = Op::Arc;
-    arc.to = {1, 2, 3};
-    arc.center = {0, 0.5, 3};
-    arc.plane = path::Plane::Zx;
-    arc.normal = path::Vec3::UnitY();
-    arc.is_clockwise = true;
-    arc.turns = 2;
-    arc.feed = 0.1;
-    arc.feed_mode = path::FeedMode::PerRevolution;
+    Command arc(Op::Arc);
+    arc.motion().to = {1, 2, 3};
+    arc.motion().arc().center = {0, 0.5, 3};
+    arc.motion().plane = path::Plane::Zx;
+    arc.motion().arc().normal = path::Vec3::UnitY();
+    arc.motion().arc().is_clockwise = true;
+    arc.motion().arc().turns = 2;
+    arc.motion().feed = 0.1;
+    arc.motion().feed_mode = path::FeedMode::PerRevolution;
     EXPECT_EQ(line_of(arc),
               "{\"op\":\"arc\",\"to\":{\"X\":1,\"Y\":2,\"Z\":3,\"B\":0},\"center\":[0,0.5,3],"
               "\"plane\":\"ZX\","
               "\"dir\":\"cw\",\"turns\":2,\"feed\":0.1,\"feed_mode\":\"per_revolution\"}\n");
-    arc.turns = 0;
-    arc.is_clockwise = false;
-    arc.plane = path::Plane::Yz;
-    arc.normal = path::Vec3::UnitX();
-    arc.feed_mode = path::FeedMode::PerMinute;
+    arc.motion().arc().turns = 0;
+    arc.motion().arc().is_clockwise = false;
+    arc.motion().plane = path::Plane::Yz;
+    arc.motion().arc().normal = path::Vec3::UnitX();
+    arc.motion().feed_mode = path::FeedMode::PerMinute;
     EXPECT_EQ(line_of(arc),
               "{\"op\":\"arc\",\"to\":{\"X\":1,\"Y\":2,\"Z\":3,\"B\":0},\"center\":[0,0.5,3],"
               "\"plane\":\"YZ\","
@@ -93,39 +90,38 @@ TEST(Listing, NumbersAreShortAndWithoutNoise) {
                            {123456, "123456"},
                            {1e12, "1000000000000"}}) {
         Command rapid;
-        rapid.to[0] = row.value;
+        rapid.motion().to[0] = row.value;
         EXPECT_EQ(line_of(rapid), std::string("{\"op\":\"rapid\",\"to\":{\"X\":") + row.text +
                                       ",\"Y\":0,\"Z\":0,\"B\":0}}\n");
     }
 }
 
 TEST(Listing, TheOthers) {
-    Command c;
-    c.op = Op::Message;
-    c.text = "say \"yes\"\n";
+    Command c(Op::Message);
+    c.message().text = "say \"yes\"\n";
     EXPECT_EQ(line_of(c), "{\"op\":\"message\",\"text\":\"say \\\"yes\\\"\\n\"}\n");
-    c.op = Op::Coolant;
+    c.become(Op::Coolant);
     for (const auto& [mode, text] : {std::pair{path::CoolantMode::Off, "off"},
                                      {path::CoolantMode::Flood, "flood"},
                                      {path::CoolantMode::Mist, "mist"}}) {
-        c.coolant = mode;
+        c.coolant().mode = mode;
         EXPECT_EQ(line_of(c), std::string("{\"op\":\"coolant\",\"mode\":\"") + text + "\"}\n");
     }
-    c.op = Op::Spindle;
-    c.spindle = path::SpindleMode::Ccw;
-    c.speed = 500;
+    c.become(Op::Spindle);
+    c.spindle().mode = path::SpindleMode::Ccw;
+    c.spindle().speed = 500;
     EXPECT_EQ(line_of(c), "{\"op\":\"spindle\",\"mode\":\"ccw\",\"speed\":500}\n");
-    c.op = Op::Tool;
-    c.tool = 7;
+    c.become(Op::Tool);
+    c.tool().number = 7;
     EXPECT_EQ(line_of(c), "{\"op\":\"tool\",\"tool\":7}\n");
-    c.op = Op::Rapid;
-    c.machine_coordinates = true;
+    c.become(Op::Rapid);
+    c.motion().machine_coordinates = true;
     EXPECT_EQ(line_of(c),
               "{\"op\":\"rapid\",\"to\":{\"X\":0,\"Y\":0,\"Z\":0,\"B\":0},\"machine_coordinates\":"
               "true}\n");
     for (const auto& [op, name] :
          {std::pair{Op::Stop, "stop"}, {Op::OptionalStop, "optional_stop"}, {Op::End, "end"}}) {
-        c.op = op;
+        c.become(op);
         EXPECT_EQ(line_of(c), std::string("{\"op\":\"") + name + "\"}\n");
     }
 }

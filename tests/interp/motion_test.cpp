@@ -23,19 +23,19 @@ TEST(Motion, PositionWords) {
     const double expected[][2] = {{10, 10}, {15, 10}, {20, 0}, {17.5, 0}, {6, 5}};
     for (std::size_t i = 0; i < 5; ++i) {
         SCOPED_TRACE(i);
-        EXPECT_EQ(ran.commands[i].op, Op::Line);
-        EXPECT_EQ(ran.commands[i].feed, 500);
-        EXPECT_EQ(ran.commands[i].to[0], expected[i][0]);
-        EXPECT_EQ(ran.commands[i].to[1], expected[i][1]);
+        EXPECT_EQ(ran.commands[i].op(), Op::Line);
+        EXPECT_EQ(ran.commands[i].motion().feed, 500);
+        EXPECT_EQ(ran.commands[i].motion().to[0], expected[i][0]);
+        EXPECT_EQ(ran.commands[i].motion().to[1], expected[i][1]);
         EXPECT_EQ(ran.commands[i].line, i + 1);
     }
-    EXPECT_EQ(ran.commands[1].moved, bit(Axis::X));
+    EXPECT_EQ(ran.commands[1].motion().moved, bit(Axis::X));
     EXPECT_EQ(ran.codes(), "");
     EXPECT_EQ(ran.blocks, 7u);
 }
 
 TEST(Motion, PowerOnMotionIsTheDialects) {
-    EXPECT_EQ(run({Words().x(10)}).commands.at(0).op, Op::Rapid);
+    EXPECT_EQ(run({Words().x(10)}).commands.at(0).op(), Op::Rapid);
 }
 
 TEST(Motion, RapidNeedsNoFeed) {
@@ -83,12 +83,12 @@ TEST(Motion, Arcs) {
         ASSERT_EQ(ran.codes(), "");
         ASSERT_EQ(ran.commands.size(), 2u);
         const Command& command = ran.commands[1];
-        EXPECT_EQ(command.op, Op::Arc);
-        EXPECT_NEAR(command.center.x(), row.center[0], kSame);
-        EXPECT_NEAR(command.center.y(), row.center[1], kSame);
-        EXPECT_NEAR(command.center.z(), row.center[2], kSame);
-        EXPECT_NEAR(command.sweep * 180 / std::numbers::pi, row.sweep_deg, 1e-9);
-        EXPECT_EQ(command.is_clockwise, row.is_clockwise);
+        EXPECT_EQ(command.op(), Op::Arc);
+        EXPECT_NEAR(command.motion().arc().center.x(), row.center[0], kSame);
+        EXPECT_NEAR(command.motion().arc().center.y(), row.center[1], kSame);
+        EXPECT_NEAR(command.motion().arc().center.z(), row.center[2], kSame);
+        EXPECT_NEAR(command.motion().arc().sweep * 180 / std::numbers::pi, row.sweep_deg, 1e-9);
+        EXPECT_EQ(command.motion().arc().is_clockwise, row.is_clockwise);
     }
 }
 
@@ -97,9 +97,15 @@ TEST(Motion, ArcInTheZxPlanePassesMinusX) {
     const Ran ran =
         run({rapid().x(0).z(0), ccw().fn(Function::PlaneZx).x(0).z(20).i(0).k(10).f(200)});
     const Command& command = ran.commands.at(1);
-    const path::Arc arc{{0, 0, 0}, {0, 0, 20}, command.center, command.normal, command.sweep};
-    EXPECT_LT((path::point_at(arc, command.sweep / 2).position - path::Vec3(-10, 0, 10)).norm(),
-              kSame);
+    const path::Arc arc{{0, 0, 0},
+                        {0, 0, 20},
+                        command.motion().arc().center,
+                        command.motion().arc().normal,
+                        command.motion().arc().sweep};
+    EXPECT_LT(
+        (path::point_at(arc, command.motion().arc().sweep / 2).position - path::Vec3(-10, 0, 10))
+            .norm(),
+        kSame);
 }
 
 TEST(Motion, ArcErrors) {
@@ -152,8 +158,8 @@ TEST(Motion, ShiftedCentreKeepsTheStartRadius) {
     const Ran ran = run({rapid().x(20).y(0), ccw().x(0).y(20.01).i(-20).j(0).f(200)},
                         {.rules = "<rule name=\"arc_error\" value=\"shift_center\"/>"});
     ASSERT_EQ(ran.codes(), "");
-    EXPECT_NEAR(ran.commands[1].center.y(), 0.01, 1e-4);
-    EXPECT_NEAR((ran.commands[1].center - path::Vec3(20, 0, 0)).norm(), 20, kSame);
+    EXPECT_NEAR(ran.commands[1].motion().arc().center.y(), 0.01, 1e-4);
+    EXPECT_NEAR((ran.commands[1].motion().arc().center - path::Vec3(20, 0, 0)).norm(), 20, kSame);
 }
 
 TEST(Motion, DiametersOfALathe) {
@@ -164,10 +170,10 @@ TEST(Motion, DiametersOfALathe) {
                          cw().fn(Function::PlaneZx).x(82).i(5).k(0).f(100)},
                         {.machine = lathe});
     ASSERT_EQ(ran.codes(), "");
-    EXPECT_EQ(ran.commands[0].to[0], 29);
-    EXPECT_EQ(ran.commands[1].to[0], 31);
-    EXPECT_EQ(ran.commands[2].to[0], 41);
-    EXPECT_NEAR(ran.commands[2].center.x(), 36, kSame);
+    EXPECT_EQ(ran.commands[0].motion().to[0], 29);
+    EXPECT_EQ(ran.commands[1].motion().to[0], 31);
+    EXPECT_EQ(ran.commands[2].motion().to[0], 41);
+    EXPECT_NEAR(ran.commands[2].motion().arc().center.x(), 36, kSame);
 }
 
 TEST(Motion, Feed) {
@@ -225,7 +231,7 @@ TEST(Motion, InverseTimeOfAnArcByRadius) {
     const Ran ran =
         run({rapid().x(20).y(0), fn(Function::FeedInverseTime), ccw().x(0).y(20).i(-20).f(3)},
             {.rules = "<rule name=\"inverse_time_arc_by_radius\" value=\"yes\"/>"});
-    EXPECT_NEAR(ran.commands.at(1).feed, 3 / (std::numbers::pi / 2), kSame);
+    EXPECT_NEAR(ran.commands.at(1).motion().feed, 3 / (std::numbers::pi / 2), kSame);
 }
 
 TEST(Motion, LimitsOfTheMachine) {
@@ -267,7 +273,8 @@ TEST(Motion, ExactStop) {
                          Words().fn(Function::ExactStopOnce).x(2), Words().x(3),
                          fn(Function::ExactStop), Words().x(4)});
     const bool expected[] = {false, true, false, true};
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(ran.commands.at(i).exact_stop, expected[i]) << i;
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(ran.commands.at(i).motion().exact_stop, expected[i]) << i;
 }
 
 }  // namespace

@@ -19,14 +19,14 @@ std::string spindles(const std::string& text, const machine::Machine& machine = 
     const Ran ran = read("sinumerik", text + "\nM30", machine);
     std::string out = alarms(ran);
     for (const Command& command : ran.commands) {
-        if (command.op != Op::Spindle && command.op != Op::OtherSpindle) continue;
+        if (command.op() != Op::Spindle && command.op() != Op::OtherSpindle) continue;
         if (!out.empty()) out += ", ";
-        std::string number = std::to_string(command.spindle_number);
-        if (command.op == Op::OtherSpindle) number = '(' + number + ')';
+        std::string number = std::to_string(command.spindle().number);
+        if (command.op() == Op::OtherSpindle) number = '(' + number + ')';
         static constexpr std::array kModes = {"stop", "cw", "ccw", "orient"};
-        out += number + ' ' + kModes.at(static_cast<std::size_t>(command.spindle));
-        const bool stands = command.spindle == path::SpindleMode::Orient;
-        append_shortest(out += ' ', stands ? command.angle_deg : command.speed);
+        out += number + ' ' + kModes.at(static_cast<std::size_t>(command.spindle().mode));
+        const bool stands = command.spindle().mode == path::SpindleMode::Orient;
+        append_shortest(out += ' ', stands ? command.spindle().angle_deg : command.spindle().speed);
     }
     return out;
 }
@@ -55,13 +55,13 @@ TEST(NumberedSpindles, ConstantCuttingSpeedIsTheMastersWithItsLimits) {
     EXPECT_EQ(alarms(ran), "");
     std::vector<double> limits;
     for (const Command& command : ran.commands)
-        if (command.op == Op::SpeedLimit) limits.push_back(command.speed);
+        if (command.op() == Op::SpeedLimit) limits.push_back(command.speed_limit().most);
     EXPECT_EQ(limits, (std::vector<double>{3000, 1500}));
     const auto last = std::find_if(ran.commands.rbegin(), ran.commands.rend(),
-                                   [](const Command& c) { return c.op == Op::Spindle; });
+                                   [](const Command& c) { return c.op() == Op::Spindle; });
     ASSERT_NE(last, ran.commands.rend());
-    EXPECT_EQ(last->spindle_number, 2);
-    EXPECT_TRUE(last->cutting_speed);
+    EXPECT_EQ(last->spindle().number, 2);
+    EXPECT_TRUE(last->spindle().has_cutting_speed);
 }
 
 TEST(NumberedSpindles, TapsAndThreadsTurnTheMaster) {
@@ -91,8 +91,8 @@ TEST(SpeedLimits, ReachTheMotion) {
     EXPECT_FALSE(ran.alarmed) << ran.codes();
     std::vector<std::pair<double, double>> limits;  // least, most
     for (const path::Command& command : ran.commands)
-        if (command.op == path::Op::SpeedLimit)
-            limits.emplace_back(command.least_speed, command.speed);
+        if (command.op() == path::Op::SpeedLimit)
+            limits.emplace_back(command.speed_limit().least, command.speed_limit().most);
     const std::vector<std::pair<double, double>> expected = {{400, 0}, {400, 3000}, {400, 2000}};
     EXPECT_EQ(limits, expected);
 }
@@ -111,22 +111,19 @@ TEST(SpeedLimits, HoldForTheClockOfTheProgram) {
         AxisValues at{};
         at[0] = 100;
         clock.start(at);
-        path::Command limit;
-        limit.op = path::Op::SpeedLimit;
-        limit.least_speed = row.least;
-        limit.speed = row.most;
+        path::Command limit(path::Op::SpeedLimit);
+        limit.speed_limit().least = row.least;
+        limit.speed_limit().most = row.most;
         clock.add(limit);
-        path::Command spindle;
-        spindle.op = path::Op::Spindle;
-        spindle.spindle = path::SpindleMode::Cw;
-        spindle.speed = 200;
-        spindle.cutting_speed = true;
+        path::Command spindle(path::Op::Spindle);
+        spindle.spindle().mode = path::SpindleMode::Cw;
+        spindle.spindle().speed = 200;
+        spindle.spindle().has_cutting_speed = true;
         clock.add(spindle);
-        path::Command cut;
-        cut.op = path::Op::Line;
-        cut.feed_mode = path::FeedMode::PerRevolution;
-        cut.feed = 0.3;
-        cut.to[0] = 90;
+        path::Command cut(path::Op::Line);
+        cut.motion().feed_mode = path::FeedMode::PerRevolution;
+        cut.motion().feed = 0.3;
+        cut.motion().to[0] = 90;
         clock.add(cut);
         EXPECT_NEAR(clock.seconds(), 10 / (0.3 * row.speed) * 60, 1e-6);
     }

@@ -87,16 +87,17 @@ std::string words(const json& vector, char number) {
 
 /// Direction of the tool at a fraction of a command that follows another one.
 Vec3 tool_at(const path::Command& before, const path::Command& command, double fraction) {
-    path::Turn turn{command.turning,    1,           command.turn_from, command.turn_axis,
-                    command.turn_angle, command.lean};
-    if (command.turning == Turning::Cone) turn.start = before.direction;
-    const Vec3 from(before.to.data()), to(command.to.data());
+    path::Turn turn{command.motion().turning,      1,
+                    command.motion().turn().from,  command.motion().turn().axis,
+                    command.motion().turn().angle, command.motion().turn().lean};
+    if (command.motion().turning == Turning::Cone) turn.start = before.motion().direction;
+    const Vec3 from(before.motion().to.data()), to(command.motion().to.data());
     const path::Curve line =
         from == to ? path::Curve(path::Point{from}) : path::Curve(path::make_line(from, to));
     const double length = path::length(line);
-    if (command.turning == Turning::Surface) turn.rate /= length;
-    if (command.turning == Turning::Point) turn.axis /= length;
-    turn.length = command.turning == Turning::Cone ? 1 : length;
+    if (command.motion().turning == Turning::Surface) turn.rate /= length;
+    if (command.motion().turning == Turning::Point) turn.axis /= length;
+    turn.length = command.motion().turning == Turning::Cone ? 1 : length;
     return path::direction_at(turn, line, fraction * turn.length);
 }
 
@@ -104,15 +105,15 @@ void expect_course(const std::string& text, const json& fractions, const json& v
                    const std::string& what) {
     const auto all = courses(text);
     ASSERT_EQ(all.size(), 2u) << what;
-    EXPECT_EQ(all[1].turning, Turning::Cone);
+    EXPECT_EQ(all[1].motion().turning, Turning::Cone);
     for (std::size_t i = 0; i < fractions.size(); ++i) {
         const Vec3 tool = tool_at(all[0], all[1], fractions[i].get<double>());
         EXPECT_LT((tool - vec(vectors[i])).norm(), kOracle) << what << " " << fractions[i];
     }
     // The rotary axes are where the kinematics have the same direction.
     const machine::Chain chain = free_head().kinematics->chain;
-    const Vec3 joints(rad_from_deg(all[1].to[index(Axis::C)]),
-                      rad_from_deg(all[1].to[index(Axis::A)]), 0);
+    const Vec3 joints(rad_from_deg(all[1].motion().to[index(Axis::C)]),
+                      rad_from_deg(all[1].motion().to[index(Axis::A)]), 0);
     EXPECT_LT((machine::tool_vector(chain, joints) - tool_at(all[0], all[1], 1)).norm(), 1e-9);
 }
 
@@ -156,11 +157,11 @@ TEST(ToolCourses, TangentialConesGoOnInTheDirectionOfTheLastTurn) {
     // A great circle about Y arrives along X turned down; the cone goes on from there.
     const auto all = courses("G1 X10 A3=1 C3=1 F1000\nORICONTO\nX20 A3=1 B3=1 C3=1");
     ASSERT_EQ(all.size(), 2u);
-    const Vec3 arriving = all[0].turn_axis.cross(all[0].direction);
-    const Vec3 leaving = (tool_at(all[0], all[1], 1e-6) - all[0].direction).normalized();
+    const Vec3 arriving = all[0].motion().turn().axis.cross(all[0].motion().direction);
+    const Vec3 leaving = (tool_at(all[0], all[1], 1e-6) - all[0].motion().direction).normalized();
     EXPECT_LT((leaving - arriving).norm(), 1e-5);
-    EXPECT_LT((all[1].direction - Vec3(1, 1, 1).normalized()).norm(), 1e-9);
-    EXPECT_LT((tool_at(all[0], all[1], 1) - all[1].direction).norm(), 1e-12);
+    EXPECT_LT((all[1].motion().direction - Vec3(1, 1, 1).normalized()).norm(), 1e-9);
+    EXPECT_LT((tool_at(all[0], all[1], 1) - all[1].motion().direction).norm(), 1e-12);
 }
 
 TEST(ToolCourses, LeansFollowTheOracleInBothReadings) {
@@ -185,10 +186,10 @@ TEST(ToolCourses, TheToolLeansAlongTheWholeWay) {
     const double lead = rad_from_deg(20), tilt = rad_from_deg(10);
     const Vec3 leant(std::sin(lead), -std::sin(tilt) * std::cos(lead),
                      std::cos(tilt) * std::cos(lead));
-    EXPECT_EQ(all[0].to[0], 0);
-    EXPECT_EQ(all[0].turning, Turning::Cone);
-    EXPECT_LT((all[0].direction - leant).norm(), 1e-12);
-    EXPECT_EQ(all[1].turning, Turning::Surface);
+    EXPECT_EQ(all[0].motion().to[0], 0);
+    EXPECT_EQ(all[0].motion().turning, Turning::Cone);
+    EXPECT_LT((all[0].motion().direction - leant).norm(), 1e-12);
+    EXPECT_EQ(all[1].motion().turning, Turning::Surface);
     for (const double f : {0.0, 0.3, 1.0})
         EXPECT_LT((tool_at(all[0], all[1], f) - leant).norm(), 1e-12);
     // The normal turns about X: the lean turns with it, in proportion to the way.
@@ -197,35 +198,36 @@ TEST(ToolCourses, TheToolLeansAlongTheWholeWay) {
         const Vec3 wanted = Eigen::AngleAxisd(-f * whole, Vec3::UnitX()) * leant;
         EXPECT_LT((tool_at(all[1], all[2], f) - wanted).norm(), 1e-9) << f;
     }
-    EXPECT_LT((all[2].direction - tool_at(all[1], all[2], 1)).norm(), 1e-9);
+    EXPECT_LT((all[2].motion().direction - tool_at(all[1], all[2], 1)).norm(), 1e-9);
 }
 
 TEST(ToolCourses, TheToolFollowsTheTangentOfAnArc) {
     const auto all = courses("ORIPATH\nG1 X50 LEAD=20 F1000\nG3 X60 Y10 CR=10");
     ASSERT_EQ(all.size(), 3u);
-    EXPECT_EQ(all[2].op, path::Op::Arc);
-    EXPECT_EQ(all[2].turning, Turning::Surface);
+    EXPECT_EQ(all[2].op(), path::Op::Arc);
+    EXPECT_EQ(all[2].motion().turning, Turning::Surface);
     const double lead = rad_from_deg(20);
-    EXPECT_LT((all[2].direction - Vec3(0, std::sin(lead), std::cos(lead))).norm(), 1e-9);
+    EXPECT_LT((all[2].motion().direction - Vec3(0, std::sin(lead), std::cos(lead))).norm(), 1e-9);
 }
 
 TEST(ToolCourses, AxiomaLeansAtTheEndOfTheBlockOnly) {
     const auto all = courses("G1 X50 LEAD=20 F1000\nG3 X60 Y10 CR=10 LEAD=20", false, "axioma");
     ASSERT_EQ(all.size(), 2u);
     const double lead = rad_from_deg(20);
-    EXPECT_EQ(all[0].turning, Turning::Cone);
-    EXPECT_LT((all[0].direction - Vec3(std::sin(lead), 0, std::cos(lead))).norm(), 1e-9);
-    EXPECT_EQ(all[1].turning, Turning::Cone);
-    EXPECT_LT((all[1].direction - Vec3(0, std::sin(lead), std::cos(lead))).norm(), 1e-9);
+    EXPECT_EQ(all[0].motion().turning, Turning::Cone);
+    EXPECT_LT((all[0].motion().direction - Vec3(std::sin(lead), 0, std::cos(lead))).norm(), 1e-9);
+    EXPECT_EQ(all[1].motion().turning, Turning::Cone);
+    EXPECT_LT((all[1].motion().direction - Vec3(0, std::sin(lead), std::cos(lead))).norm(), 1e-9);
 }
 
 TEST(ToolCourses, AxiomasAnglesAreZyz) {
     // φ = 30, θ = 45: A 3, where SINUMERIK's ORIEULER turns about X'.
     const auto all = courses("ORIEULER\nG1 X10 A2=30 B2=45 C2=60 F1000", false, "axioma");
     ASSERT_EQ(all.size(), 1u);
-    EXPECT_LT((all[0].direction - Vec3(0.6123724357, 0.3535533906, 0.7071067812)).norm(), 1e-9);
+    EXPECT_LT((all[0].motion().direction - Vec3(0.6123724357, 0.3535533906, 0.7071067812)).norm(),
+              1e-9);
     const auto rpy = courses("ORIRPY\nG1 X10 A2=30 B2=45 C2=60 F1000", false, "axioma");
-    EXPECT_LT((rpy.at(0).direction - Vec3(0.739199, 0.280330, 0.612372)).norm(), 1e-6);
+    EXPECT_LT((rpy.at(0).motion().direction - Vec3(0.739199, 0.280330, 0.612372)).norm(), 1e-6);
 }
 
 /// A head whose C cannot go the short way from 160 to 200 degrees, and whose A does not change the
@@ -278,8 +280,8 @@ TEST(ToolCourses, AxiomaGoesTheWaysThatItsParameterAdmits) {
         }
         const auto all = motions(ran);
         ASSERT_EQ(all.size(), 2u);
-        EXPECT_NEAR(all[1].to[index(Axis::C)], -160, 1e-6);
-        EXPECT_EQ(all[1].turning, Turning::Axes);
+        EXPECT_NEAR(all[1].motion().to[index(Axis::C)], -160, 1e-6);
+        EXPECT_EQ(all[1].motion().turning, Turning::Axes);
     }
 }
 
@@ -298,22 +300,24 @@ TEST(ToolCourses, ASecondPointLeadsTheTool) {
     const auto all =
         courses("ORICURVE\nG1 X0 Y0 Z0 XH=0 YH=0 ZH=100 F1000\nX50 XH=50 YH=40 ZH=80\nX100 XH=90");
     ASSERT_EQ(all.size(), 3u);
-    EXPECT_EQ(all[1].turning, Turning::Point);
+    EXPECT_EQ(all[1].motion().turning, Turning::Point);
     for (const double f : {0.0, 0.3, 0.7, 1.0}) {
         const Vec3 tip(50 * f, 0, 0);
         const Vec3 point = Vec3(0, 0, 100) + f * Vec3(50, 40, -20);
         EXPECT_LT((tool_at(all[0], all[1], f) - (point - tip).normalized()).norm(), 1e-12) << f;
     }
-    EXPECT_LT((all[2].direction - (Vec3(90, 40, 80) - Vec3(100, 0, 0)).normalized()).norm(), 1e-9);
+    EXPECT_LT(
+        (all[2].motion().direction - (Vec3(90, 40, 80) - Vec3(100, 0, 0)).normalized()).norm(),
+        1e-9);
 }
 
 TEST(ToolCourses, TheThirdAngleTurnsTheToolAboutItself) {
     const auto all = courses("ORIEULER\nG1 X10 A2=30 B2=40 C2=50 F1000", true);
     ASSERT_EQ(all.size(), 1u);
     const machine::Chain chain = free_head(true).kinematics->chain;
-    const Vec3 joints(rad_from_deg(all[0].to[index(Axis::C)]),
-                      rad_from_deg(all[0].to[index(Axis::A)]),
-                      rad_from_deg(all[0].to[index(Axis::B)]));
+    const Vec3 joints(rad_from_deg(all[0].motion().to[index(Axis::C)]),
+                      rad_from_deg(all[0].motion().to[index(Axis::A)]),
+                      rad_from_deg(all[0].motion().to[index(Axis::B)]));
     const machine::Mat3 wanted =
         machine::euler_zxz({rad_from_deg(30), rad_from_deg(40), rad_from_deg(50)});
     EXPECT_LT((machine::rotation_of(chain, joints) - wanted).norm(), 1e-9);
@@ -322,9 +326,9 @@ TEST(ToolCourses, TheThirdAngleTurnsTheToolAboutItself) {
 /// The tool's own X where a command ends.
 Vec3 across_of(const path::Command& command) {
     const machine::Chain chain = free_head(true).kinematics->chain;
-    return machine::rotation_of(chain, {rad_from_deg(command.to[index(Axis::C)]),
-                                        rad_from_deg(command.to[index(Axis::A)]),
-                                        rad_from_deg(command.to[index(Axis::B)])})
+    return machine::rotation_of(chain, {rad_from_deg(command.motion().to[index(Axis::C)]),
+                                        rad_from_deg(command.motion().to[index(Axis::A)]),
+                                        rad_from_deg(command.motion().to[index(Axis::B)])})
         .col(0);
 }
 
@@ -339,7 +343,7 @@ TEST(ToolCourses, ThetaCountsFromWhatItsModeSays) {
     EXPECT_LT((across_of(fixed.at(0)) - wanted.col(0)).norm(), 1e-9);
     // From the plane of the great circle: at 0 along the way on which the tool turns.
     const auto plane = courses("ORIROTR\nG1 X10 A3=1 B3=2 C3=3 THETA=30 F1000", true);
-    const Vec3 along = plane.at(0).turn_axis.cross(tool);
+    const Vec3 along = plane.at(0).motion().turn().axis.cross(tool);
     EXPECT_LT((across_of(plane.at(0)) - Eigen::AngleAxisd(theta, tool) * along).norm(), 1e-9);
     // From the direction of travel.
     const auto path = courses("ORIROTC\nG1 X10 A3=0 B3=1 C3=1 THETA=30 F1000", true);
@@ -347,7 +351,8 @@ TEST(ToolCourses, ThetaCountsFromWhatItsModeSays) {
     EXPECT_LT((across_of(path.at(0)) - Eigen::AngleAxisd(theta, leaning) * Vec3::UnitX()).norm(),
               1e-9);
     const auto by = courses("G1 X10 THETA=30 F1000\nX20 THETA=IC(15)", true);
-    EXPECT_NEAR(by.at(1).to[index(Axis::B)] - by.at(0).to[index(Axis::B)], 15, 1e-9);
+    EXPECT_NEAR(by.at(1).motion().to[index(Axis::B)] - by.at(0).motion().to[index(Axis::B)], 15,
+                1e-9);
 }
 
 TEST(ToolCourses, ThetaWithoutAThirdAxisIsIgnoredAndSaid) {
@@ -357,12 +362,12 @@ TEST(ToolCourses, ThetaWithoutAThirdAxisIsIgnoredAndSaid) {
 TEST(ToolCourses, TheRotaryAxesCanBeSentHome) {
     const auto all = courses("G1 X10 A3=1 C3=1 F1000\nORIRESET(20,30)\nORIRESET()");
     ASSERT_EQ(all.size(), 3u);
-    EXPECT_NEAR(all[1].to[index(Axis::C)], 20, 1e-9);
-    EXPECT_NEAR(all[1].to[index(Axis::A)], 30, 1e-9);
-    EXPECT_EQ(all[1].turning, Turning::Axes);
-    EXPECT_EQ(all[1].to[0], 10);
-    EXPECT_EQ(all[2].to[index(Axis::C)], 0);
-    EXPECT_EQ(all[2].to[index(Axis::A)], 0);
+    EXPECT_NEAR(all[1].motion().to[index(Axis::C)], 20, 1e-9);
+    EXPECT_NEAR(all[1].motion().to[index(Axis::A)], 30, 1e-9);
+    EXPECT_EQ(all[1].motion().turning, Turning::Axes);
+    EXPECT_EQ(all[1].motion().to[0], 10);
+    EXPECT_EQ(all[2].motion().to[index(Axis::C)], 0);
+    EXPECT_EQ(all[2].motion().to[index(Axis::A)], 0);
 }
 
 TEST(ToolCourses, ConeThatALimitCutsIsRefused) {

@@ -24,24 +24,24 @@ TEST(Orienting, VectorBecomesRotaryPositionsOnTheGreatCircle) {
     const Vec3 wanted = Vec3(1, -2, 4).normalized();
     for (const path::Command& command : all) {
         EXPECT_LT((tool_of(command) - wanted).norm(), 1e-12);
-        EXPECT_LT((command.direction - wanted).norm(), 1e-12);
+        EXPECT_LT((command.motion().direction - wanted).norm(), 1e-12);
     }
-    EXPECT_EQ(all[0].turning, Turning::Cone);
-    EXPECT_LT((all[0].turn_axis - Vec3(2, 1, 0).normalized()).norm(), 1e-12);
-    EXPECT_NEAR(all[0].turn_angle, std::acos(4 / std::sqrt(21.0)), 1e-12);
+    EXPECT_EQ(all[0].motion().turning, Turning::Cone);
+    EXPECT_LT((all[0].motion().turn().axis - Vec3(2, 1, 0).normalized()).norm(), 1e-12);
+    EXPECT_NEAR(all[0].motion().turn().angle, std::acos(4 / std::sqrt(21.0)), 1e-12);
     // Words of one block; and a vector that says nothing new turns nothing.
-    EXPECT_EQ(all[1].turning, Turning::Axes);
-    EXPECT_EQ(all[1].to[index(Axis::A)], all[0].to[index(Axis::A)]);
-    EXPECT_EQ(all[2].turning, Turning::Axes);
+    EXPECT_EQ(all[1].motion().turning, Turning::Axes);
+    EXPECT_EQ(all[1].motion().to[index(Axis::A)], all[0].motion().to[index(Axis::A)]);
+    EXPECT_EQ(all[2].motion().turning, Turning::Axes);
 }
 
 TEST(Orienting, AxesGoInProportionUnderOriaxes) {
     const auto all = motions("ORIAXES\nG1 X10 A3=1 B3=-2 C3=4 F100\nX20 A=30 C=45");
     ASSERT_EQ(all.size(), 2u);
-    EXPECT_EQ(all[0].turning, Turning::Axes);
+    EXPECT_EQ(all[0].motion().turning, Turning::Axes);
     EXPECT_LT((tool_of(all[0]) - Vec3(1, -2, 4).normalized()).norm(), 1e-12);
-    EXPECT_EQ(all[1].to[index(Axis::A)], 30);
-    EXPECT_EQ(all[1].to[index(Axis::C)], 45);
+    EXPECT_EQ(all[1].motion().to[index(Axis::A)], 30);
+    EXPECT_EQ(all[1].motion().to[index(Axis::C)], 45);
 }
 
 TEST(Orienting, TurnsAreSmoothedWithinTheToleranceOfTheTool) {
@@ -50,13 +50,14 @@ TEST(Orienting, TurnsAreSmoothedWithinTheToleranceOfTheTool) {
     ASSERT_EQ(all.size(), 5u);
     const bool smooths[] = {true, true, false, false, true};
     for (std::size_t i = 0; i < 5; ++i)
-        EXPECT_EQ(all[i].blending.smooths_orientation, smooths[i]) << i;
-    EXPECT_NEAR(all[0].blending.orientation, rad_from_deg(2), 1e-15);
-    EXPECT_EQ(all[0].blending.kind, path::BlendKind::None);
-    EXPECT_EQ(all[1].blending.kind, path::BlendKind::Tolerance);
-    EXPECT_EQ(all[4].blending.orientation, trunnion().orientation_tolerance);
+        EXPECT_EQ(all[i].motion().blending.smooths_orientation, smooths[i]) << i;
+    EXPECT_NEAR(all[0].motion().blending.orientation, rad_from_deg(2), 1e-15);
+    EXPECT_EQ(all[0].motion().blending.kind, path::BlendKind::None);
+    EXPECT_EQ(all[1].motion().blending.kind, path::BlendKind::Tolerance);
+    EXPECT_EQ(all[4].motion().blending.orientation, trunnion().orientation_tolerance);
     const Ran plain = read("sinumerik", "S1000 M3\nORISON\nG1 X10 F100\nM30", trunnion());
-    EXPECT_FALSE(motions(plain)[0].blending.smooths_orientation) << "without a transformation";
+    EXPECT_FALSE(motions(plain)[0].motion().blending.smooths_orientation)
+        << "without a transformation";
 }
 
 TEST(Orienting, AnglesAreWhatTheirModeSays) {
@@ -88,7 +89,7 @@ TEST(Orienting, FramesTurnVectorsUnlessTheyAreOfTheBase) {
     EXPECT_LT((tool_of(of_base[0]) - Vec3(1, 0, 1).normalized()).norm(), 1e-12);
     const auto shifted = motions("TRANS X5\nG1 X10 A3=1 C3=1 F100");
     EXPECT_LT((tool_of(shifted[0]) - Vec3(1, 0, 1).normalized()).norm(), 1e-12);
-    EXPECT_EQ(shifted[0].to[0], 15);
+    EXPECT_EQ(shifted[0].motion().to[0], 15);
 }
 
 TEST(Orienting, AxesStandWhereTheTransformationIsSwitched) {
@@ -104,12 +105,12 @@ TEST(Orienting, AxesStandWhereTheTransformationIsSwitched) {
         {30, 20, 10}, Vec3::Zero(), {rad_from_deg(70), rad_from_deg(25), 0}};
     const Vec3 tip = machine::forward(chain, position, Vec3::Zero()).tip;
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(all[1].to[i], tip[static_cast<Eigen::Index>(i)], 1e-12);
+        EXPECT_NEAR(all[1].motion().to[i], tip[static_cast<Eigen::Index>(i)], 1e-12);
     // Ten millimetres along Z of the workpiece are a way of all axes of the machine.
     const Vec3 above = tip + Vec3(0, 0, 10);
     const Vec3 axes = machine::inverse_linear(chain, above, position, Vec3::Zero());
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(all[3].to[i], axes[static_cast<Eigen::Index>(i)], 1e-12);
+        EXPECT_NEAR(all[3].motion().to[i], axes[static_cast<Eigen::Index>(i)], 1e-12);
     // The table is tilted about X: that is a way of Y and Z.
     EXPECT_GT((axes - Vec3(30, 20, 10)).tail<2>().cwiseAbs().minCoeff(), 0.1);
 }

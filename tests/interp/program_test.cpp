@@ -69,6 +69,7 @@ TEST(Program, CuttingSpeed) {
     // In the centre the limit holds.
     EXPECT_EQ(run({fn(Function::SpeedLimit, {{0, 2500}}), on, fn(Function::CuttingSpeedOff)})
                   .commands.back()
+                  .spindle()
                   .speed,
               2500);
 }
@@ -177,7 +178,7 @@ TEST(Program, ToolsOfTheTable) {
     bare.tools.clear();
     EXPECT_EQ(run({fn(Function::Tool, {{0, 99}}), rapid().z(1)}, {.machine = bare}).codes(), "");
     const Block named = Words().fn(Function::ToolSelect).fn(Function::ToolChange).text("DRILL_6");
-    EXPECT_EQ(run({named}).commands.at(0).tool, 2);
+    EXPECT_EQ(run({named}).commands.at(0).tool().number, 2);
     EXPECT_EQ(run({Words().fn(Function::ToolSelect).text("NO_SUCH")}).codes(), "K5240");
 }
 
@@ -187,7 +188,7 @@ TEST(Program, Stops) {
         Words().fn(Function::Message, {{0, 0}}).text("turn the part")};
     EXPECT_EQ(ops(run(blocks)), "stop message");
     EXPECT_EQ(ops(run(blocks, {.options = {.optional_stop = true}})), "stop optional_stop message");
-    EXPECT_EQ(run(blocks).commands.at(1).text, "turn the part");
+    EXPECT_EQ(run(blocks).commands.at(1).message().text, "turn the part");
 }
 
 TEST(Program, NothingIsExecutedBehindTheEnd) {

@@ -42,8 +42,8 @@ TEST(Smoothing, CommandsCarryWhatIsAskedForBehindThem) {
     };
     ASSERT_EQ(ran.commands.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        EXPECT_EQ(ran.commands[i].blending, expected[i]) << i;
-        EXPECT_EQ(ran.commands[i].exact_stop, i == 0 || i == 10) << i;
+        EXPECT_EQ(ran.commands[i].motion().blending, expected[i]) << i;
+        EXPECT_EQ(ran.commands[i].motion().exact_stop, i == 0 || i == 10) << i;
     }
 }
 
@@ -56,9 +56,9 @@ TEST(Smoothing, HowFarTheToolMayLeanIsSaidInDegrees) {
     EXPECT_EQ(ran.codes(), "");
     const double leaning = mill().orientation_tolerance;
     ASSERT_EQ(ran.commands.size(), 3u);
-    EXPECT_EQ(ran.commands[0].blending.orientation, leaning);
-    EXPECT_NEAR(ran.commands[1].blending.orientation, rad_from_deg(0.5), 1e-15);
-    EXPECT_EQ(ran.commands[2].blending.orientation, leaning);
+    EXPECT_EQ(ran.commands[0].motion().blending.orientation, leaning);
+    EXPECT_NEAR(ran.commands[1].motion().blending.orientation, rad_from_deg(0.5), 1e-15);
+    EXPECT_EQ(ran.commands[2].motion().blending.orientation, leaning);
 }
 
 /// S 10.4 CYCLE832: a kind whose tens are 1 says how far the tool may lean; kind 0 ends all of it.
@@ -87,8 +87,8 @@ TEST(Smoothing, ACycleSaysAllOfIt) {
     const std::vector<double> compressed = {0, 0.02, 0.1, 0, 0.05, 0, 0};
     ASSERT_EQ(ran.commands.size(), blendings.size());
     for (std::size_t i = 0; i < blendings.size(); ++i) {
-        EXPECT_EQ(ran.commands[i].blending, blendings[i]) << i;
-        EXPECT_EQ(ran.commands[i].compress, compressed[i]) << i;
+        EXPECT_EQ(ran.commands[i].motion().blending, blendings[i]) << i;
+        EXPECT_EQ(ran.commands[i].motion().compress, compressed[i]) << i;
     }
 }
 
@@ -108,7 +108,7 @@ TEST(Smoothing, LinesAtFeedAreCompressed) {
         0, machine.compressor_tolerance, 0, machine.compressor_tolerance, 0, 0.1, 0};
     ASSERT_EQ(ran.commands.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
-        EXPECT_EQ(ran.commands[i].compress, expected[i]) << i;
+        EXPECT_EQ(ran.commands[i].motion().compress, expected[i]) << i;
 }
 
 TEST(Smoothing, ADistanceBelowZeroIsAnAlarm) {

@@ -24,7 +24,7 @@ Words knot(double value) { return fn(Function::SplineKnot, {{0, value}}); }
 std::vector<path::Command> splines(const Ran& ran) {
     std::vector<path::Command> found;
     for (const path::Command& command : ran.commands) {
-        if (command.op == path::Op::Spline) found.push_back(command);
+        if (command.op() == path::Op::Spline) found.push_back(command);
     }
     return found;
 }
@@ -45,11 +45,11 @@ TEST(Splines, IntervalsAndKnotsAreTheSame) {
     ASSERT_EQ(spans.size(), 2u);
     // By hand: the pole 20|0 is worth (0, 1, 3); between the poles of (0, 0, 1) and (0, 1, 3) the
     // point of (0, 1, 1) divides 1 : 2, and so on.
-    EXPECT_NEAR(spans[0].spline.inner[0].x(), 10, 1e-12);
-    EXPECT_NEAR(spans[0].spline.inner[1].x(), 10 + 10.0 / 3, 1e-12);
-    EXPECT_NEAR(spans[0].spline.inner[1].y(), 10 - 10.0 / 3, 1e-12);
-    EXPECT_EQ(spans[1].to[0], 40);
-    EXPECT_EQ(spans[1].to[1], 0);
+    EXPECT_NEAR(spans[0].motion().spline().inner[0].x(), 10, 1e-12);
+    EXPECT_NEAR(spans[0].motion().spline().inner[1].x(), 10 + 10.0 / 3, 1e-12);
+    EXPECT_NEAR(spans[0].motion().spline().inner[1].y(), 10 - 10.0 / 3, 1e-12);
+    EXPECT_EQ(spans[1].motion().to[0], 40);
+    EXPECT_EQ(spans[1].motion().to[1], 0);
     EXPECT_EQ(spans[0].line, 5u);  // of the last pole on which it depends
     EXPECT_EQ(spans[1].line, 6u);
 }
@@ -73,11 +73,11 @@ TEST(Splines, OtherAxesHaveThePolesOfTheirBlocks) {
     ASSERT_EQ(spans.size(), 4u);
     ASSERT_EQ(without.size(), 4u);
     for (std::size_t i = 0; i < spans.size(); ++i) {
-        EXPECT_EQ(spans[i].to[0], without[i].to[0]);
-        EXPECT_NEAR(spans[i].to[index(Axis::C)], 2 * spans[i].to[0], 1e-9) << i;
-        EXPECT_EQ(without[i].to[index(Axis::C)], 0) << i;
+        EXPECT_EQ(spans[i].motion().to[0], without[i].motion().to[0]);
+        EXPECT_NEAR(spans[i].motion().to[index(Axis::C)], 2 * spans[i].motion().to[0], 1e-9) << i;
+        EXPECT_EQ(without[i].motion().to[index(Axis::C)], 0) << i;
     }
-    EXPECT_EQ(spans.back().to[index(Axis::C)], 150);
+    EXPECT_EQ(spans.back().motion().to[index(Axis::C)], 150);
 }
 
 TEST(Splines, ClampedWhateverTheLastIntervalsSay) {
@@ -107,8 +107,8 @@ TEST(Splines, EndAtAnotherMotionOrFunction) {
     const Ran twice = run({line().x(0).y(0).f(500), begin(2), pole(10, 10), pole(20, 0),
                            fn(Function::CoolantFlood), pole(30, 10), pole(40, 0)});
     ASSERT_EQ(splines(twice).size(), 2u);
-    EXPECT_EQ(splines(twice)[1].spline.degree, 2);
-    EXPECT_EQ(splines(twice)[1].to[0], 40);
+    EXPECT_EQ(splines(twice)[1].motion().spline().degree, 2);
+    EXPECT_EQ(splines(twice)[1].motion().to[0], 40);
     // At the end of the program, too.
     EXPECT_EQ(splines(run({line().x(0).y(0).f(500), begin(2), pole(10, 10), pole(20, 0)})).size(),
               1u);
@@ -121,10 +121,10 @@ std::string four_points(const std::string& kind, const std::string& beside_third
 }
 
 bool has_same_shape(const path::Command& a, const path::Command& b) {
-    if (a.spline.degree != b.spline.degree) return false;
-    const auto inside = static_cast<std::size_t>(a.spline.degree) - 1;
-    return std::equal(a.spline.inner.begin(), a.spline.inner.begin() + inside,
-                      b.spline.inner.begin());
+    if (a.motion().spline().degree != b.motion().spline().degree) return false;
+    const auto inside = static_cast<std::size_t>(a.motion().spline().degree) - 1;
+    return std::equal(a.motion().spline().inner.begin(), a.motion().spline().inner.begin() + inside,
+                      b.motion().spline().inner.begin());
 }
 
 /// SINUMERIK reference 4.4: another motion, a stop or a block without a position ends a spline.
@@ -146,7 +146,7 @@ TEST(Splines, GoOnBesideWordsThatEndNone) {
             ASSERT_EQ(found.size(), plain.size());
             for (std::size_t i = 0; i < found.size(); ++i) {
                 EXPECT_TRUE(has_same_shape(found[i], plain[i])) << i;
-                EXPECT_EQ(found[i].to, plain[i].to) << i;
+                EXPECT_EQ(found[i].motion().to, plain[i].motion().to) << i;
             }
         }
         // A stop ends it.
@@ -166,23 +166,23 @@ TEST(Splines, WordsBesideAPointActFromItsSpanOn) {
         const auto spans = splines(ran);
         ASSERT_EQ(spans.size(), 4u);
         for (std::size_t i = 0; i < 4; ++i) {
-            const auto& dynamics = spans[i].dynamics;
-            EXPECT_EQ(dynamics.empty() ? 1 : dynamics.front().feed, i < 2 ? 1 : 0.5) << i;
-            EXPECT_EQ(spans[i].feed, i < 2 ? 500 : 300) << i;
-            EXPECT_EQ(spans[i].exact_stop, i == 2) << i;
+            const auto& dynamics = spans[i].motion().dynamics;
+            EXPECT_EQ(dynamics ? dynamics->feed : 1, i < 2 ? 1 : 0.5) << i;
+            EXPECT_EQ(spans[i].motion().feed, i < 2 ? 500 : 300) << i;
+            EXPECT_EQ(spans[i].motion().exact_stop, i == 2) << i;
             EXPECT_EQ(spans[i].line, i + 2) << i;
         }
         std::string order;
         for (const path::Command& command : ran.commands) {
-            if (command.op == path::Op::Message) order += 'm';
-            if (command.op == path::Op::Spline) order += 's';
+            if (command.op() == path::Op::Message) order += 'm';
+            if (command.op() == path::Op::Spline) order += 's';
         }
         EXPECT_EQ(order, "ssmss");
     }
     // Under G60 every block ends at rest.
     const auto stopping = splines(read("sinumerik", "F500 G1 X0 Y0 G60\nCSPLINE X1 Y1\nX2\nM30\n"));
     ASSERT_EQ(stopping.size(), 2u);
-    EXPECT_TRUE(stopping[0].exact_stop && stopping[1].exact_stop);
+    EXPECT_TRUE(stopping[0].motion().exact_stop && stopping[1].motion().exact_stop);
 }
 
 TEST(Splines, FeedWeightsAndExactStop) {
@@ -193,13 +193,13 @@ TEST(Splines, FeedWeightsAndExactStop) {
     EXPECT_EQ(ran.codes(), "");
     const auto spans = splines(ran);
     ASSERT_EQ(spans.size(), 3u);
-    EXPECT_EQ(spans[0].feed, 500);
-    EXPECT_EQ(spans[1].feed, 300);
-    EXPECT_FALSE(spans[0].exact_stop);
-    EXPECT_FALSE(spans[1].exact_stop);
-    EXPECT_TRUE(spans[2].exact_stop);
-    EXPECT_EQ(spans[0].spline.weights[1], 2);
-    EXPECT_EQ(spans[2].spline.weights[2], 1);
+    EXPECT_EQ(spans[0].motion().feed, 500);
+    EXPECT_EQ(spans[1].motion().feed, 300);
+    EXPECT_FALSE(spans[0].motion().exact_stop);
+    EXPECT_FALSE(spans[1].motion().exact_stop);
+    EXPECT_TRUE(spans[2].motion().exact_stop);
+    EXPECT_EQ(spans[0].motion().spline().weights[1], 2);
+    EXPECT_EQ(spans[2].motion().spline().weights[2], 1);
 }
 
 TEST(Splines, IncrementalAndShifted) {
@@ -209,8 +209,8 @@ TEST(Splines, IncrementalAndShifted) {
     EXPECT_EQ(absolute.listing(), incremental.listing());
     const Ran shifted = run({fn(Function::Shift, {{0, 100}}), line().x(0).y(0).f(500), begin(2),
                              pole(10, 10), pole(20, 0)});
-    EXPECT_EQ(splines(shifted).at(0).to[0], 120);
-    EXPECT_EQ(splines(shifted).at(0).spline.inner[0].x(), 110);
+    EXPECT_EQ(splines(shifted).at(0).motion().to[0], 120);
+    EXPECT_EQ(splines(shifted).at(0).motion().spline().inner[0].x(), 110);
 }
 
 /// SINUMERIK reference 4.4, 4.5: PL is the range of polynomials, which is above zero, and of a

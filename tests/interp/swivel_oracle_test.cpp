@@ -63,11 +63,14 @@ std::vector<Vec3> linear_axes(const Ran& ran) {
     std::vector<Vec3> found;
     Vec3 carried = Vec3::Zero();
     for (const path::Command& command : ran.commands) {
-        if (command.op == path::Op::ToolLength)
-            carried =
-                command.length * path::unit(path::axes_of(command.plane).normal) + command.aside;
-        if (path::is_motion(command.op))
-            found.push_back(Vec3(command.to[0], command.to[1], command.to[2]) + carried);
+        if (command.op() == path::Op::ToolLength)
+            carried = command.tool_length().length *
+                          path::unit(path::axes_of(command.tool_length().plane).normal) +
+                      command.tool_length().aside;
+        if (command.is_motion())
+            found.push_back(
+                Vec3(command.motion().to[0], command.motion().to[1], command.motion().to[2]) +
+                carried);
     }
     return found;
 }
@@ -103,8 +106,8 @@ TEST(SwivelOracle, TextsBringTheAxesToTheirPlaces) {
                 const std::size_t points = input["points"].size();
                 ASSERT_GT(all.size(), points);
                 const path::Command& last = all.back();
-                const double first_deg = last.to[index(Axis::C)];
-                const double second_deg = last.to[index(Axis::B)];
+                const double first_deg = last.motion().to[index(Axis::C)];
+                const double second_deg = last.motion().to[index(Axis::B)];
                 const json* solution =
                     solution_at(expect["rotary_solutions"], first_deg, second_deg);
                 ASSERT_NE(solution, nullptr) << first_deg << " " << second_deg;

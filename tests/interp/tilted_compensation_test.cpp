@@ -35,7 +35,7 @@ Mat3 lie_of(const std::string& control, const std::string& begin, const char* en
     if (ways.commands.size() != 4) return lie;
     for (std::size_t i = 1; i < 4; ++i)
         lie.col(static_cast<Eigen::Index>(i - 1)) =
-            linear(ways.commands[i].to) - linear(ways.commands[0].to);
+            linear(ways.commands[i].motion().to) - linear(ways.commands[0].motion().to);
     return lie;
 }
 
@@ -45,21 +45,22 @@ void expect_tilted(const Ways& flat, const Ways& tilted, const Mat3& lie) {
     ASSERT_EQ(tilted.commands.size(), flat.commands.size());
     ASSERT_FALSE(flat.commands.empty());
     // Of the first place the zero points are no matter.
-    const Vec3 flat_origin = linear(flat.commands.front().to);
-    const Vec3 origin = linear(tilted.commands.front().to);
+    const Vec3 flat_origin = linear(flat.commands.front().motion().to);
+    const Vec3 origin = linear(tilted.commands.front().motion().to);
     const auto off = [&](const Vec3& found, const Vec3& wanted) {
         return (found - origin - lie * (wanted - flat_origin)).norm();
     };
     for (std::size_t i = 0; i < flat.commands.size(); ++i) {
         const path::Command& at = flat.commands[i];
         const path::Command& found = tilted.commands[i];
-        EXPECT_EQ(found.op, at.op) << i;
-        EXPECT_NEAR(found.feed, at.feed, kRounding) << i;
-        EXPECT_LT(off(linear(found.to), linear(at.to)), kRounding) << i;
-        if (at.op != path::Op::Arc) continue;
-        EXPECT_LT(off(found.center, at.center), kRounding) << i;
-        EXPECT_LT((found.normal - lie * at.normal).norm(), kRounding) << i;
-        EXPECT_NEAR(found.sweep, at.sweep, kRounding) << i;
+        EXPECT_EQ(found.op(), at.op()) << i;
+        EXPECT_NEAR(found.motion().feed, at.motion().feed, kRounding) << i;
+        EXPECT_LT(off(linear(found.motion().to), linear(at.motion().to)), kRounding) << i;
+        if (at.op() != path::Op::Arc) continue;
+        EXPECT_LT(off(found.motion().arc().center, at.motion().arc().center), kRounding) << i;
+        EXPECT_LT((found.motion().arc().normal - lie * at.motion().arc().normal).norm(), kRounding)
+            << i;
+        EXPECT_NEAR(found.motion().arc().sweep, at.motion().arc().sweep, kRounding) << i;
     }
 }
 
@@ -123,9 +124,9 @@ TEST(TiltedCompensation, StaysInTheBasicPlane) {
     EXPECT_EQ(ways.alarms, "");
     ASSERT_EQ(ways.commands.size(), 5u);
     const double rise = std::sin(rad_from_deg(60));
-    EXPECT_LT((linear(ways.commands[1].to) - Vec3(0, 5, 0)).norm(), 1e-9);
-    EXPECT_LT((linear(ways.commands[2].to) - Vec3(35, 5, 0)).norm(), 1e-9);
-    EXPECT_LT((linear(ways.commands[3].to) - Vec3(35, 20, 40 * rise)).norm(), 1e-9);
+    EXPECT_LT((linear(ways.commands[1].motion().to) - Vec3(0, 5, 0)).norm(), 1e-9);
+    EXPECT_LT((linear(ways.commands[2].motion().to) - Vec3(35, 5, 0)).norm(), 1e-9);
+    EXPECT_LT((linear(ways.commands[3].motion().to) - Vec3(35, 20, 40 * rise)).norm(), 1e-9);
     const Ways arc =
         ways_of("sinumerik", begin, "G41 G1 X0 Y0 F500\nX40\nG3 X60 Y20 CR=20\nG40 X90\nM30");
     EXPECT_NE(arc.alarms, "");

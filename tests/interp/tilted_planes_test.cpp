@@ -1,5 +1,6 @@
 // Tilted planes: whatever the machine, the tip goes to the programmed place of the plane on the
 // turned workpiece, and the tool is along its Z. F 4.8, S 6.4, 6.5.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -49,24 +50,25 @@ std::vector<Stand> stands(const machine::Machine& machine, const Ran& ran, doubl
     std::vector<Stand> found;
     Vec3 carried = Vec3::Zero();  // from the tip to the linear axes
     for (const path::Command& command : ran.commands) {
-        if (command.op == path::Op::ToolLength) {
-            const path::PlaneAxes axes = path::axes_of(command.plane);
-            carried = command.length * path::unit(axes.normal) + command.aside;
+        if (command.op() == path::Op::ToolLength) {
+            const path::PlaneAxes axes = path::axes_of(command.tool_length().plane);
+            carried = command.tool_length().length * path::unit(axes.normal) +
+                      command.tool_length().aside;
         }
-        if (!path::is_motion(command.op)) continue;
+        if (!command.is_motion()) continue;
         Vec3 joints = Vec3::Zero();
         for (std::size_t k = 0; k < machine::kJoints; ++k) {
             if (chain.has(k))
                 joints[static_cast<Eigen::Index>(k)] =
-                    rad_from_deg(command.to[index(chain.joints[k].axis)]);
+                    rad_from_deg(command.motion().to[index(chain.joints[k].axis)]);
         }
-        const Vec3 to(command.to[0], command.to[1], command.to[2]);
-        if (command.turning != path::Turning::None) {
+        const Vec3 to(command.motion().to[0], command.motion().to[1], command.motion().to[2]);
+        if (command.motion().turning != path::Turning::None) {
             found.push_back({to, machine::tool_vector(chain, joints), command.line});
             continue;
         }
-        const machine::ChainPosition position{command.machine_coordinates ? to : Vec3(to + carried),
-                                              Vec3::Zero(), joints};
+        const machine::ChainPosition position{
+            command.motion().machine_coordinates ? to : Vec3(to + carried), Vec3::Zero(), joints};
         const machine::Pose pose =
             machine::forward(chain, position, machine::tip_of_length(chain, length));
         found.push_back({pose.tip, machine::tool_vector(chain, joints), command.line});
@@ -325,7 +327,7 @@ TEST(TiltingFanuc, P1AndP2OfG531ChooseTheSignOfTheTiltingAxis) {
         const Ran ran = read(
             "fanuc", "G54\nG68.2 X0 Y0 Z0 I0 J20. K0\n" + std::string(word) + "\nM30", machine);
         ASSERT_EQ(alarms(ran), "");
-        EXPECT_NEAR(ran.commands.at(0).to[index(Axis::B)], sign * 20, 1e-9) << word;
+        EXPECT_NEAR(ran.commands.at(0).motion().to[index(Axis::B)], sign * 20, 1e-9) << word;
     }
 }
 
@@ -406,11 +408,15 @@ TEST(TiltingSinumerik, TheCycleSwitchesATransformationOffAsItsWordDoes) {
         const auto found = swivelled("", cycle);
         ASSERT_EQ(found.size(), wanted.size()) << tens;
         for (std::size_t i = 0; i < found.size(); ++i) {
-            EXPECT_EQ(found[i].op, wanted[i].op) << i;
-            EXPECT_EQ(found[i].to, wanted[i].to) << i;
-            EXPECT_EQ(found[i].turning, wanted[i].turning) << i;
+            ASSERT_EQ(found[i].op(), wanted[i].op()) << i;
+            if (!found[i].is_motion()) continue;
+            EXPECT_EQ(found[i].motion().to, wanted[i].motion().to) << i;
+            EXPECT_EQ(found[i].motion().turning, wanted[i].motion().turning) << i;
         }
-        EXPECT_EQ(found.back().turning, path::Turning::None);
+        const auto last =
+            std::ranges::find_if(found.rbegin(), found.rend(), &path::Command::is_motion);
+        ASSERT_NE(last, found.rend()) << tens;
+        EXPECT_EQ(last->motion().turning, path::Turning::None) << tens;
     }
 }
 
@@ -455,8 +461,8 @@ TEST(TiltingSinumerik, DirectModeTakesTheAxesInTheirOrder) {
         ASSERT_EQ(alarms(ran), "") << name;
         const std::vector<Stand> all = stands(machine, ran, machine.find_tool(1)->length);
         ASSERT_EQ(all.size(), 3u);
-        EXPECT_NEAR(ran.commands[1].to[index(first)], 15, 1e-9) << name;
-        EXPECT_NEAR(ran.commands[1].to[index(second)], 40, 1e-9) << name;
+        EXPECT_NEAR(ran.commands[1].motion().to[index(first)], 15, 1e-9) << name;
+        EXPECT_NEAR(ran.commands[1].motion().to[index(second)], 40, 1e-9) << name;
         EXPECT_LT((all[1].tip - kPartZero).norm(), 1e-9) << name;
         EXPECT_LT((all[2].tip - kPartZero - 10 * all[2].tool).norm(), 1e-8) << name;
     }

@@ -29,16 +29,16 @@ std::vector<path::Command> fanuc(const std::string& text) {
 }
 
 Vec3 place_of(const path::Command& command) {
-    return {command.to[0], command.to[1], command.to[2]};
+    return {command.motion().to[0], command.motion().to[1], command.motion().to[2]};
 }
 
 /// Where X, Y and Z of the machine stand at the end of a command.
 Vec3 axes_of(const path::Command& command, double length) {
     const machine::Chain chain = trunnion().kinematics->chain;
-    const machine::ChainPosition position{
-        Vec3::Zero(),
-        Vec3::Zero(),
-        {rad_from_deg(command.to[index(Axis::C)]), rad_from_deg(command.to[index(Axis::A)]), 0}};
+    const machine::ChainPosition position{Vec3::Zero(),
+                                          Vec3::Zero(),
+                                          {rad_from_deg(command.motion().to[index(Axis::C)]),
+                                           rad_from_deg(command.motion().to[index(Axis::A)]), 0}};
     return machine::inverse_linear(chain, place_of(command), position,
                                    machine::tip_of_length(chain, length));
 }
@@ -59,11 +59,14 @@ TEST(ToolCentre, SameWaysAsOnTheOtherControl) {
         const path::Command& one = wanted[i];
         const path::Command& two = vectors[i + 1];
         EXPECT_LT((place_of(one) - place_of(two)).norm(), 1e-9) << i;
-        EXPECT_LT((one.direction - two.direction).norm(), 1e-12) << i;
-        EXPECT_EQ(one.turning, two.turning) << i;
-        EXPECT_LT((one.turn_axis * one.turn_angle - two.turn_axis * two.turn_angle).norm(), 1e-12);
-        EXPECT_NEAR(one.to[index(Axis::A)], two.to[index(Axis::A)], 1e-9) << i;
-        EXPECT_NEAR(one.to[index(Axis::C)], two.to[index(Axis::C)], 1e-9) << i;
+        EXPECT_LT((one.motion().direction - two.motion().direction).norm(), 1e-12) << i;
+        EXPECT_EQ(one.motion().turning, two.motion().turning) << i;
+        EXPECT_LT((one.motion().turn().axis * one.motion().turn().angle -
+                   two.motion().turn().axis * two.motion().turn().angle)
+                      .norm(),
+                  1e-12);
+        EXPECT_NEAR(one.motion().to[index(Axis::A)], two.motion().to[index(Axis::A)], 1e-9) << i;
+        EXPECT_NEAR(one.motion().to[index(Axis::C)], two.motion().to[index(Axis::C)], 1e-9) << i;
     }
 }
 
@@ -74,7 +77,7 @@ TEST(ToolCentre, TheControlPointGoesAlongTheToolByItsLength) {
     EXPECT_LT((axes_of(all[1], kLength) - Vec3(30, 20, 10 + kLength)).norm(), 1e-9);
     // The workpiece lies as the table stands, so that X of the program is that of the machine.
     EXPECT_LT((axes_of(all[2], kLength) - Vec3(40, 20, 10 + kLength)).norm(), 1e-9);
-    EXPECT_EQ(all[3].turning, Turning::None);
+    EXPECT_EQ(all[3].motion().turning, Turning::None);
     EXPECT_LT((place_of(all[3]) - Vec3(40, 20, 10)).norm(), 1e-9);
 }
 
@@ -82,8 +85,8 @@ TEST(ToolCentre, TheTipStaysWhileTheTableTurns) {
     const auto all = fanuc("G00 X30. Y20. Z10. A25. C70.\nG43.4 H01\nG01 A40. C-10. F500.");
     ASSERT_EQ(all.size(), 3u);
     EXPECT_LT((place_of(all[2]) - place_of(all[1])).norm(), 1e-9);
-    EXPECT_EQ(all[2].to[index(Axis::A)], 40);
-    EXPECT_EQ(all[2].turning, Turning::Axes);
+    EXPECT_EQ(all[2].motion().to[index(Axis::A)], 40);
+    EXPECT_EQ(all[2].motion().turning, Turning::Axes);
     EXPECT_GT((axes_of(all[2], kLength) - axes_of(all[1], kLength)).norm(), 1);
 }
 
@@ -101,32 +104,33 @@ TEST(ToolCentre, VectorsTurnWithTheWorkpiece) {
     const machine::Chain chain = trunnion().kinematics->chain;
     const machine::Mat3 table = machine::rotation_of(chain, {rad_from_deg(90), 0, 0});
     const Vec3 wanted = table * Vec3(1, 0, 1).normalized();
-    EXPECT_LT((all[2].direction - wanted).norm(), 1e-12);
-    EXPECT_EQ(all[2].turning, Turning::Axes) << "without tool posture control the axes go evenly";
+    EXPECT_LT((all[2].motion().direction - wanted).norm(), 1e-12);
+    EXPECT_EQ(all[2].motion().turning, Turning::Axes)
+        << "without tool posture control the axes go evenly";
 }
 
 TEST(ToolCentre, LeadLeansTheVectorTowardsTheWay) {
     const auto all = fanuc("G43.5 H01\nG01 X10. K1. Q30. F500.\nY10. K1. Q-10.");
     ASSERT_EQ(all.size(), 3u);
     const double lead = rad_from_deg(30), back = rad_from_deg(-10);
-    EXPECT_LT((all[1].direction - Vec3(std::sin(lead), 0, std::cos(lead))).norm(), 1e-12);
-    EXPECT_LT((all[2].direction - Vec3(0, std::sin(back), std::cos(back))).norm(), 1e-12);
+    EXPECT_LT((all[1].motion().direction - Vec3(std::sin(lead), 0, std::cos(lead))).norm(), 1e-12);
+    EXPECT_LT((all[2].motion().direction - Vec3(0, std::sin(back), std::cos(back))).norm(), 1e-12);
 }
 
 TEST(ToolCentre, PostureControlLeadsRotaryWordsAlongTheGreatCircle) {
     const auto all = fanuc("G43.4 H01 P1\nG01 A20. C40. F500.\nX10. A30. C60.");
     ASSERT_EQ(all.size(), 3u);
-    EXPECT_EQ(all[2].turning, Turning::Cone);
-    EXPECT_NEAR(all[2].turn_axis.dot(all[1].direction), 0, 1e-12);
-    EXPECT_NEAR(all[2].turn_axis.dot(all[2].direction), 0, 1e-12);
-    EXPECT_EQ(all[2].to[index(Axis::C)], 60);
+    EXPECT_EQ(all[2].motion().turning, Turning::Cone);
+    EXPECT_NEAR(all[2].motion().turn().axis.dot(all[1].motion().direction), 0, 1e-12);
+    EXPECT_NEAR(all[2].motion().turn().axis.dot(all[2].motion().direction), 0, 1e-12);
+    EXPECT_EQ(all[2].motion().to[index(Axis::C)], 60);
 }
 
 TEST(ToolCentre, ArcsStandUnderRotaryWords) {
     const auto all = fanuc("G43.4 H01\nG00 X0. Y0. Z0. A20. C0.\nG02 X10. Y0. I5. A30. F500.");
     ASSERT_EQ(all.size(), 3u);
-    EXPECT_EQ(all[2].op, path::Op::Arc);
-    EXPECT_NEAR(all[2].sweep, std::numbers::pi, 1e-9);
+    EXPECT_EQ(all[2].op(), path::Op::Arc);
+    EXPECT_NEAR(all[2].motion().arc().sweep, std::numbers::pi, 1e-9);
 }
 
 class ToolCentreRefuses : public testing::TestWithParam<Refused> {};

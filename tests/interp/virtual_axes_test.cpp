@@ -81,8 +81,8 @@ TEST(Virtual, FaceFromTheOtherSide) {
                          with_axes("XZC"));
     EXPECT_FALSE(ran.alarmed);
     const path::Command& line = ran.commands.at(ran.commands.size() - 2);
-    EXPECT_EQ(line.virtual_axes.side, -1);
-    EXPECT_NEAR(line.to[index(Axis::C)], 90, 1e-9);
+    EXPECT_EQ(line.motion().virtual_axes().side, -1);
+    EXPECT_NEAR(line.motion().to[index(Axis::C)], 90, 1e-9);
 }
 
 /// A program that goes through the centre many times in one batch and in many.
@@ -92,9 +92,10 @@ TEST(Virtual, RotaryAxisDoesNotDependOnBatches) {
     const Ran ran = read("sinumerik", text + "TRAFOOF\nM30", with_axes("XZC"));
     EXPECT_FALSE(ran.alarmed);
     for (const path::Command& command : ran.commands) {
-        if (!command.virtual_axes.is_on()) continue;
-        const double angle = std::atan2(command.to[1], command.to[0]) * 180 / std::numbers::pi;
-        const double turned = command.to[index(Axis::C)] - angle;
+        if (!command.is_motion() || !command.motion().virtual_axes().is_on()) continue;
+        const double angle =
+            std::atan2(command.motion().to[1], command.motion().to[0]) * 180 / std::numbers::pi;
+        const double turned = command.motion().to[index(Axis::C)] - angle;
         EXPECT_NEAR(std::remainder(turned, 360), 0, 1e-9);
     }
 }

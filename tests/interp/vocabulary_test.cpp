@@ -24,15 +24,15 @@ TEST(Tapping, TheSpindleFollowsThePitchAndStandsAtTheEnd) {
                              Words().motion(Function::TapOut).z(2).k(row.pitch)});
         EXPECT_EQ(ran.codes(), "");
         ASSERT_EQ(ran.commands.size(), 7u);
-        EXPECT_EQ(ran.commands[1].spindle, row.in);
-        EXPECT_EQ(ran.commands[1].speed, 300);
-        EXPECT_EQ(ran.commands[2].op, Op::Line);
-        EXPECT_EQ(ran.commands[2].feed_mode, FeedMode::PerRevolution);
-        EXPECT_EQ(ran.commands[2].feed, 1.25);
-        EXPECT_EQ(ran.commands[3].spindle, SpindleMode::Stop);
-        EXPECT_EQ(ran.commands[4].spindle, row.out);
-        EXPECT_EQ(ran.commands[5].to[2], 2);
-        EXPECT_EQ(ran.commands[6].spindle, SpindleMode::Stop);
+        EXPECT_EQ(ran.commands[1].spindle().mode, row.in);
+        EXPECT_EQ(ran.commands[1].spindle().speed, 300);
+        EXPECT_EQ(ran.commands[2].op(), Op::Line);
+        EXPECT_EQ(ran.commands[2].motion().feed_mode, FeedMode::PerRevolution);
+        EXPECT_EQ(ran.commands[2].motion().feed, 1.25);
+        EXPECT_EQ(ran.commands[3].spindle().mode, SpindleMode::Stop);
+        EXPECT_EQ(ran.commands[4].spindle().mode, row.out);
+        EXPECT_EQ(ran.commands[5].motion().to[2], 2);
+        EXPECT_EQ(ran.commands[6].spindle().mode, SpindleMode::Stop);
     }
 }
 
@@ -47,9 +47,9 @@ TEST(Tapping, NeedsAPitchAndASpeed) {
 TEST(Tapping, WithACompensatingChuckIsALineWhateverTheModalMotion) {
     const Ran ran = run({rapid().z(2), fn(Function::TapFloating).z(-10).f(375), Words().z(5)});
     ASSERT_EQ(ran.commands.size(), 3u);
-    EXPECT_EQ(ran.commands[1].op, Op::Line);
-    EXPECT_EQ(ran.commands[1].feed, 375);
-    EXPECT_EQ(ran.commands[2].op, Op::Rapid) << "the modal motion stays";
+    EXPECT_EQ(ran.commands[1].op(), Op::Line);
+    EXPECT_EQ(ran.commands[1].motion().feed, 375);
+    EXPECT_EQ(ran.commands[2].op(), Op::Rapid) << "the modal motion stays";
 }
 
 // As in dialects/iso.xml: to, pitch, retract, …, floating.
@@ -99,9 +99,9 @@ machine::Machine mill_with_homes() {
 std::string heights(const Ran& ran) {
     std::string out;
     for (const path::Command& command : ran.commands) {
-        if (command.op != Op::Rapid && command.op != Op::Line) continue;
-        out += (out.empty() ? "" : " ") + format_shortest(round_to(command.to[2], 6));
-        if (command.machine_coordinates) out += 'm';
+        if (command.op() != Op::Rapid && command.op() != Op::Line) continue;
+        out += (out.empty() ? "" : " ") + format_shortest(round_to(command.motion().to[2], 6));
+        if (command.motion().machine_coordinates) out += 'm';
     }
     return out;
 }
@@ -194,13 +194,13 @@ TEST(Threads, AreLinesGearedToTheSpindle) {
     EXPECT_EQ(ran.codes(), "");
     ASSERT_EQ(ran.commands.size(), 4u);
     for (const std::size_t i : {1u, 2u}) {
-        EXPECT_EQ(ran.commands[i].op, Op::Thread) << "thread cutting is modal";
-        EXPECT_EQ(ran.commands[i].feed_mode, FeedMode::PerRevolution);
-        EXPECT_EQ(ran.commands[i].feed, 1.5);
+        EXPECT_EQ(ran.commands[i].op(), Op::Thread) << "thread cutting is modal";
+        EXPECT_EQ(ran.commands[i].motion().feed_mode, FeedMode::PerRevolution);
+        EXPECT_EQ(ran.commands[i].motion().feed, 1.5);
     }
-    EXPECT_EQ(ran.commands[1].angle_deg, 0);
-    EXPECT_EQ(ran.commands[2].angle_deg, 90);
-    EXPECT_EQ(ran.commands[2].to[2], -40);
+    EXPECT_EQ(ran.commands[1].motion().thread().start_deg, 0);
+    EXPECT_EQ(ran.commands[2].motion().thread().start_deg, 90);
+    EXPECT_EQ(ran.commands[2].motion().to[2], -40);
     EXPECT_NE(ran.listing().find("\"op\":\"thread\""), std::string::npos);
     EXPECT_NE(ran.listing().find("\"start\":90"), std::string::npos);
 }
@@ -208,10 +208,10 @@ TEST(Threads, AreLinesGearedToTheSpindle) {
 TEST(Threads, ThePitchCountsAlongTheLongerWay) {
     // 30 along X, 40 along Z: a path of 50; a turn of 2 along Z is 2.5 along the path.
     const Ran taper = run({rapid().x(0).z(0), thread().x(30).z(-40).k(2)});
-    EXPECT_DOUBLE_EQ(taper.commands.back().feed, 2.5);
+    EXPECT_DOUBLE_EQ(taper.commands.back().motion().feed, 2.5);
     // Steeper than 45 degrees: along X. 40 and 30.
     const Ran face = run({rapid().x(0).z(0), thread().x(40).z(-30).i(2)});
-    EXPECT_DOUBLE_EQ(face.commands.back().feed, 2.5);
+    EXPECT_DOUBLE_EQ(face.commands.back().motion().feed, 2.5);
     EXPECT_EQ(run({rapid().x(0).z(0), thread().x(40).z(-30).k(2)}).codes(), "K5244");
     // At 45 degrees either will do, and a thread of no way needs none in particular.
     EXPECT_EQ(run({rapid().x(0).z(0), thread().x(30).z(-30).k(2)}).codes(), "");
@@ -234,8 +234,8 @@ TEST(Threads, OfFanucHaveThePitchInF) {
     const interp::Setup fanuc{.rules = R"(<rule name="thread_pitch_is_feed" value="yes"/>)"};
     const Ran ran = run({thread().z(-30).f(1.5), Words().z(-40)}, fanuc);
     EXPECT_EQ(ran.codes(), "");
-    EXPECT_EQ(ran.commands[0].feed, 1.5);
-    EXPECT_EQ(ran.commands[1].feed, 1.5) << "F is modal";
+    EXPECT_EQ(ran.commands[0].motion().feed, 1.5);
+    EXPECT_EQ(ran.commands[1].motion().feed, 1.5) << "F is modal";
     EXPECT_EQ(run({thread().z(-30)}, fanuc).codes(), "K5244");
     EXPECT_EQ(run({thread().z(-30).k(2).f(1.5)}, fanuc).codes(), "K5226");
 }
@@ -246,11 +246,11 @@ TEST(Probes, MoveAtFeedWhateverTheModalMotion) {
     const Ran ran = run({rapid().z(5), fn(Function::Probe).z(-10).f(100), Words().z(2)});
     EXPECT_EQ(ran.codes(), "K5951");  // nobody says where the surface is
     ASSERT_EQ(ran.commands.size(), 3u);
-    EXPECT_EQ(ran.commands[1].op, Op::Probe);
-    EXPECT_EQ(ran.commands[1].feed, 100);
-    EXPECT_EQ(ran.commands[1].to[2], -10) << "the probe triggers at the end of its way";
-    EXPECT_TRUE(ran.commands[1].exact_stop);
-    EXPECT_EQ(ran.commands[2].op, Op::Rapid);
+    EXPECT_EQ(ran.commands[1].op(), Op::Probe);
+    EXPECT_EQ(ran.commands[1].motion().feed, 100);
+    EXPECT_EQ(ran.commands[1].motion().to[2], -10) << "the probe triggers at the end of its way";
+    EXPECT_TRUE(ran.commands[1].motion().exact_stop);
+    EXPECT_EQ(ran.commands[2].op(), Op::Rapid);
     EXPECT_NE(ran.listing().find("\"op\":\"probe\""), std::string::npos);
 }
 
@@ -323,11 +323,11 @@ TEST(ToolSelect, MayBringItsOffset) {
                          fn(Function::ToolSelect, {{0, 1}, {1, 0}}), rapid().z(20)},
                         lathe);
     ASSERT_EQ(ran.commands.size(), 5u);
-    EXPECT_EQ(ran.commands[0].op, Op::Tool);
-    EXPECT_EQ(ran.commands[1].op, Op::ToolLength);
-    EXPECT_EQ(ran.commands[1].length, 80);
-    EXPECT_EQ(ran.commands[3].op, Op::ToolLength);
-    EXPECT_EQ(ran.commands[3].length, 0);
+    EXPECT_EQ(ran.commands[0].op(), Op::Tool);
+    EXPECT_EQ(ran.commands[1].op(), Op::ToolLength);
+    EXPECT_EQ(ran.commands[1].tool_length().length, 80);
+    EXPECT_EQ(ran.commands[3].op(), Op::ToolLength);
+    EXPECT_EQ(ran.commands[3].tool_length().length, 0);
 }
 
 // ------------------------------------------------------------------------------ small words

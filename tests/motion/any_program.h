@@ -83,13 +83,13 @@ inline std::vector<Command> any_program() {
             command = any_spline(at);
         } else {
             command = simple(Op::Dwell);
-            command.time = any_number(0, 1);
+            command.dwell().time = any_number(0, 1);
             program.push_back(command);
             continue;
         }
-        command.exact_stop = *rc::gen::inRange(0, 5) == 0;
-        if (*rc::gen::inRange(0, 3) == 0) command.blending = any_blending();
-        at = Vec3(command.to[0], command.to[1], command.to[2]);
+        command.motion().exact_stop = *rc::gen::inRange(0, 5) == 0;
+        if (*rc::gen::inRange(0, 3) == 0) command.motion().blending = any_blending();
+        at = Vec3(command.motion().to[0], command.motion().to[1], command.motion().to[2]);
         program.push_back(command);
     }
     return program;

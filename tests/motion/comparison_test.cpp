@@ -108,33 +108,32 @@ TEST(Comparison, TellsWhyTheyPart) {
     other.push_back(rapid_to({30, 0, 0}));
     EXPECT_EQ(compared(base, other).parting, Parting::End);
     std::vector<Command> waits = base;
-    Command dwell;
-    dwell.op = Op::Dwell;
-    dwell.time = 1;
+    Command dwell(Op::Dwell);
+    dwell.dwell().time = 1;
     waits.push_back(dwell);
     EXPECT_EQ(compared(base, waits).parting, Parting::End);
     other = waits;
-    other.back().time = 2;
+    other.back().dwell().time = 2;
     EXPECT_EQ(compared(waits, other).parting, Parting::Standing);
     other = base;
-    other[0].speed *= 2;
+    other[0].spindle().speed *= 2;
     EXPECT_EQ(compared(base, other).parting, Parting::Spindle);
     other = base;
-    other[0].spindle = path::SpindleMode::Ccw;
+    other[0].spindle().mode = path::SpindleMode::Ccw;
     EXPECT_EQ(compared(base, other).parting, Parting::Spindle);
     std::vector<Command> thread = base;
-    thread[1].op = Op::Thread;
-    thread[1].feed_mode = path::FeedMode::PerRevolution;
-    thread[1].feed = 1;
+    thread[1].become(Op::Thread);
+    thread[1].motion().feed_mode = path::FeedMode::PerRevolution;
+    thread[1].motion().feed = 1;
     EXPECT_FALSE(compared(thread, thread).parting);
     other = thread;
-    other[1].feed = 1.5;
+    other[1].motion().feed = 1.5;
     EXPECT_EQ(compared(thread, other).parting, Parting::Pitch);
     EXPECT_EQ(compared(base, thread).parting, Parting::Gear);
     other = thread;
-    other[1].angle_deg = 180;  // a thread of two starts is another workpiece
+    other[1].motion().thread().start_deg = 180;  // a thread of two starts is another workpiece
     EXPECT_EQ(compared(thread, other).parting, Parting::Start);
-    other[1].angle_deg = 360;
+    other[1].motion().thread().start_deg = 360;
     EXPECT_FALSE(compared(thread, other).parting);
 }
 
@@ -142,17 +141,17 @@ TEST(Comparison, TellsWhyTheyPart) {
 TEST(Comparison, RoundedSpeedsAreOne) {
     std::vector<Command> first = with_spindle({line_to({10, 0, 0}, kFeed)});
     std::vector<Command> second = first;
-    first[0].speed = 239.5;
-    second[0].speed = 240;
+    first[0].spindle().speed = 239.5;
+    second[0].spindle().speed = 240;
     EXPECT_FALSE(compared(first, second).parting);
-    second[0].speed = 240.1;
+    second[0].spindle().speed = 240.1;
     const Comparison result = compared(first, second);
     EXPECT_EQ(result.parting, Parting::Spindle);
     EXPECT_NEAR(result.first_spindle.speed * 60, 239.5, 1e-9);
     EXPECT_NEAR(result.second_spindle.speed * 60, 240.1, 1e-9);
     // Half a revolution is much of one and a half.
-    first[0].speed = 1.5;
-    second[0].speed = 2;
+    first[0].spindle().speed = 1.5;
+    second[0].spindle().speed = 2;
     EXPECT_EQ(compared(first, second).parting, Parting::Spindle);
 }
 
@@ -161,18 +160,17 @@ TEST(Comparison, WaitsForTheSpindlesMarkAreOne) {
     const auto with_thread = [](double x) {
         std::vector<Command> all =
             with_spindle({line_to({x, 0, 0}, kFeed), line_to({100, 0, 0}, kFeed)});
-        all[2].op = Op::Thread;
-        all[2].feed_mode = path::FeedMode::PerRevolution;
-        all[2].feed = 1.5;
+        all[2].become(Op::Thread);
+        all[2].motion().feed_mode = path::FeedMode::PerRevolution;
+        all[2].motion().feed = 1.5;
         return all;
     };
     const Comparison result = compared(with_thread(60), with_thread(60.001));
     EXPECT_FALSE(result.parting) << static_cast<int>(result.parting.value_or(Parting::Way));
     // A dwell there is one still.
     std::vector<Command> dwells = with_thread(60);
-    Command dwell;
-    dwell.op = Op::Dwell;
-    dwell.time = 1;
+    Command dwell(Op::Dwell);
+    dwell.dwell().time = 1;
     dwells.insert(dwells.begin() + 2, dwell);
     EXPECT_TRUE(compared(with_thread(60), dwells).parting);
 }
@@ -191,7 +189,7 @@ TEST(Comparison, FeedsOfACommonEndAreThoseOfOnePiece) {
 
 TEST(Comparison, FeedsAreToldAndDoNotPart) {
     std::vector<Command> slower = quarter();
-    slower.back().feed = 0.9 * kFeed;
+    slower.back().motion().feed = 0.9 * kFeed;
     const Comparison result = compared(quarter(), slower);
     EXPECT_FALSE(result.parting);
     EXPECT_NEAR(result.greatest_feed_share, 0.1, 1e-9);

@@ -47,7 +47,7 @@ std::vector<Command> lines_over(const std::vector<Vec3>& points, double toleranc
     std::vector<Command> lines;
     for (std::size_t i = 1; i < points.size(); ++i) {
         lines.push_back(line_to(points[i], feed));
-        lines.back().compress = tolerance;
+        lines.back().motion().compress = tolerance;
     }
     return lines;
 }
@@ -83,8 +83,8 @@ std::vector<Command> compressed(const std::vector<Command>& commands) {
     const auto drain = [&] {
         while (const Command* command = compressor.next()) {
             out.push_back(*command);
-            if (path::is_motion(command->op))
-                standing.arrive(*command, standing.target_of(*command));
+            if (command->is_motion())
+                standing.arrive(command->motion(), standing.target_of(command->motion()));
         }
     };
     for (const Command& command : commands) {
@@ -102,10 +102,10 @@ std::vector<path::Curve> curves_of(const std::vector<Command>& commands) {
     std::vector<path::Curve> curves;
     for (const Command& command : commands) {
         Segment segment = standing.still();
-        const auto target = standing.target_of(command);
-        standing.lay_path(command, target, segment);
+        const auto target = standing.target_of(command.motion());
+        standing.lay_path(command.motion(), target, segment);
         curves.push_back(segment.curve);
-        standing.arrive(command, target);
+        standing.arrive(command.motion(), target);
     }
     return curves;
 }
@@ -135,7 +135,7 @@ TEST(Compressor, LeavesWhatItCannotSmooth) {
     EXPECT_EQ(compressed(lines).size(), lines.size());
     const auto machine = smooth_machine();
     auto plain = lines;
-    for (Command& line : plain) line.compress = 0;
+    for (Command& line : plain) line.motion().compress = 0;
     EXPECT_LE(run(machine, lines).totals.time, run(machine, plain).totals.time);
 }
 
@@ -225,8 +225,8 @@ TEST(Compressor, AStraightLineIsOneLine) {
     for (int i = 0; i <= 100; ++i) points.push_back({0.1 * i, 0.2 * i, 0});
     const auto spans = compressed(lines_over(points, 0.01));
     ASSERT_EQ(spans.size(), 1u);
-    EXPECT_EQ(spans[0].op, Op::Line);
-    EXPECT_EQ(spans[0].to[0], points.back()[0]);
+    EXPECT_EQ(spans[0].op(), Op::Line);
+    EXPECT_EQ(spans[0].motion().to[0], points.back()[0]);
 }
 
 TEST(Compressor, WhatEndsARun) {
@@ -240,14 +240,14 @@ TEST(Compressor, WhatEndsARun) {
         bool stays;  // the changed line comes out as it is
     };
     for (const Row& row : {
-             Row{"another feed", [](Command& c) { c.feed = 1000; }, true},
-             Row{"no tolerance", [](Command& c) { c.compress = 0; }, true},
-             Row{"another tolerance", [](Command& c) { c.compress = 0.02; }, true},
-             Row{"inverse time", [](Command& c) { c.feed_mode = path::FeedMode::InverseTime; },
-                 true},
-             Row{"a rotary axis", [](Command& c) { c.moved |= bit(Axis::C); }, true},
-             Row{"rapid", [](Command& c) { c.op = Op::Rapid; }, true},
-             Row{"an exact stop", [](Command& c) { c.exact_stop = true; }, false},
+             Row{"another feed", [](Command& c) { c.motion().feed = 1000; }, true},
+             Row{"no tolerance", [](Command& c) { c.motion().compress = 0; }, true},
+             Row{"another tolerance", [](Command& c) { c.motion().compress = 0.02; }, true},
+             Row{"inverse time",
+                 [](Command& c) { c.motion().feed_mode = path::FeedMode::InverseTime; }, true},
+             Row{"a rotary axis", [](Command& c) { c.motion().moved |= bit(Axis::C); }, true},
+             Row{"rapid", [](Command& c) { c.become(Op::Rapid); }, true},
+             Row{"an exact stop", [](Command& c) { c.motion().exact_stop = true; }, false},
          }) {
         SCOPED_TRACE(row.name);
         auto changed = lines;
@@ -256,21 +256,21 @@ TEST(Compressor, WhatEndsARun) {
         EXPECT_GE(spans.size(), whole);
         EXPECT_LT(spans.size(), 2 * whole + 4);
         const auto at = std::find_if(spans.begin(), spans.end(), [&](const Command& command) {
-            return command.to == changed[half].to;
+            return command.motion().to == changed[half].motion().to;
         });
         ASSERT_NE(at, spans.end());
-        EXPECT_EQ(at->exact_stop, changed[half].exact_stop);
+        EXPECT_EQ(at->motion().exact_stop, changed[half].motion().exact_stop);
         if (!row.stays) continue;
-        EXPECT_NE(at->op, Op::Spline);
-        EXPECT_EQ((at - 1)->to, changed[half - 1].to);
+        EXPECT_NE(at->op(), Op::Spline);
+        EXPECT_EQ((at - 1)->motion().to, changed[half - 1].motion().to);
     }
     auto commands = lines;
     commands.insert(commands.begin() + static_cast<long>(half), simple(Op::Coolant));
     const auto spans = compressed(commands);
     const auto at = std::find_if(spans.begin(), spans.end(),
-                                 [](const Command& c) { return c.op == Op::Coolant; });
+                                 [](const Command& c) { return c.op() == Op::Coolant; });
     ASSERT_NE(at, spans.end());
-    EXPECT_EQ((at - 1)->to, lines[half - 1].to);
+    EXPECT_EQ((at - 1)->motion().to, lines[half - 1].motion().to);
 }
 
 TEST(Compressor, CornersAndLongLinesStay) {
@@ -289,7 +289,7 @@ TEST(Compressor, CornersAndLongLinesStay) {
     const auto spans = compressed(lines_over(points, 0.01));
     EXPECT_LT(spans.size(), 40u);
     EXPECT_EQ(std::count_if(spans.begin(), spans.end(),
-                            [](const Command& command) { return command.op == Op::Line; }),
+                            [](const Command& command) { return command.op() == Op::Line; }),
               4);
     // A kink of 40 degrees in a run.
     std::vector<Vec3> kink = {Vec3::Zero()};
@@ -299,7 +299,8 @@ TEST(Compressor, CornersAndLongLinesStay) {
     }
     const auto sharp = compressed(lines_over(kink, 0.01));
     EXPECT_TRUE(std::any_of(sharp.begin(), sharp.end(), [&](const Command& command) {
-        return Vec3(command.to[0], command.to[1], command.to[2]) == kink[30];
+        return Vec3(command.motion().to[0], command.motion().to[1], command.motion().to[2]) ==
+               kink[30];
     }));
 }
 

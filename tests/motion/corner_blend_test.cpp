@@ -123,7 +123,7 @@ TEST(Rounding, LeavesTheWayToTheProgram) {
         for (double feed = 100; feed < 40000; feed *= 1.5) {
             std::vector<Command> commands = rounded(way.commands, within(0.1));
             for (Command& command : commands)
-                if (command.op != Op::Rapid) command.feed = feed;
+                if (command.op() != Op::Rapid) command.motion().feed = feed;
             const double usual = run(machine_of(), commands).totals.length;
             for (const double dial : {0.1, 0.5, 1.5, 3.0}) {
                 PlannerOptions options;
@@ -145,7 +145,7 @@ TEST(Rounding, KeepsTheJerkAndCostsNoTime) {
         for (const double feed : {1500.0, 6000.0, 24000.0}) {
             SCOPED_TRACE(feed);
             auto commands = way.commands;
-            for (Command& command : commands) command.feed = feed;
+            for (Command& command : commands) command.motion().feed = feed;
             const Motion sharp = run(machine, commands);
             for (const auto& wish : {within(0.1), within(0.01), by_distance(0.5), by_distance(3)}) {
                 SCOPED_TRACE(wish.size);
@@ -156,8 +156,8 @@ TEST(Rounding, KeepsTheJerkAndCostsNoTime) {
             }
         }
         auto commands = way.commands;
-        for (Command& command : commands) command.feed = 1500;
-        if (commands[0].op == Op::Rapid) continue;
+        for (Command& command : commands) command.motion().feed = 1500;
+        if (commands[0].op() == Op::Rapid) continue;
         EXPECT_LT(run(machine, rounded(commands, by_distance(0.5))).totals.time,
                   run(machine, commands).totals.time + 1e-6);
     }
@@ -282,7 +282,7 @@ std::vector<Command> any_chain(double length) {
 }
 
 std::vector<Command> with_stops(std::vector<Command> commands) {
-    for (Command& command : commands) command.exact_stop = true;
+    for (Command& command : commands) command.motion().exact_stop = true;
     return commands;
 }
 
@@ -365,15 +365,15 @@ TEST(Rounding, CornersThatStay) {
     const Command a = line_to({20, 0, 0}, 6000);
     const Command b = line_to({20, 20, 0}, 6000);
     Command stops = a;
-    stops.exact_stop = true;
+    stops.motion().exact_stop = true;
     Command dwell = simple(Op::Dwell);
-    dwell.time = 0.1;
+    dwell.dwell().time = 0.1;
     Command coolant = simple(Op::Coolant);
     Command turns = b;
-    turns.to[index(Axis::C)] = 90;
-    turns.moved |= bit(Axis::C);
+    turns.motion().to[index(Axis::C)] = 90;
+    turns.motion().moved |= bit(Axis::C);
     Command probes = b;
-    probes.op = Op::Probe;
+    probes.become(Op::Probe);
     machine::Machine machine = smooth_machine();
     machine::MachineAxis table;
     table.name = "C";
@@ -428,7 +428,7 @@ TEST(Rounding, RapidAndFeedHaveTheirOwnDistances) {
     std::vector<Command> commands = {rapid_to({20, 0, 0}), rapid_to({20, 20, 0}),
                                      line_to({40, 20, 0}, 6000), line_to({40, 40, 0}, 6000)};
     for (Command& command : commands)
-        command.blending = by_distance(command.op == Op::Rapid ? 4 : 1);
+        command.motion().blending = by_distance(command.op() == Op::Rapid ? 4 : 1);
     const Motion round = run(machine, commands);
     // Of a square corner the middle is 31/180·√2 of the way from it; where rapid and feed meet, the
     // lesser distance holds.
@@ -446,7 +446,7 @@ TEST(Rounding, RapidAndFeedHaveTheirOwnDistances) {
 TEST(Rounding, InverseTimeIsSharedOut) {
     // Both blocks take a tenth of a second at their speed; the curve is a little shorter.
     std::vector<Command> commands = {line_to({20, 0, 0}, 600), line_to({20, 20, 0}, 600)};
-    for (Command& command : commands) command.feed_mode = path::FeedMode::InverseTime;
+    for (Command& command : commands) command.motion().feed_mode = path::FeedMode::InverseTime;
     const auto machine = machine_of();
     const Motion round = run(machine, rounded(commands, within(0.05)));
     for (const Segment& segment : round.segments) EXPECT_NEAR(segment.feed, 200, 1e-6);

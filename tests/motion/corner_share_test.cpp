@@ -165,7 +165,7 @@ TEST(CornerJump, IsAPartOfItWhereTheProgramLeavesAPartOfTheAcceleration) {
         for (machine::MachineAxis& axis : machine.axes) axis.corner_jump = jump;
         std::vector<Command> corner = {line_to({20, 0, 0}, 12000), line_to({20, 20, 0}, 12000)};
         if (is_half)
-            for (Command& command : corner) command.dynamics.push_back(half);
+            for (Command& command : corner) command.motion().dynamics = half;
         double least = kUnlimited;
         const std::vector<Segment> segments = run(machine, corner).segments;
         for (std::size_t k = 1; k < segments.size(); ++k)

@@ -13,9 +13,10 @@ namespace {
 
 Command quintic_to(const Vec3& to, double feed) {
     Command command = line_to(to, feed);
-    command.op = Op::Spline;
-    command.spline.degree = 5;
-    command.spline.inner = {Vec3(20, 0, 0), Vec3(30, 40, 5), Vec3(50, -30, 0), Vec3(70, 10, 0)};
+    command.become(Op::Spline);
+    command.motion().spline().degree = 5;
+    command.motion().spline().inner = {Vec3(20, 0, 0), Vec3(30, 40, 5), Vec3(50, -30, 0),
+                                       Vec3(70, 10, 0)};
     return command;
 }
 
@@ -25,10 +26,8 @@ Vec3 drawn(double t) {
 }
 Command involute_to(double t, double feed) {
     Command command = line_to(drawn(t), feed);
-    command.op = Op::Involute;
-    command.center = Vec3::Zero();
-    command.normal = Vec3::UnitZ();
-    command.base_radius = 10;
+    command.become(Op::Involute);
+    command.motion().involute().base_radius = 10;
     return command;
 }
 
@@ -54,7 +53,8 @@ TEST(CurveMotion, KeepsFeedPathAndLimits) {
                     EXPECT_LE(watch.shares().jerk, 1.001);
                 }
                 Vec3 end;
-                for (int k = 0; k < 3; ++k) end[k] = program.back().to[static_cast<std::size_t>(k)];
+                for (int k = 0; k < 3; ++k)
+                    end[k] = program.back().motion().to[static_cast<std::size_t>(k)];
                 EXPECT_EQ(setpoints.back().tip, end);
             }
         }
@@ -94,8 +94,8 @@ TEST(CurveMotion, FollowersGoOnFromStretchToStretch) {
     auto machine = machine_of();
     machine.axes.push_back(rotary_axis({10, 100, kUnlimited}));
     Command bent = involute_to(4, 600);
-    bent.moved |= bit(Axis::A);
-    bent.to[index(Axis::A)] = 30;
+    bent.motion().moved |= bit(Axis::A);
+    bent.motion().to[index(Axis::A)] = 30;
     const std::vector<Command> program = {rapid_to(drawn(1)), bent};
     const double degree = std::numbers::pi / 180;
     const double rate = 30 * degree / 75;  // rad/mm, on s = r·(16 − 1)/2 = 75 mm
@@ -122,8 +122,8 @@ TEST(CurveMotion, FollowersKeepTheirLimits) {
         auto machine = machine_of(std::isfinite(jerk) ? kJerky : Dynamics{});
         machine.axes.push_back(rotary_axis({4, 30, jerk}));
         Command bent = involute_to(4, 30000);
-        bent.moved |= bit(Axis::A);
-        bent.to[index(Axis::A)] = 1080;
+        bent.motion().moved |= bit(Axis::A);
+        bent.motion().to[index(Axis::A)] = 1080;
         const std::vector<Command> program = {rapid_to(drawn(1)), bent};
         const Motion result = run(machine, program);
         // 6π rad at 4 rad/s at least
@@ -142,9 +142,9 @@ TEST(CurveMotion, FollowersKeepTheirLimits) {
 
 Command thread_to(double z, double pitch, double change) {
     Command command = line_to(Vec3(0, 0, z), pitch);
-    command.op = Op::Thread;
-    command.feed_mode = path::FeedMode::PerRevolution;
-    command.lead_change = change;
+    command.become(Op::Thread);
+    command.motion().feed_mode = path::FeedMode::PerRevolution;
+    command.motion().thread().lead_change = change;
     return command;
 }
 

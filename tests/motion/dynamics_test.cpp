@@ -17,7 +17,7 @@ template <class Say>
 Command under(Command command, Say say) {
     path::Dynamics dynamics;
     say(dynamics);
-    command.dynamics = {dynamics};
+    command.motion().dynamics = {dynamics};
     return command;
 }
 

@@ -19,8 +19,8 @@ machine::Machine clamped_machine() {
 
 Command function(std::int64_t code, path::FunctionStep step) {
     Command command = simple(Op::Function);
-    command.code = code;
-    command.step = step;
+    command.function().code = code;
+    command.function().step = step;
     return command;
 }
 

@@ -178,7 +178,7 @@ TEST(Operated, AZeroOfTheFeedLetsRapidsRunToTheirEnd) {
 
 TEST(Operated, DwellsAreStoppedByAHoldOnly) {
     Command dwell = simple(Op::Dwell);
-    dwell.time = 4;
+    dwell.dwell().time = 4;
     const std::vector<Command> program = {dwell};
     const auto time = [&](std::vector<OperatorEvent> events, bool stops) {
         PlannerOptions options = operated(std::move(events));
@@ -196,13 +196,13 @@ TEST(Operated, ThreadsAreRunToTheirEnd) {
     // 60 rpm, 10 mm pitch: 10 mm/s. Down 100 mm, a dwell of 1 s, to the spindle's mark, and up
     // again.
     Command thread = line_to({0, 0, -100}, 10);
-    thread.op = Op::Thread;
-    thread.feed_mode = path::FeedMode::PerRevolution;
+    thread.become(Op::Thread);
+    thread.motion().feed_mode = path::FeedMode::PerRevolution;
     Command back = thread;
-    back.to = {};
-    back.exact_stop = true;
+    back.motion().to = {};
+    back.motion().exact_stop = true;
     Command dwell = simple(Op::Dwell);
-    dwell.time = 1;
+    dwell.dwell().time = 1;
     const std::vector<Command> program = {spindle_on(60), thread, dwell, back,
                                           line_to({100, 0, 0}, 6000)};
     const double tapped = 12 + 10 + 10.0 / 4000;
@@ -226,8 +226,8 @@ TEST(Operated, WhatTheProgramTakesFromThePanel) {
     const auto program = [](bool keeps_feed, bool ignores_hold) {
         std::vector<Command> lines = {line_to({100, 0, 0}, 6000), line_to({200, 0, 0}, 6000),
                                       line_to({300, 0, 0}, 6000)};
-        lines[1].keeps_feed = keeps_feed;
-        lines[1].ignores_hold = ignores_hold;
+        lines[1].motion().keeps_feed = keeps_feed;
+        lines[1].motion().ignores_hold = ignores_hold;
         return lines;
     };
     for (const machine::Machine& machine : {machine_of(), smooth_machine()}) {
@@ -255,7 +255,7 @@ TEST(Operated, AToolChangeIsFinishedBeforeAHoldActs) {
     auto machine = machine_of();
     machine.tool_change_time = 5;
     Command dwell = simple(Op::Dwell);
-    dwell.time = 1;
+    dwell.dwell().time = 1;
     const auto result =
         run(machine, {simple(Op::Tool), dwell}, operated({hold_at(2), start_at(8)}));
     ASSERT_EQ(result.segments.size(), 3u);

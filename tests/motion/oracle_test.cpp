@@ -155,8 +155,8 @@ TEST(ProfileOracle, FeedWords) {
         SCOPED_TRACE(entry["id"].get<std::string>());
         const json& in = entry["input"];
         Command move = line_to({in.value("length", 10.0), 0, 0}, in["F"]);
-        if (in["mode"] == "G93") move.feed_mode = path::FeedMode::InverseTime;
-        if (in["mode"] == "G95") move.feed_mode = path::FeedMode::PerRevolution;
+        if (in["mode"] == "G93") move.motion().feed_mode = path::FeedMode::InverseTime;
+        if (in["mode"] == "G95") move.motion().feed_mode = path::FeedMode::PerRevolution;
         const auto whole = run(machine_of(), {spindle_on(in.value("spindle_rpm", 1000.0)), move});
         ASSERT_EQ(whole.segments.size(), 1u);
         EXPECT_NEAR(whole.segments[0].feed, entry["expect"]["path_speed_mm_s"].get<double>(),
@@ -221,7 +221,7 @@ TEST(LookAheadOracle, StopsAtEveryPoint) {
         SCOPED_TRACE(entry["id"].get<std::string>());
         const json& in = entry["input"];
         auto commands = polyline(in);
-        for (Command& command : commands) command.exact_stop = true;
+        for (Command& command : commands) command.motion().exact_stop = true;
         const auto whole = run(machine_at_start(in), commands, corner_options(in));
         EXPECT_NEAR(whole.totals.time,
                     entry["expect"]["time_with_stop_at_every_point"].get<double>(),

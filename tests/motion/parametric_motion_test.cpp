@@ -21,8 +21,8 @@ constexpr double kPi = std::numbers::pi;
 
 Command curve_from(const Vec3& start, const path::CurveShape& shape, double feed_mm_min) {
     Command command = line_to(path::end_of(shape, start), feed_mm_min);
-    command.op = Op::Parametric;
-    command.curve.assign(1, shape);
+    command.become(Op::Parametric);
+    command.motion().curve() = shape;
     return command;
 }
 

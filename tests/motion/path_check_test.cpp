@@ -56,7 +56,7 @@ TEST(PathCheck, TakesEveryTolerance) {
                 const double radius = 5 + 0.02 * i;
                 program.push_back(
                     line_to({radius * std::cos(angle), radius * std::sin(angle), 0.01 * i}, 3000));
-                program.back().compress = compress;
+                program.back().motion().compress = compress;
                 if (i % 50 == 49) program.push_back(line_to({radius, -radius, 0}, 3000));
             }
             program = numbered(rounded(program, wish));
@@ -90,7 +90,7 @@ RC_GTEST_PROP(PathCheck, RefusesNothingThatIsPlanned, ()) {
     std::vector<Command> program = any_program();
     if (*rc::gen::arbitrary<bool>())
         for (Command& command : program)
-            if (command.op == Op::Line) command.compress = any_number(0, 1) * 0.1;
+            if (command.op() == Op::Line) command.motion().compress = any_number(0, 1) * 0.1;
     const auto deviation = deviation_of(machine, program, sample(machine, program));
     if (deviation)
         RC_FAIL("line " + std::to_string(deviation->motion.line) + " fault " +
@@ -204,8 +204,8 @@ TEST(PathCheck, FollowsCurvesRoundTheirCusps) {
     const machine::Machine machine = machine_of();
     const path::CurveShape arches = kadr::testing::shape_of(kadr::testing::kCycloid, 8, 3);
     Command curve = line_to(path::end_of(arches, Vec3::Zero()), 3000);
-    curve.op = Op::Parametric;
-    curve.curve.assign(1, arches);
+    curve.become(Op::Parametric);
+    curve.motion().curve() = arches;
     const std::vector<Command> program =
         numbered({curve, line_to(path::end_of(arches, Vec3::Zero()) + Vec3(0, 20, 0), 3000)});
     const std::vector<Setpoint> right = sample(machine, program);
@@ -226,7 +226,7 @@ Command any_flat_spline(const path::Blending& wish) {
     const double height = *rc::gen::element(0.0, 1e-4, 1e-2, 1.0);
     const auto point = [&] { return Vec3(any_number(-50, 50), height * any_number(-1, 1), 0); };
     Command command = spline_to(point(), point(), point(), *rc::gen::element(500.0, 2e3, 1e4));
-    command.blending = wish;
+    command.motion().blending = wish;
     return command;
 }
 
@@ -256,7 +256,7 @@ std::vector<Command> dense_spline(int count, const path::Blending& wish) {
         const double from = kStep * i, to = from + kStep;
         program.push_back(spline_to(point(to), point(from) + kStep / 3 * slope(from),
                                     point(to) - kStep / 3 * slope(to), 3000));
-        program.back().blending = wish;
+        program.back().motion().blending = wish;
     }
     return numbered(program);
 }
@@ -367,7 +367,7 @@ TEST(PathCheck, HoldsCurvesToTheToleranceOfTheCompressor) {
     const machine::Machine machine = machine_of();
     std::vector<Command> program;
     for (int i = 1; i <= 100; ++i) program.push_back(line_to({0.2 * i, 0, 0}, 3000));
-    for (Command& line : program) line.compress = 0.02;
+    for (Command& line : program) line.motion().compress = 0.02;
     program = numbered(program);
     for (const auto& [height, is_found] : {std::pair(0.0199, false), std::pair(0.0201, true)}) {
         std::vector<Setpoint> setpoints = sample(machine, program);
@@ -399,8 +399,8 @@ TEST(PathCheck, HoldsRotaryAxesToTheirPlaces) {
                                     line_to({20, 0, 0}, 3000), line_to({20, 5, 0}, 1000)};
     const double angles[] = {0, 90, 180, 180};
     for (std::size_t i = 0; i < program.size(); ++i) {
-        program[i].to[index(Axis::C)] = angles[i];
-        program[i].moved |= bit(Axis::C);
+        program[i].motion().to[index(Axis::C)] = angles[i];
+        program[i].motion().moved |= bit(Axis::C);
     }
     program = numbered(program);
     const std::vector<Setpoint> right = sample(machine, program);

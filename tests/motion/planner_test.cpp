@@ -114,7 +114,7 @@ TEST(Planner, ACornerAtWhichAStopIsQuicker) {
 
 TEST(Planner, ExactStopEndsAtRest) {
     Command first = line_to({10, 0, 0}, 6000);
-    first.exact_stop = true;
+    first.motion().exact_stop = true;
     const Motion stopped = run(machine_of(), {first, line_to({20, 0, 0}, 6000)});
     EXPECT_EQ(stopped.segments[0].profile.exit_speed, 0);
     const Motion continuous =
@@ -122,7 +122,7 @@ TEST(Planner, ExactStopEndsAtRest) {
     EXPECT_NEAR(continuous.segments[0].profile.exit_speed, 100, 1e-12);
     // An exact stop without motion still stops the path.
     Command still = line_to({10, 0, 0}, 6000);
-    still.exact_stop = true;
+    still.motion().exact_stop = true;
     const Motion pause =
         run(machine_of(), {line_to({10, 0, 0}, 6000), still, line_to({20, 0, 0}, 6000)});
     ASSERT_EQ(pause.segments.size(), 2u);
@@ -131,7 +131,7 @@ TEST(Planner, ExactStopEndsAtRest) {
 
 TEST(Planner, WhatStopsThePathAndWhatDoesNot) {
     Command dwell = simple(Op::Dwell);
-    dwell.time = 0.5;
+    dwell.dwell().time = 0.5;
     Command message = simple(Op::Message);
     struct Row {
         const char* name;
@@ -155,11 +155,11 @@ TEST(Planner, StandstillsTakeTheirTime) {
     machine.tool_change_time = 4;
     machine.orient_time = 0.5;
     Command dwell = simple(Op::Dwell);
-    dwell.time = 0.25;
+    dwell.dwell().time = 0.25;
     Command turns = simple(Op::Dwell);
-    turns.revolutions = 10;  // at 1200 rpm: 0.5 s
+    turns.dwell().revolutions = 10;  // at 1200 rpm: 0.5 s
     Command orient = simple(Op::Spindle);
-    orient.spindle = path::SpindleMode::Orient;
+    orient.spindle().mode = path::SpindleMode::Orient;
     const Motion result = run(machine, {simple(Op::Tool), dwell, spindle_on(1200), turns, orient});
     ASSERT_EQ(result.segments.size(), 4u);
     EXPECT_EQ(result.segments[0].kind, SegmentKind::ToolChange);
@@ -185,9 +185,9 @@ TEST(Planner, ArcKeepsItsCentripetalAcceleration) {
     // Radius 10: v² / 10 ≤ 0.866 · 5000 mm/s², so v ≤ 208.1 mm/s. (Where the feed follows the
     // spindle, arcs are not planned in cells.)
     Command way = line_to({10, 0, 0}, 60);
-    way.exact_stop = true;
+    way.motion().exact_stop = true;
     Command arc = arc_to({10, 0, 0}, {0, 0, 0}, 20 * kPi, 60);
-    way.feed_mode = arc.feed_mode = path::FeedMode::PerRevolution;
+    way.motion().feed_mode = arc.motion().feed_mode = path::FeedMode::PerRevolution;
     const Motion result = run(machine_of(), {spindle_on(1000), way, arc});
     const Profile& profile = result.segments[1].profile;
     EXPECT_NEAR(profile.peak_speed, std::sqrt(10 * 0.8660254037844386 * 5000), 1e-6);
@@ -195,9 +195,9 @@ TEST(Planner, ArcKeepsItsCentripetalAcceleration) {
     EXPECT_NEAR(result.totals.max_acceleration[0], 5000, 1e-6);
     EXPECT_NEAR(result.totals.travel_min[0], -10, 1e-12);
     EXPECT_NEAR(result.totals.travel_max[1], 10, 1e-12);
-    way.feed_mode = path::FeedMode::PerMinute;
+    way.motion().feed_mode = path::FeedMode::PerMinute;
     // At a crawl almost everything is left for the way along the path.
-    way.feed = 60;
+    way.motion().feed = 60;
     const Motion slow = run(machine_of(), {way, arc_to({10, 0, 0}, {0, 0, 0}, -2 * kPi, 60)});
     EXPECT_NEAR(slow.segments[1].profile.acceleration, 5000, 1e-3);
 }
@@ -255,7 +255,7 @@ TEST(Planner, TangentialArcHasNoCorner) {
 
 TEST(Planner, FeedPerRevolution) {
     Command move = line_to({100, 0, 0}, 0.2);
-    move.feed_mode = path::FeedMode::PerRevolution;
+    move.motion().feed_mode = path::FeedMode::PerRevolution;
     auto machine = machine_of();
     machine.max_speed = 100;  // rev/s: 6000 rpm
     const Motion result = run(machine, {spindle_on(1500), move});
@@ -270,14 +270,14 @@ TEST(Planner, FeedPerRevolution) {
 
 TEST(Planner, PathsFollowTheMasterSpindleAlone) {
     Command move = line_to({100, 0, 0}, 0.2);
-    move.feed_mode = path::FeedMode::PerRevolution;
+    move.motion().feed_mode = path::FeedMode::PerRevolution;
     auto machine = machine_of();
     machine.max_speed = 50;  // rev/s: 3000 rpm
     machine.orient_time = 0.25;
     machine.spindles = {{.number = 2, .max_speed = 100, .orient_time = 0.5}};
     const auto numbered = [](Command command, std::uint8_t number, Op op) {
-        command.op = op;
-        command.spindle_number = number;
+        command.spindle().is_master = op == Op::Spindle;
+        command.spindle().number = number;
         return command;
     };
     // Spindle 2 turns faster beside the master and changes nothing.
@@ -298,7 +298,7 @@ TEST(Planner, PathsFollowTheMasterSpindleAlone) {
     // One beside the master is told of as well, and stands for as long as it needs.
     Command beside = numbered(spindle_on(9000), 2, Op::OtherSpindle);
     EXPECT_EQ(run(machine, {beside}).diagnostics.all().size(), 1u);
-    beside.spindle = path::SpindleMode::Orient;
+    beside.spindle().mode = path::SpindleMode::Orient;
     EXPECT_NEAR(run(machine, {beside}).totals.time, 0.5, 1e-12);
 }
 
@@ -308,11 +308,11 @@ TEST(Planner, FacingAtConstantCuttingSpeed) {
     auto machine = machine_of();
     machine.axes[0].home = 50;
     Command speed = spindle_on(120);
-    speed.cutting_speed = true;
+    speed.spindle().has_cutting_speed = true;
     Command limit = simple(Op::SpeedLimit);
-    limit.speed = 3000;
+    limit.speed_limit().most = 3000;
     Command face = line_to({0, 0, 0}, 0.2);
-    face.feed_mode = path::FeedMode::PerRevolution;
+    face.motion().feed_mode = path::FeedMode::PerRevolution;
     const Motion result = run(machine, {limit, speed, face});
     const double edge = 2000 / (2 * kPi * 50);
     const double time = kPi * (2500 - edge * edge) / (0.2 * 2000) + edge / (0.2 * 50);
@@ -342,11 +342,11 @@ TEST(Planner, FeedPerRevolutionFollowsTheSpindle) {
             auto machine = machine_of({.jerk = Vec3::Constant(jerk)});
             machine.axes[0].home = row.from;
             Command speed = spindle_on(200);
-            speed.cutting_speed = true;
+            speed.spindle().has_cutting_speed = true;
             Command limit = simple(Op::SpeedLimit);
-            limit.speed = 3000;
+            limit.speed_limit().most = 3000;
             Command face = line_to(row.to, 0.3);
-            face.feed_mode = path::FeedMode::PerRevolution;
+            face.motion().feed_mode = path::FeedMode::PerRevolution;
             const auto setpoints = sample(machine, {limit, speed, face});
             ASSERT_GT(setpoints.size(), 1000u);
             double worst = 0;
@@ -362,7 +362,7 @@ TEST(Planner, FeedPerRevolutionFollowsTheSpindle) {
 
 TEST(Planner, InverseTimeIsTheTimeOfTheBlock) {
     Command move = line_to({30, 40, 0}, 12);  // 1/12 min = 5 s
-    move.feed_mode = path::FeedMode::InverseTime;
+    move.motion().feed_mode = path::FeedMode::InverseTime;
     const Motion result = run(machine_of(), {move});
     EXPECT_NEAR(result.segments[0].feed, 10, 1e-12);
     EXPECT_NEAR(result.totals.time, 5, 0.01);  // and the ramps
@@ -370,7 +370,7 @@ TEST(Planner, InverseTimeIsTheTimeOfTheBlock) {
 
 TEST(Planner, ToolLengthMovesTheAxesNotTheTip) {
     Command length = simple(Op::ToolLength);
-    length.length = 100;
+    length.tool_length().length = 100;
     Command down = line_to({0, 0, 5}, 6000);
     const Motion result =
         run(machine_of(), {rapid_to({0, 0, 50}), length, down, rapid_to({10, 0, 5})});
@@ -386,9 +386,9 @@ TEST(Planner, ToolLengthMovesTheAxesNotTheTip) {
 TEST(Planner, AnAxisThatIsNotProgrammedStands) {
     // The length is known to the control, and X alone moves: Z must not make up for the length.
     Command length = simple(Op::ToolLength);
-    length.length = 100;
+    length.tool_length().length = 100;
     Command across = rapid_to({10, 0, 50});
-    across.moved = bit(Axis::X);
+    across.motion().moved = bit(Axis::X);
     const Motion result = run(machine_of(), {rapid_to({0, 0, 50}), length, across});
     EXPECT_NEAR(result.segments.back().profile.length, 10, 1e-12);
     EXPECT_NEAR(result.totals.travel_max[2], 50, 1e-12);
@@ -396,8 +396,8 @@ TEST(Planner, AnAxisThatIsNotProgrammedStands) {
 
 TEST(Planner, ToolLengthFollowsThePlane) {
     Command length = simple(Op::ToolLength);
-    length.length = 10;
-    length.plane = path::Plane::Zx;
+    length.tool_length().length = 10;
+    length.tool_length().plane = path::Plane::Zx;
     const Motion result = run(machine_of(), {length, line_to({0, 20, 0}, 6000)});
     EXPECT_NEAR(result.totals.travel_max[1], 30, 1e-12);
     EXPECT_EQ(result.segments[0].tool, Vec3::UnitY());
@@ -405,10 +405,10 @@ TEST(Planner, ToolLengthFollowsThePlane) {
 
 TEST(Planner, MachineCoordinatesDoNotCountTheLength) {
     Command length = simple(Op::ToolLength);
-    length.length = 100;
+    length.tool_length().length = 100;
     Command up = rapid_to({0, 0, 200});
-    up.machine_coordinates = true;
-    up.moved = bit(Axis::Z);
+    up.motion().machine_coordinates = true;
+    up.motion().moved = bit(Axis::Z);
     const Motion result = run(machine_of(), {length, line_to({5, 5, 0}, 6000), up});
     EXPECT_LT((path::end(result.segments.back().curve) - Vec3(5, 5, 100)).norm(), 1e-12);
     EXPECT_NEAR(result.totals.travel_max[2], 200, 1e-12);
@@ -430,9 +430,9 @@ machine::Machine with_rotary() {
 
 TEST(Planner, RotaryAxesFollowOrMakeThePath) {
     Command both = line_to({100, 0, 0}, 600);
-    both.to[index(Axis::C)] = 90;
+    both.motion().to[index(Axis::C)] = 90;
     Command turn = line_to({100, 0, 0}, 600);
-    turn.to[index(Axis::C)] = 0;
+    turn.motion().to[index(Axis::C)] = 0;
     const Motion result = run(with_rotary(), {both, turn});
     ASSERT_EQ(result.segments.size(), 2u);
     // 100 mm at 10 mm/s, and C comes along: π/2 in 100 mm.
@@ -528,7 +528,7 @@ TEST(PlannerMistakes, TheToolLengthCounts) {
     auto machine = machine_of();
     machine.axes[2].upper = 100;
     Command length = simple(Op::ToolLength);
-    length.length = 80;
+    length.tool_length().length = 80;
     const Motion result = run(machine, {length, line_to({0, 0, 30}, 6000)});
     ASSERT_EQ(result.diagnostics.all().size(), 1u);
     EXPECT_EQ(result.diagnostics.all()[0].message(), "axis Z reaches 110 mm, its limit is 100 mm");
@@ -551,7 +551,7 @@ TEST(PlannerMistakes, GoesOnIfAsked) {
 
 TEST(PlannerMistakes, AxisThatTheMachineHasNot) {
     Command turn = line_to({10, 0, 0}, 600);
-    turn.to[index(Axis::B)] = 30;
+    turn.motion().to[index(Axis::B)] = 30;
     const Motion result = run(machine_of(), {turn});
     ASSERT_EQ(result.diagnostics.all().size(), 1u);
     EXPECT_EQ(result.diagnostics.all()[0].row->code, "K6102");
@@ -581,11 +581,11 @@ TEST(PlannerMistakes, FeedMissing) {
 TEST(PlannerMistakes, ThreadFasterThanTheAxes) {
     // X reaches 500 mm/s = 30000 mm/min: 10 mm a turn at 3000 rpm, not at 3100.
     Command spindle = simple(Op::Spindle);
-    spindle.spindle = path::SpindleMode::Cw;
-    spindle.speed = 3000;
+    spindle.spindle().mode = path::SpindleMode::Cw;
+    spindle.spindle().speed = 3000;
     Command thread = line_to({300, 0, 0}, 10);
-    thread.op = Op::Thread;
-    thread.feed_mode = path::FeedMode::PerRevolution;
+    thread.become(Op::Thread);
+    thread.motion().feed_mode = path::FeedMode::PerRevolution;
     PlannerOptions slow;
     slow.feed_override = 0.1;
     auto machine = machine_of();
@@ -594,7 +594,7 @@ TEST(PlannerMistakes, ThreadFasterThanTheAxes) {
     EXPECT_TRUE(cut.diagnostics.all().empty());
     ASSERT_EQ(cut.segments.size(), 1u);
     EXPECT_NEAR(cut.segments[0].feed, 500, 1e-9) << "no override and no limit of the feed acts";
-    spindle.speed = 3100;
+    spindle.spindle().speed = 3100;
     const Motion fast = run(machine_of(), {spindle, thread});
     ASSERT_EQ(fast.diagnostics.all().size(), 1u);
     EXPECT_EQ(fast.diagnostics.all()[0].row->code, "K6107");
@@ -602,12 +602,12 @@ TEST(PlannerMistakes, ThreadFasterThanTheAxes) {
 
 TEST(PlannerMistakes, SpindleStands) {
     Command move = line_to({10, 0, 0}, 0.2);
-    move.feed_mode = path::FeedMode::PerRevolution;
+    move.motion().feed_mode = path::FeedMode::PerRevolution;
     const Motion feed = run(machine_of(), {move});
     ASSERT_EQ(feed.diagnostics.all().size(), 1u);
     EXPECT_EQ(feed.diagnostics.all()[0].row->code, "K6104");
     Command dwell = simple(Op::Dwell);
-    dwell.revolutions = 3;
+    dwell.dwell().revolutions = 3;
     const Motion wait = run(machine_of(), {dwell});
     ASSERT_EQ(wait.diagnostics.all().size(), 1u);
     EXPECT_EQ(wait.diagnostics.all()[0].row->code, "K6105");

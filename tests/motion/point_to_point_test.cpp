@@ -91,7 +91,7 @@ TEST(PointToPoint, ThereAndBackWithStopsIsTheSum) {
         const Transfer transfer = transfers.next(3);
         std::vector<Command> commands = {rapid_to(end_of(transfer)), rapid_to(Vec3::Zero()),
                                          rapid_to(end_of(transfer) / 7)};
-        for (Command& command : commands) command.exact_stop = true;
+        for (Command& command : commands) command.motion().exact_stop = true;
         Transfer seventh = transfer;
         for (double& way : seventh.way) way /= 7;
         const double least =

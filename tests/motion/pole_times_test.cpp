@@ -44,21 +44,22 @@ Command orient_to(const machine::Machine& machine, const Vec3& joints) {
     Command command = line_to(Vec3(40, 25, -10), kFast);
     for (const std::size_t k : {kR1, kR2}) {
         const Axis axis = machine.kinematics->chain.joints[k].axis;
-        command.to[index(axis)] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
-        command.moved |= bit(axis);
+        command.motion().to[index(axis)] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
+        command.motion().moved |= bit(axis);
     }
-    command.turning = Turning::Axes;
-    command.direction = machine::tool_vector(machine.kinematics->chain, joints);
-    command.exact_stop = true;
+    command.motion().turning = Turning::Axes;
+    command.motion().direction = machine::tool_vector(machine.kinematics->chain, joints);
+    command.motion().exact_stop = true;
     return command;
 }
 
 Command along_great_circle(const machine::Machine& machine, const Vec3& from, const Vec3& joints) {
     Command command = orient_to(machine, joints);
-    command.turning = Turning::Cone;
-    const Vec3 across = from.cross(command.direction);
-    command.turn_axis = across.normalized();
-    command.turn_angle = std::atan2(across.norm(), from.dot(command.direction));
+    command.motion().turning = Turning::Cone;
+    const Vec3 across = from.cross(command.motion().direction);
+    command.motion().tool_turn.made().axis = across.normalized();
+    command.motion().tool_turn.made().angle =
+        std::atan2(across.norm(), from.dot(command.motion().direction));
     return command;
 }
 

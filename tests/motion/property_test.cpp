@@ -259,12 +259,13 @@ TEST(Corners, JumpAndRampsTogetherKeepTheAcceleration) {
 RC_GTEST_PROP(MotionProperty, RoundingStaysInsideItsTolerance, ()) {
     const auto machine = any_machine();
     auto program = any_program();
-    for (Command& command : program) command.blending = {};
+    for (Command& command : program)
+        if (command.is_motion()) command.motion().blending = {};
     const Motion sharp = run(machine, program);
     RC_PRE(!sharp.segments.empty());
     const double tolerance = any_number(1, 100) / 1000;
     for (Command& command : program) {
-        if (path::is_motion(command.op)) command.blending = within(tolerance, true);
+        if (command.is_motion()) command.motion().blending = within(tolerance, true);
     }
     const Motion round = run(machine, program);
     RC_CLASSIFY(round.totals.time < sharp.totals.time, "quicker");

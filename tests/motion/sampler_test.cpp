@@ -51,7 +51,7 @@ TEST(Sampler, ManyBlocksInOneTick) {
 
 TEST(Sampler, StandsWhileItDwells) {
     Command dwell = simple(Op::Dwell);
-    dwell.time = 0.01;
+    dwell.dwell().time = 0.01;
     const auto setpoints = sample(machine_of(), {line_to({0, 5, 0}, 6000), dwell});
     EXPECT_EQ(setpoints.back().tip, Vec3(0, 5, 0));
     EXPECT_EQ(setpoints[setpoints.size() - 5].tip, Vec3(0, 5, 0));
@@ -61,7 +61,7 @@ TEST(Sampler, StandsWhileItDwells) {
 
 TEST(Sampler, AxesCarryTheTool) {
     Command length = simple(Op::ToolLength);
-    length.length = 75;
+    length.tool_length().length = 75;
     const auto setpoints = sample(machine_of(), {length, line_to({0, 0, 10}, 6000)});
     EXPECT_NEAR(setpoints.front().tip[2], -75, 1e-12);
     EXPECT_NEAR(setpoints.front().axis[2], 0, 1e-12);
@@ -91,7 +91,7 @@ TEST(Sampler, TurnsARotaryAxis) {
     axis.acceleration = 30;
     machine.axes.push_back(axis);
     Command turn = rapid_to({0, 0, 0});
-    turn.to[index(Axis::B)] = 90;
+    turn.motion().to[index(Axis::B)] = 90;
     const auto setpoints = sample(machine, {turn});
     EXPECT_NEAR(setpoints.back().axis[3], std::acos(0.0), 1e-14);
     // π/2 at 3 rad/s with 30 rad/s²: 0.5236 + 0.1 s.

@@ -231,7 +231,7 @@ TEST(SmoothPlan, NoJumpOfTheCurvatureIsSlowerThanAStop) {
                     arc_to({0, 4 * radius, 0}, {0, 3 * radius, 0}, -pi, feed),
                     arc_to({0, 6 * radius, 0}, {0, 5 * radius, 0}, pi, feed)};
                 const double through = run(machine, program).totals.time;
-                for (Command& command : program) command.exact_stop = true;
+                for (Command& command : program) command.motion().exact_stop = true;
                 EXPECT_LE(through, 1.001 * run(machine, program).totals.time)
                     << "jerk " << jerk << ", radius " << radius << ", F" << feed;
             }
@@ -253,7 +253,7 @@ TEST(SmoothPlan, NoCornerBesideAnArcIsSlowerThanAStop) {
                     arc_to(end, {radius, 0, 0}, std::numbers::pi, 20000),
                     line_to(end + length * out, 20000)};
                 const double through = run(machine, program).totals.time;
-                for (Command& command : program) command.exact_stop = true;
+                for (Command& command : program) command.motion().exact_stop = true;
                 EXPECT_LE(through, 1.001 * run(machine, program).totals.time)
                     << "radius " << radius << ", " << angle << " degrees, " << length << " mm";
             }
@@ -278,7 +278,7 @@ TEST(SmoothPlan, NoArcBehindAnArcIsSlowerThanAStop) {
                     arc_to(join, one, sweep, 20000),
                     arc_to(on(other, second, 2 * sweep), other, sweep, 20000)};
                 const double through = run(machine, program).totals.time;
-                for (Command& command : program) command.exact_stop = true;
+                for (Command& command : program) command.motion().exact_stop = true;
                 EXPECT_LE(through, 1.001 * run(machine, program).totals.time)
                     << first << ' ' << second << ' ' << sweep;
             }
@@ -305,7 +305,7 @@ TEST(SmoothPlan, NoShortArcBesideALongWayIsSlowerThanAStop) {
                                    arc_to(start + end, start + Vec3(0, radius, 0), sweep, 15000)};
                     }
                     const double through = run(machine, program).totals.time;
-                    for (Command& command : program) command.exact_stop = true;
+                    for (Command& command : program) command.motion().exact_stop = true;
                     EXPECT_LE(through, 1.005 * run(machine, program).totals.time)
                         << "radius " << radius << ", " << part << " mm, " << length << " mm "
                         << is_arc_first;
@@ -331,7 +331,7 @@ TEST(SmoothPlan, NoCurveAroundACornerIsSlowerThanAStop) {
                                      line_to(Vec3(part, 0, 0) + length * out, feed)},
                                     wish);
                         const double around = run(machine, program).totals.time;
-                        for (Command& command : program) command.exact_stop = true;
+                        for (Command& command : program) command.motion().exact_stop = true;
                         EXPECT_LE(around, 1.0005 * run(machine, program).totals.time)
                             << part << " mm, " << length << " mm, " << angle << " degrees, F"
                             << feed;

@@ -74,8 +74,8 @@ TEST(SplineMotion, SlowsDownWhereItBends) {
     // v² = √2·A·r.
     const double weight = std::sqrt(0.5);
     Command quarter = line_to(Vec3(10, 10, 0), kFast);
-    quarter.op = Op::Spline;
-    quarter.spline = {2, {Vec3(10, 0, 0), Vec3::Zero()}, {1, weight, 1, 1}};
+    quarter.become(Op::Spline);
+    quarter.motion().spline() = {2, {Vec3(10, 0, 0), Vec3::Zero()}, {1, weight, 1, 1}};
     const Dynamics slow{{1e6, 1e6, 1e6}, {1000, 1000, 1000}};
     const Motion result = run(machine_of(slow), {quarter});
     const double on_arc = std::sqrt(std::numbers::sqrt2 * 1000 * 10);
@@ -131,7 +131,7 @@ TEST(SplineMotion, ComesToRestWhereItTurnsBack) {
 
 TEST(SplineMotion, InverseTimeIsTheTimeOfTheSpan) {
     Command command = spline_to(kEnd, kFirst, kSecond, 6);  // a sixth of a minute
-    command.feed_mode = path::FeedMode::InverseTime;
+    command.motion().feed_mode = path::FeedMode::InverseTime;
     EXPECT_NEAR(run(machine_of(), {command}).totals.time, 10, 0.02);
 }
 

@@ -46,27 +46,26 @@ inline machine::Machine machine_of(const Dynamics& dynamics = {}) {
 inline constexpr double kFast = 1e9;
 
 inline Command line_to(const Vec3& to, double feed_mm_min) {
-    Command command;
-    command.op = Op::Line;
-    command.moved = kLinearXYZ;
-    command.feed = feed_mm_min;
-    for (int i = 0; i < 3; ++i) command.to[static_cast<std::size_t>(i)] = to[i];
+    Command command(Op::Line);
+    command.motion().moved = kLinearXYZ;
+    command.motion().feed = feed_mm_min;
+    for (int i = 0; i < 3; ++i) command.motion().to[static_cast<std::size_t>(i)] = to[i];
     return command;
 }
 
 inline Command rapid_to(const Vec3& to) {
     Command command = line_to(to, 0);
-    command.op = Op::Rapid;
+    command.become(Op::Rapid);
     return command;
 }
 
 /// Counter-clockwise about +Z, or clockwise for a negative sweep.
 inline Command arc_to(const Vec3& to, const Vec3& center, double sweep, double feed_mm_min) {
     Command command = line_to(to, feed_mm_min);
-    command.op = Op::Arc;
-    command.center = center;
-    command.normal = sweep < 0 ? Vec3(0, 0, -1) : Vec3(0, 0, 1);
-    command.sweep = std::abs(sweep);
+    command.become(Op::Arc);
+    command.motion().arc().center = center;
+    command.motion().arc().normal = sweep < 0 ? Vec3(0, 0, -1) : Vec3(0, 0, 1);
+    command.motion().arc().sweep = std::abs(sweep);
     return command;
 }
 
@@ -74,30 +73,26 @@ inline Command arc_to(const Vec3& to, const Vec3& center, double sweep, double f
 inline Command spline_to(const Vec3& to, const Vec3& first, const Vec3& second, double feed_mm_min,
                          const std::array<double, 6>& weights = {1, 1, 1, 1, 1, 1}) {
     Command command = line_to(to, feed_mm_min);
-    command.op = Op::Spline;
-    command.spline.inner[0] = first;
-    command.spline.inner[1] = second;
-    command.spline.weights = weights;
+    command.become(Op::Spline);
+    command.motion().spline().inner[0] = first;
+    command.motion().spline().inner[1] = second;
+    command.motion().spline().weights = weights;
     return command;
 }
 
 inline Command spindle_on(double speed_rpm) {
-    Command command;
-    command.op = Op::Spindle;
-    command.spindle = path::SpindleMode::Cw;
-    command.speed = speed_rpm;
+    Command command(Op::Spindle);
+    command.spindle().mode = path::SpindleMode::Cw;
+    command.spindle().speed = speed_rpm;
     return command;
 }
 
-inline Command simple(Op op) {
-    Command command;
-    command.op = op;
-    return command;
-}
+inline Command simple(Op op) { return Command(op); }
 
 /// Corners behind these motions may be rounded: from a distance before them, or within a tolerance.
 inline std::vector<Command> rounded(std::vector<Command> commands, const path::Blending& wish) {
-    for (Command& command : commands) command.blending = wish;
+    for (Command& command : commands)
+        if (command.is_motion()) command.motion().blending = wish;
     return commands;
 }
 inline path::Blending by_distance(double size) { return {path::BlendKind::Distance, false, size}; }

@@ -13,9 +13,9 @@ namespace {
 
 Command thread_to(const Vec3& to, double lead, double start_deg = 0) {
     Command command = line_to(to, lead);
-    command.op = Op::Thread;
-    command.feed_mode = path::FeedMode::PerRevolution;
-    command.angle_deg = start_deg;
+    command.become(Op::Thread);
+    command.motion().feed_mode = path::FeedMode::PerRevolution;
+    command.motion().thread().start_deg = start_deg;
     return command;
 }
 

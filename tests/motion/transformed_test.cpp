@@ -100,13 +100,13 @@ class Program {
         RC_PRE(chosen.has_value());
         RC_PRE(chosen->mode == query.mode);
         Command command = line_to(tip, feed);
-        command.turning = turning;
-        command.direction = tool;
+        command.motion().turning = turning;
+        command.motion().direction = tool;
         const Vec3 from = machine::tool_vector(chain_, joints_);
         const Vec3 across = from.cross(tool);
         if (turning == Turning::Cone && across.norm() > 0) {
-            command.turn_axis = across.normalized();
-            command.turn_angle = std::atan2(across.norm(), from.dot(tool));
+            command.motion().tool_turn.made().axis = across.normalized();
+            command.motion().tool_turn.made().angle = std::atan2(across.norm(), from.dot(tool));
         }
         joints_ = chosen->rotary;
         put_joints(command);
@@ -115,7 +115,7 @@ class Program {
     }
     Program& go_fast(const Vec3& tip, const Vec3& tool) {
         go(tip, tool, 0, Turning::Axes);
-        commands.back().op = Op::Rapid;
+        commands.back().become(Op::Rapid);
         return *this;
     }
     /// To a tip along a line, or along an arc, with the tool led by a course from where it stands;
@@ -126,12 +126,12 @@ class Program {
         const Vec3 from = machine::tool_vector(chain_, joints_);
         lay(command, from);
         const double length = path::length(curve) > 0 ? path::length(curve) : 1;
-        path::Turn turn{command.turning,
+        path::Turn turn{command.motion().turning,
                         length,
-                        command.turn_from,
-                        command.turn_axis,
-                        command.turn_angle / length,
-                        command.lean};
+                        command.motion().turn().from,
+                        command.motion().turn().axis,
+                        command.motion().turn().angle / length,
+                        command.motion().turn().lean};
         if (turn.kind == Turning::Cone) turn.start = from;
         if (turn.kind == Turning::Point) turn.axis /= length;
         RC_PRE((path::direction_at(turn, curve, 0) - from).norm() < 1e-9);
@@ -140,7 +140,7 @@ class Program {
         });
         RC_PRE(end.has_value());
         joints_ = end->rotary;
-        command.direction = machine::tool_vector(chain_, joints_);
+        command.motion().direction = machine::tool_vector(chain_, joints_);
         put_joints(command);
         commands.push_back(command);
         return *this;
@@ -152,8 +152,8 @@ class Program {
     void put_joints(Command& command) const {
         for (const std::size_t k : {machine::kR1, machine::kR2}) {
             const Axis axis = chain_.joints[k].axis;
-            command.to[index(axis)] = deg_from_rad(joints_[static_cast<Eigen::Index>(k)]);
-            command.moved |= bit(axis);
+            command.motion().to[index(axis)] = deg_from_rad(joints_[static_cast<Eigen::Index>(k)]);
+            command.motion().moved |= bit(axis);
         }
     }
 
@@ -164,7 +164,7 @@ class Program {
 
 Command with_tool_length(double length) {
     Command command = simple(Op::ToolLength);
-    command.length = length;
+    command.tool_length().length = length;
     return command;
 }
 
@@ -251,7 +251,7 @@ std::vector<Command> to_a_point(const machine::Machine& machine, double feed, Tu
     Program program(machine);
     program.go_fast({10, -5, 20}, direction(30, 20));
     program.go({60, 35, -8}, direction(125, 50), feed, turning);
-    if (feed == 0) program.commands.back().op = Op::Rapid;
+    if (feed == 0) program.commands.back().become(Op::Rapid);
     std::vector<Command> commands = program.commands;
     commands.insert(commands.begin(), with_tool_length(80));
     return commands;
@@ -319,8 +319,8 @@ TEST(Transformed, FromPointToPointCornersAreThoseOfTheAxes) {
     program.go({40, 40, 0}, tool, 3000, Turning::Straight);
     program.go({0, 40, 0}, tool, 3000, Turning::Axes);
     for (Command& command : program.commands)
-        std::copy(program.commands[0].to.begin() + 3, program.commands[0].to.end(),
-                  command.to.begin() + 3);
+        std::copy(program.commands[0].motion().to.begin() + 3,
+                  program.commands[0].motion().to.end(), command.motion().to.begin() + 3);
     const auto plain = run(machine, program.commands);
     const auto commands = rounded(program.commands, by_distance(2));
     const Motion motion = run(machine, commands);
@@ -373,7 +373,8 @@ RC_GTEST_PROP(Transformed, KeepsTheTipOnItsPathAndTheAxesWithinLimits, ()) {
         const std::size_t k = setpoint.line - 1;
         if (k < 2) continue;
         const auto tip_of = [&](std::size_t i) {
-            return Vec3(commands[i].to[0], commands[i].to[1], commands[i].to[2]);
+            return Vec3(commands[i].motion().to[0], commands[i].motion().to[1],
+                        commands[i].motion().to[2]);
         };
         const Vec3 way = tip_of(k) - tip_of(k - 1);
         const Vec3 from = setpoint.tip - tip_of(k - 1);
@@ -431,7 +432,8 @@ void expect_led(const machine::Machine& machine, const std::vector<Command>& com
     const Motion motion = run(machine, commands);
     ASSERT_FALSE(motion.alarmed);
     TickWatch watch(machine, motion.segments);
-    const Vec3 to(led.command.to[0], led.command.to[1], led.command.to[2]);
+    const Vec3 to(led.command.motion().to[0], led.command.motion().to[1],
+                  led.command.motion().to[2]);
     const Vec3 way = to - led.tip_from;
     std::size_t count = 0;
     for (const Setpoint& setpoint : sample(machine, commands)) {
@@ -466,11 +468,11 @@ TEST(Transformed, ConesKeepTheirAngleAtEveryTickThroughPolesToo) {
             program.go_fast({0, 0, 5}, start);
             program.lead(line_to({90, 20, 0}, 2500), path::make_line({0, 0, 5}, {90, 20, 0}),
                          [&](Command& command, const Vec3&) {
-                             command.turning = Turning::Cone;
-                             command.turn_axis = axis;
-                             command.turn_angle = turn;
+                             command.motion().turning = Turning::Cone;
+                             command.motion().tool_turn.made().axis = axis;
+                             command.motion().tool_turn.made().angle = turn;
                          });
-            const Vec3 from = program.commands[0].direction;
+            const Vec3 from = program.commands[0].motion().direction;
             expect_led(machine, program.commands,
                        {program.commands[1],
                         {0, 0, 5},
@@ -497,14 +499,14 @@ TEST(Transformed, ToolsLeanOnTheirSurfaceAtEveryTick) {
         };
         Program program(machine);
         program.go_fast(from, tool(0));
-        program.lead(line_to(to, 2500), path::make_line(from, to),
-                     [&](Command& command, const Vec3&) {
-                         command.turning = Turning::Surface;
-                         command.turn_from = Vec3::UnitZ();
-                         command.turn_axis = Vec3::UnitX();
-                         command.turn_angle = whole;
-                         command.lean = {lead, tilt, path::TiltAbout::Tangent};
-                     });
+        program.lead(
+            line_to(to, 2500), path::make_line(from, to), [&](Command& command, const Vec3&) {
+                command.motion().turning = Turning::Surface;
+                command.motion().tool_turn.made().from = Vec3::UnitZ();
+                command.motion().tool_turn.made().axis = Vec3::UnitX();
+                command.motion().tool_turn.made().angle = whole;
+                command.motion().tool_turn.made().lean = {lead, tilt, path::TiltAbout::Tangent};
+            });
         expect_led(machine, program.commands, {program.commands[1], from, tool});
     }
 }
@@ -521,9 +523,9 @@ TEST(Transformed, SecondPointsLeadTheToolAtEveryTick) {
         program.go_fast(from, tool(0));
         program.lead(line_to(to, 2500), path::make_line(from, to),
                      [&](Command& command, const Vec3&) {
-                         command.turning = Turning::Point;
-                         command.turn_from = point;
-                         command.turn_axis = point_to - point;
+                         command.motion().turning = Turning::Point;
+                         command.motion().tool_turn.made().from = point;
+                         command.motion().tool_turn.made().axis = point_to - point;
                      });
         expect_led(machine, program.commands, {program.commands[1], from, tool});
     }
@@ -532,11 +534,11 @@ TEST(Transformed, SecondPointsLeadTheToolAtEveryTick) {
 /// A span that bends both ways and rises, of a rational and of a plain spline; X grows all along.
 Command bent_span(double weight) {
     Command command = line_to({40, 12, 5}, 2500);
-    command.op = Op::Spline;
-    command.spline.degree = 3;
-    command.spline.inner[0] = {10, 25, 0};
-    command.spline.inner[1] = {25, -20, 3};
-    command.spline.weights = {1, weight, 1 / weight, 1};
+    command.become(Op::Spline);
+    command.motion().spline().degree = 3;
+    command.motion().spline().inner[0] = {10, 25, 0};
+    command.motion().spline().inner[1] = {25, -20, 3};
+    command.motion().spline().weights = {1, weight, 1 / weight, 1};
     return command;
 }
 
@@ -555,15 +557,15 @@ TEST(Transformed, ToolsTurnInProportionAlongSplines) {
         for (const double weight : {1.0, 1.7}) {
             const Vec3 from = direction(30, 20), to = direction(140, 35);
             const Command span = bent_span(weight);
-            const path::Curve curve = path::curve_of(span, {0, 0, 0}, {40, 12, 5});
+            const path::Curve curve = path::curve_of(span.motion(), {0, 0, 0}, {40, 12, 5});
             const double whole = std::atan2(from.cross(to).norm(), from.dot(to));
             const Vec3 axis = from.cross(to).normalized();
             Program program(machine);
             program.go_fast({0, 0, 0}, from);
             program.lead(span, curve, [&](Command& command, const Vec3&) {
-                command.turning = Turning::Cone;
-                command.turn_axis = axis;
-                command.turn_angle = whole;
+                command.motion().turning = Turning::Cone;
+                command.motion().tool_turn.made().axis = axis;
+                command.motion().tool_turn.made().angle = whole;
             });
             std::vector<Command> commands = program.commands;
             commands.insert(commands.begin(), with_tool_length(90));
@@ -598,15 +600,16 @@ TEST(Transformed, ToolsFollowTheTangentOfAnArc) {
         Program program(machine);
         program.go_fast({radius, 0, 0}, {0, std::sin(lead), std::cos(lead)});
         const Command arc = arc_to({-radius, 0, 0}, {0, 0, 0}, std::numbers::pi, 2500);
-        program.lead(arc,
-                     path::make_helix({radius, 0, 0}, {-radius, 0, 0}, {0, 0, 0}, Vec3::UnitZ(),
-                                      std::numbers::pi),
-                     [&](Command& command, const Vec3&) {
-                         command.turning = Turning::Surface;
-                         command.turn_from = Vec3::UnitZ();
-                         command.turn_axis = Vec3::UnitX();
-                         command.lean = {lead, 0, path::TiltAbout::Tangent};
-                     });
+        program.lead(
+            arc,
+            path::make_helix({radius, 0, 0}, {-radius, 0, 0}, {0, 0, 0}, Vec3::UnitZ(),
+                             std::numbers::pi),
+            [&](Command& command, const Vec3&) {
+                command.motion().turning = Turning::Surface;
+                command.motion().tool_turn.made().from = Vec3::UnitZ();
+                command.motion().tool_turn.made().axis = Vec3::UnitX();
+                command.motion().tool_turn.made().lean = {lead, 0, path::TiltAbout::Tangent};
+            });
         const Motion motion = run(machine, program.commands);
         ASSERT_FALSE(motion.alarmed);
         TickWatch watch(machine, motion.segments);
@@ -635,7 +638,7 @@ std::vector<Command> turning_in_chords(const machine::Machine& machine,
     program.go_fast({0, 0, 0}, direction(20, 40));
     for (int i = 1; i <= 40; ++i) {
         program.go({5.0 * i, 0, 0}, direction(20 + 4 * i, 40), 5000);
-        program.commands.back().blending = blending;
+        program.commands.back().motion().blending = blending;
     }
     return program.commands;
 }
@@ -710,7 +713,7 @@ TEST(OrientationCorner, TheToolAloneIsLedAroundACornerOfTheTip) {
         Program program(machine);
         program.go_fast({0, 0, 0}, direction(30, 30));
         program.go({40, 0, 0}, direction(40, 35), 3000);
-        program.commands.back().blending = of_the_tool(1);
+        program.commands.back().motion().blending = of_the_tool(1);
         program.go({40, 40, 0}, direction(60, 30), 3000);
         const Motion motion = run(machine, program.commands);
         TickWatch watch(machine, motion.segments);
@@ -770,7 +773,7 @@ TEST(OrientationCorner, TheToolAloneTakesNoMoreTimeThanTheCorner) {
                         program.go(corner + Vec3(30, 30, 0), direction(40, 30), 5000);
                         const double as_it_is = run(machine, program.commands).totals.time;
                         for (Command& command : program.commands)
-                            command.blending = of_the_tool(orientation_deg);
+                            command.motion().blending = of_the_tool(orientation_deg);
                         EXPECT_LE(run(machine, program.commands).totals.time, 1.06 * as_it_is)
                             << length << " mm, " << turn << " rad, " << azimuth_deg << " and "
                             << orientation_deg << " degrees";
@@ -786,7 +789,7 @@ TEST(OrientationCorner, CornersOfTheTipAreRoundedToo) {
     Program program(machine);
     program.go_fast({0, 0, 0}, direction(30, 30));
     program.go({40, 0, 0}, direction(40, 35), 6000);
-    program.commands.back().blending = within(0.1, 1);
+    program.commands.back().motion().blending = within(0.1, 1);
     program.go({40, 40, 0}, direction(60, 30), 6000);
     const Motion motion = run(machine, program.commands);
     double nearest = 100;
@@ -816,7 +819,7 @@ TEST(OrientationCorner, UnderALimitOfTheJerkNoRotaryAxisJumps) {
             const double tilt = 55 * (1 - turned / 360.0);
             program.go(on_dome(turned, tilt), direction(turned, tilt), feed);
         }
-        for (Command& command : program.commands) command.blending = within(0.05, 0.05);
+        for (Command& command : program.commands) command.motion().blending = within(0.05, 0.05);
         const Motion motion = run(machine, program.commands);
         const AxisTable axes(machine);
         for (std::size_t k = 1; k < motion.segments.size(); ++k) {
@@ -847,12 +850,13 @@ RC_GTEST_PROP(OrientationCorner, KeepsTolerancesAndLimits, ()) {
         blending.kind = path::BlendKind::Tolerance;
         blending.size = tolerance;
     }
-    for (Command& command : commands) command.blending = blending;
+    for (Command& command : commands) command.motion().blending = blending;
     const Motion motion = run(machine, commands);
     RC_ASSERT(!motion.alarmed);
     TickWatch watch(machine, motion.segments);
     const auto tip_of = [&](std::size_t i) {
-        return Vec3(commands[i].to[0], commands[i].to[1], commands[i].to[2]);
+        return Vec3(commands[i].motion().to[0], commands[i].motion().to[1],
+                    commands[i].motion().to[2]);
     };
     Vec3 last = tip_of(0);
     for (const Setpoint& setpoint : sample(machine, commands)) {
@@ -947,7 +951,7 @@ RC_GTEST_PROP(NearThePole, ToolAndAxesGoOn, ()) {
         RC_PRE(tool.cross(tools.back()).norm() > 1e-6);
         tip += *rc::gen::element(0.0, 0.3, 20.0) * any_point(1);
         program.go(tip, tool, any_number(500, 10000));
-        if (is_rounded) program.commands.back().blending = within(0.05, 0.02);
+        if (is_rounded) program.commands.back().motion().blending = within(0.05, 0.02);
         tools.push_back(tool);
     }
     const Motion motion = run(machine, program.commands);

@@ -17,8 +17,8 @@ constexpr double kPi = std::numbers::pi;
 /// A program's dynamics with one thing said.
 template <class Say>
 Command under(Command command, Say say) {
-    if (command.dynamics.empty()) command.dynamics.emplace_back();
-    say(command.dynamics.front());
+    command.motion().dynamics.made();
+    say(*command.motion().dynamics);
     return command;
 }
 
@@ -44,8 +44,8 @@ machine::Machine with_rotary() {
 }
 
 Command turning(Command command, double degrees) {
-    command.to[index(Axis::A)] = degrees;
-    command.moved |= bit(Axis::A);
+    command.motion().to[index(Axis::A)] = degrees;
+    command.motion().moved |= bit(Axis::A);
     return command;
 }
 
@@ -68,8 +68,8 @@ TEST(FeedAxes, TimesOfLines) {
     const Command screw = turning(line_to({100, 0, 0}, 6000), 360);
     const Command turn = turning(line_to({0, 0, 0}, 6000), 360);
     Command inverse = under(diagonal, group(x));
-    inverse.feed_mode = path::FeedMode::InverseTime;
-    inverse.feed = 10;
+    inverse.motion().feed_mode = path::FeedMode::InverseTime;
+    inverse.motion().feed = 10;
     // 360 degrees are 360 mm beside the 100 of X.
     const double wide = std::hypot(100, 360);
     const double on_screw = 100 / (wide / 100);
@@ -151,7 +151,7 @@ TEST(FeedCourse, TimeOfALine) {
 /// Of a block by the inverse of its time: 100 mm · F/60.
 TEST(FeedCourse, InverseTime) {
     Command line = with_feed(line_to({100, 0, 0}, 20), {10, 10, 0, 0});
-    line.feed_mode = path::FeedMode::InverseTime;
+    line.motion().feed_mode = path::FeedMode::InverseTime;
     const double v0 = 100 * 10 / 60.0;
     const double v1 = 100 * 20 / 60.0;
     const double still = 100 * std::log(v1 / v0) / (v1 - v0);
@@ -255,7 +255,7 @@ TEST(FeedCourse, BetweenRestAndASlowCorner) {
             SCOPED_TRACE(aside.transpose());
             const auto machine = machine_of({.jerk = Vec3::Constant(jerk)});
             Command first = line_to({10, 0, 0}, 6000);
-            first.exact_stop = true;
+            first.motion().exact_stop = true;
             const Vec3 end = Vec3(110, 0, 0) + aside;
             const std::vector<Command> program = {
                 first, with_feed(line_to({110, 0, 0}, 9000), {6000, 3000, 0, 0}),

@@ -58,10 +58,10 @@ VirtualAxes inclined(double angle_deg) {
 
 std::vector<Command> within_axes(const VirtualAxes& axes, std::vector<Command> commands) {
     for (Command& command : commands) {
-        command.turning = Turning::Axes;
-        command.virtual_axes = axes;
+        command.motion().turning = Turning::Axes;
+        command.motion().virtual_system = axes;
         // Where C ends is worked out on the way.
-        command.moved = static_cast<AxisMask>(command.moved & ~bit(Axis::C));
+        command.motion().moved = static_cast<AxisMask>(command.motion().moved & ~bit(Axis::C));
     }
     return commands;
 }
@@ -87,9 +87,10 @@ Vec3 tip_of(const VirtualAxes& axes, const RealAxes& at) {
 
 /// How far a point is from the way of a command.
 double distance_from(const Command& command, const Vec3& from, const Vec3& point) {
-    const Vec3 to(command.to[0], command.to[1], command.to[2]);
-    if (command.op == Op::Arc) {
-        const Vec3 out = point - command.center, first = from - command.center;
+    const Vec3 to(command.motion().to[0], command.motion().to[1], command.motion().to[2]);
+    if (command.op() == Op::Arc) {
+        const Vec3 out = point - command.motion().arc().center,
+                   first = from - command.motion().arc().center;
         return std::abs(std::hypot(out.x(), out.y()) - std::hypot(first.x(), first.y()));
     }
     const Vec3 way = to - from;
@@ -121,7 +122,7 @@ Watched watch(const machine::Machine& machine, const VirtualAxes& axes,
         const std::size_t k = setpoint.line - 1;
         if (k < 1) continue;
         const Command& before = commands[k - 1];
-        const Vec3 from(before.to[0], before.to[1], before.to[2]);
+        const Vec3 from(before.motion().to[0], before.motion().to[1], before.motion().to[2]);
         const Vec3 tip = tip_of(axes, axes_of(setpoint));
         watched.beside = std::max(
             {watched.beside, distance_from(commands[k], from, tip), (tip - setpoint.tip).norm()});
@@ -235,8 +236,8 @@ std::vector<Command> any_contour() {
                               : Vec3(at + any_point(reach) * *rc::gen::element(1.0, 0.01)),
                           any_number(200, 20000))
                 : any_arc(at);
-        command.exact_stop = *rc::gen::inRange(0, 5) == 0;
-        at = Vec3(command.to[0], command.to[1], command.to[2]);
+        command.motion().exact_stop = *rc::gen::inRange(0, 5) == 0;
+        at = Vec3(command.motion().to[0], command.motion().to[1], command.motion().to[2]);
         program.push_back(command);
     }
     return program;

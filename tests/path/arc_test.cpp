@@ -45,8 +45,8 @@ TEST(Arc, CasesOfTheOracle) {
         EXPECT_NEAR(arc->sweep, test["u_range"][1].get<double>(), 1e-9);
         EXPECT_NEAR(arc->sweep, expected["sweep_rad"].get<double>(), 1e-9);
         EXPECT_LT((arc->center - vec3(expected["center"])).norm(), 1e-9);
-        EXPECT_NEAR(shape_of(*arc).start_radius, expected["radius_start"].get<double>(), 1e-9);
-        EXPECT_NEAR(shape_of(*arc).end_radius, expected["radius_end"].get<double>(), 1e-9);
+        EXPECT_NEAR(measures_of(*arc).start_radius, expected["radius_start"].get<double>(), 1e-9);
+        EXPECT_NEAR(measures_of(*arc).end_radius, expected["radius_end"].get<double>(), 1e-9);
         if (expected.contains("axis")) {
             EXPECT_LT((arc->normal - vec3(expected["axis"])).norm(), 1e-9);
         }
@@ -68,8 +68,8 @@ TEST(Arc, ShiftedCenterKeepsTheStartRadius) {
         arc_about_center({{20, 0, 0}, {0, 20.01, 0}}, {0, 0, 0}, {}, tolerance);
     ASSERT_TRUE(arc);
     EXPECT_LT((arc->center - Vec3(0, 0.01, 0)).norm(), 1e-4);
-    EXPECT_NEAR(shape_of(*arc).start_radius, 20, 1e-12);
-    EXPECT_NEAR(shape_of(*arc).end_radius, 20, 1e-12);
+    EXPECT_NEAR(measures_of(*arc).start_radius, 20, 1e-12);
+    EXPECT_NEAR(measures_of(*arc).end_radius, 20, 1e-12);
 }
 
 TEST(Arc, Faults) {

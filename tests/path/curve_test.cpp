@@ -218,13 +218,11 @@ RC_GTEST_PROP(Line, PartsKeepTheDirection, ()) {
 /// A tip that is a little beside the start of its arc, as controls forgive it, comes to its end all
 /// the same: the last point that is worked out by the angle lies beside the end that is programmed.
 TEST(CurveOf, AnArcEndsAtItsEndWhereverTheTipIs) {
-    Command command;
-    command.op = Op::Arc;
-    command.center = {0, 0, 0};
-    command.sweep = kPi / 2;
+    Motion motion;
+    motion.shape = ArcShape{.sweep = kPi / 2};
     for (const Vec3& from : {Vec3(10, 0, 0), Vec3(10, 0.01, 0), Vec3(10.01, -0.01, 3)}) {
         const Vec3 to{0, 10, 0};
-        const Curve curve = curve_of(command, from, to);
+        const Curve curve = curve_of(motion, from, to);
         EXPECT_EQ(start(curve), from);
         EXPECT_EQ(end(curve), to);
         const Helix& helix = std::get<Helix>(curve);
@@ -232,7 +230,7 @@ TEST(CurveOf, AnArcEndsAtItsEndWhereverTheTipIs) {
         EXPECT_NEAR(helix.sweep, kPi / 2, 0.0011);  // 0.01 of 10 mm, rad
     }
     // A start that another turn would belong to keeps the sweep that is programmed.
-    EXPECT_EQ(std::get<Helix>(curve_of(command, {0, -10, 0}, {0, 10, 0})).sweep, kPi / 2);
+    EXPECT_EQ(std::get<Helix>(curve_of(motion, {0, -10, 0}, {0, 10, 0})).sweep, kPi / 2);
 }
 
 }  // namespace

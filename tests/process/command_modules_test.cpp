@@ -26,8 +26,8 @@ class Press final : public CommandModule {
   public:
     std::vector<Command> serve(const Command& command) override {
         Command stroke = command;
-        stroke.op = Op::External;
-        stroke.time = 0.1 * ++strokes_;
+        stroke.become(Op::External);
+        stroke.external().time = 0.1 * ++strokes_;
         return {stroke};
     }
 
@@ -45,13 +45,14 @@ class Stairs final : public CommandModule {
   public:
     std::vector<Command> serve(const Command& command) override {
         std::vector<Command> steps;
-        const Vec3 to = {command.to[0], command.to[1], command.to[2]};
+        const Vec3 to = {command.motion().to[0], command.motion().to[1], command.motion().to[2]};
         const int count = static_cast<int>(std::ceil((to - at_).norm()));
         for (int i = 1; i <= count; ++i) {
             Command& step = steps.emplace_back(command);
             const Vec3 place = at_ + (to - at_) * i / count;
             for (std::size_t k = 0; k < 3; ++k)
-                step.to[k] = place[static_cast<Eigen::Index>(k)] + (k == 2 && i < count ? 1 : 0);
+                step.motion().to[k] =
+                    place[static_cast<Eigen::Index>(k)] + (k == 2 && i < count ? 1 : 0);
         }
         at_ = to;
         return steps;
@@ -84,7 +85,7 @@ void run(const machine::Machine& machine, std::vector<Command> commands, Done& o
 
 Command dwell(double time) {
     Command command = simple(Op::Dwell);
-    command.time = time;
+    command.dwell().time = time;
     return command;
 }
 

@@ -109,7 +109,7 @@ TEST(CuttingSpeed, ThePlannerTakesTheTimeOfTheLaw) {
 
 TEST(CuttingSpeed, ThePlannerKeepsTheLeastSpeed) {
     std::vector<path::Command> commands = facing(200, 3000, 100, 50, 0.3);
-    commands[1].least_speed = 400;
+    commands[1].speed_limit().least = 400;
     motion::Spindle spindle = spindle_of(200, 3000);
     spindle.least = speed_from_rpm(400);
     const double want = pass_time(spindle, {100, 50, 0.3});

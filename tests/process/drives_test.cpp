@@ -175,7 +175,7 @@ TEST(DriveRun, AProgramThatFacesHasTheCurrentsOfTheOracle) {
                    -0.2, pass.feed_per_revolution);
         commands.push_back(motion::test::rapid_to({pass.radius, 0, 0}));
         path::Command settling = motion::test::simple(path::Op::Dwell);  // the axis swings in
-        settling.time = 0.5;
+        settling.dwell().time = 0.5;
         commands.push_back(settling);
         const ProgramRun run = drive(drives_of(in), commands);
         EXPECT_FALSE(run.has_stalled);

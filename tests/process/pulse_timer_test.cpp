@@ -125,7 +125,7 @@ TEST(PulseTimer, WhereEveryPointIsAStopBothModesTakeTheSame) {
         std::vector<Command> commands = {motion::test::spindle_on(100)};
         for (int i = 1; i <= 30; ++i) {
             commands.push_back(line_to({step * i, 0, 0}, kFeed));
-            commands.back().exact_stop = true;
+            commands.back().motion().exact_stop = true;
         }
         const Timed synchronised = run(laser_of(), commands);
         const Timed stopping = run(laser_of(PulseMode::Stop), commands);
@@ -165,7 +165,7 @@ TEST(PulseTimer, SynchronisedSavesTime) {
             angle += turn * (2 * chance() - 1);
             at += longest * (0.3 + 0.7 * chance()) * Vec3(std::cos(angle), std::sin(angle), 0);
             commands.push_back(line_to(at, kFeed));
-            commands.back().exact_stop = chance() < 0.1 * (set % 5);
+            commands.back().motion().exact_stop = chance() < 0.1 * (set % 5);
         }
         const Timed synchronised = run(laser_of(), commands);
         const Timed stopping = run(laser_of(machine::PulseMode::Stop), commands);
@@ -181,7 +181,7 @@ TEST(PulseTimer, RapidsAndDwellsBurnNothingAndThePumpGoesOn) {
     std::vector<Command> commands = straight(3);
     commands.push_back(rapid_to({3, 2, 0}));
     Command dwell = motion::test::simple(path::Op::Dwell);
-    dwell.time = 0.1234;
+    dwell.dwell().time = 0.1234;
     commands.push_back(dwell);
     for (int i = 1; i <= 3; ++i) commands.push_back(line_to({3, 2 + 0.125 * i, 0}, kFeed));
     const Timed timed = run(laser_of(), commands);

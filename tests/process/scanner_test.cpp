@@ -197,7 +197,7 @@ TEST(Scanner, ABeamMayComeBeforeTheMark) {
 
 TEST(Scanner, ADwellWaitsOrExposes) {
     Command dwell = simple(Op::Dwell);
-    dwell.time = 0.0015;
+    dwell.dwell().time = 0.0015;
     Command off = simple(Op::Spindle);
     Scanned done;
     run(scanner_of(),
@@ -345,15 +345,15 @@ TEST(Scanner, BatchesDoNotShow) {
 TEST(Scanner, WhatItCannotDoIsAnAlarm) {
     Command tool = simple(Op::Tool);
     Command machine_place = rapid_to({1, 1, 0});
-    machine_place.machine_coordinates = true;
+    machine_place.motion().machine_coordinates = true;
     Command thread = line_to({1, 0, 0}, 1);
-    thread.op = Op::Thread;
+    thread.become(Op::Thread);
     Command no_feed = line_to({1, 0, 0}, 0);
     Command turns = simple(Op::Dwell);
-    turns.revolutions = 2;
+    turns.dwell().revolutions = 2;
     Command rotary = line_to({1, 0, 0}, kFeed);
-    rotary.to[index(Axis::C)] = 5;
-    rotary.moved |= bit(Axis::C);
+    rotary.motion().to[index(Axis::C)] = 5;
+    rotary.motion().moved |= bit(Axis::C);
     const struct {
         const char* name;
         Command command;

@@ -33,11 +33,11 @@ inline std::vector<path::Command> facing(double speed_m_min, double most_rpm, do
                                          double to, double feed_per_revolution) {
     using path::Command;
     Command limit = motion::test::simple(path::Op::SpeedLimit);
-    limit.speed = most_rpm;
+    limit.speed_limit().most = most_rpm;
     Command spindle = motion::test::spindle_on(speed_m_min);
-    spindle.cutting_speed = true;
+    spindle.spindle().has_cutting_speed = true;
     Command cut = motion::test::line_to({to, 0, 0}, feed_per_revolution);
-    cut.feed_mode = path::FeedMode::PerRevolution;
+    cut.motion().feed_mode = path::FeedMode::PerRevolution;
     return {motion::test::rapid_to({from, 0, 0}), limit, spindle, cut};
 }
 

@@ -168,15 +168,17 @@ class Reduction {
         : axes_(has_rotary ? 6 : 3), shows_exact_stop_(shows_exact_stop) {}
 
     void take(const Command& command) {
-        switch (command.op) {
+        switch (command.op()) {
             case Op::Rapid: motion(command, "rapid"); break;
             case Op::Line: motion(command, "line"); break;
             case Op::Arc: motion(command, "arc"); break;
-            case Op::Dwell: tell(command, "dwell", {command.time}); break;
-            case Op::Tool: tell(command, "tool", {static_cast<double>(command.tool)}); break;
+            case Op::Dwell: tell(command, "dwell", {command.dwell().time}); break;
+            case Op::Tool:
+                tell(command, "tool", {static_cast<double>(command.tool().number)});
+                break;
             case Op::ToolLength:
-                length_ = command.length;
-                tell(command, "tool_length", {command.length});
+                length_ = command.tool_length().length;
+                tell(command, "tool_length", {command.tool_length().length});
                 break;
             case Op::Stop: tell(command, "stop", {}); break;
             case Op::OptionalStop: tell(command, "optional_stop", {}); break;
@@ -189,14 +191,14 @@ class Reduction {
                 break;
             case Op::OtherSpindle: ADD_FAILURE() << "no machine here has two spindles"; break;
             case Op::Spindle:
-                spindle_ = {.op = "spindle", .words = spindle_name(command.spindle)};
+                spindle_ = {.op = "spindle", .words = spindle_name(command.spindle().mode)};
                 spindle_.words += ' ';
-                if (command.spindle == kadr::path::SpindleMode::Stop) break;
-                spindle_.values = {command.speed};
-                if (command.cutting_speed) spindle_.words += "cutting_speed ";
+                if (command.spindle().mode == kadr::path::SpindleMode::Stop) break;
+                spindle_.values = {command.spindle().speed};
+                if (command.spindle().has_cutting_speed) spindle_.words += "cutting_speed ";
                 break;
             case Op::Coolant:
-                coolant_ = {.op = "coolant", .words = coolant_name(command.coolant)};
+                coolant_ = {.op = "coolant", .words = coolant_name(command.coolant().mode)};
                 coolant_.words += ' ';
                 break;
             case Op::SpeedLimit:
@@ -219,26 +221,27 @@ class Reduction {
 
     void motion(const Command& command, const char* op) {
         Step step{.op = op, .line = command.line};
-        step.to.assign(command.to.begin(), command.to.begin() + axes_);
-        step.is_machine = command.machine_coordinates;
+        step.to.assign(command.motion().to.begin(), command.motion().to.begin() + axes_);
+        step.is_machine = command.motion().machine_coordinates;
         std::vector<double> slides = step.to;
         if (!step.is_machine) slides[2] += length_;
-        const bool is_empty = command.op != Op::Arc && !slides_.empty() && is_near(slides, slides_);
+        const bool is_empty =
+            command.op() != Op::Arc && !slides_.empty() && is_near(slides, slides_);
         slides_ = std::move(slides);
         if (is_empty) return;
-        if (command.op != Op::Rapid) {
-            step.values.push_back(command.feed);
-            step.words += feed_mode_name(command.feed_mode);
+        if (command.op() != Op::Rapid) {
+            step.values.push_back(command.motion().feed);
+            step.words += feed_mode_name(command.motion().feed_mode);
         }
-        if (command.op == Op::Arc) {
-            const auto [first, second] = plane_axes(plane_name(command.plane));
-            step.center = {command.center[static_cast<Eigen::Index>(first)],
-                           command.center[static_cast<Eigen::Index>(second)]};
-            step.values.push_back(command.sweep);
-            step.words += plane_name(command.plane);
-            step.words += command.is_clockwise ? " cw " : " ccw ";
+        if (command.op() == Op::Arc) {
+            const auto [first, second] = plane_axes(plane_name(command.motion().plane));
+            step.center = {command.motion().arc().center[static_cast<Eigen::Index>(first)],
+                           command.motion().arc().center[static_cast<Eigen::Index>(second)]};
+            step.values.push_back(command.motion().arc().sweep);
+            step.words += plane_name(command.motion().plane);
+            step.words += command.motion().arc().is_clockwise ? " cw " : " ccw ";
         }
-        if (shows_exact_stop_ && command.exact_stop && command.op != Op::Rapid) {
+        if (shows_exact_stop_ && command.motion().exact_stop && command.op() != Op::Rapid) {
             step.words += "exact_stop ";
         }
         add(std::move(step));
