@@ -44,10 +44,10 @@ inline double least_time(double distance, const ThirdOrder& limits) {
 
 /// A motion of three axes by `way`, each with its own limits.
 struct Transfer {
-    std::array<double, 3> way{};  // mm, either sign
+    std::array<double, 3> delta{};  // mm, either sign
     std::array<ThirdOrder, 3> axes;
 
-    double length() const { return std::hypot(way[0], way[1], way[2]); }
+    double length() const { return std::hypot(delta[0], delta[1], delta[2]); }
 };
 
 /// The least time on the straight line: what each axis allows of the path, all the way.
@@ -55,7 +55,7 @@ inline double least_time_straight(const Transfer& transfer) {
     const double length = transfer.length();
     ThirdOrder path{1e300, 1e300, 1e300};
     for (std::size_t i = 0; i < 3; ++i) {
-        const double share = std::abs(transfer.way[i]) / length;
+        const double share = std::abs(transfer.delta[i]) / length;
         if (share == 0) continue;
         const ThirdOrder& axis = transfer.axes[i];
         path.velocity = std::min(path.velocity, axis.velocity / share);
@@ -69,7 +69,7 @@ inline double least_time_straight(const Transfer& transfer) {
 inline double least_time_free(const Transfer& transfer) {
     double time = 0;
     for (std::size_t i = 0; i < 3; ++i)
-        time = std::max(time, least_time(std::abs(transfer.way[i]), transfer.axes[i]));
+        time = std::max(time, least_time(std::abs(transfer.delta[i]), transfer.axes[i]));
     return time;
 }
 
@@ -84,7 +84,7 @@ class Transfers {
             transfer.axes[i] = {between(80, 2000), between(500, 20'000), between(5000, 1e6)};
             if (i >= axes) continue;
             const double sign = random_() % 2 == 0 ? 1 : -1;
-            transfer.way[i] = sign * between(1e-3, 2000);
+            transfer.delta[i] = sign * between(1e-3, 2000);
         }
         return transfer;
     }

@@ -39,7 +39,7 @@ bool is_output_whole() {
 }
 
 /// For what does not go through an output of the driver.
-Status told(driver::Session& session, Status status) {
+Status reported(driver::Session& session, Status status) {
     if (is_output_whole()) return status;
     session.messages().report(diag::FileUnwritable).arg("standard output");
     return Status::Usage;
@@ -47,7 +47,7 @@ Status told(driver::Session& session, Status status) {
 
 Status show(driver::Session& session, const driver::Reply& reply) {
     print(stdout, reply.text);
-    return told(session, reply.status);
+    return reported(session, reply.status);
 }
 
 /// A command at a break point; nothing at the end of the input.
@@ -83,7 +83,8 @@ Status perform(driver::Session& session, const cli::CommandLine& line,
         case cli::Verb::Check: return driver::check(session, line.sources);
         case cli::Verb::Test: return driver::test(session, line.test);
         case cli::Verb::Format: return driver::format(session, line.sources, line.format);
-        case cli::Verb::Repl: return told(session, repl::converse(line.options, session.share()));
+        case cli::Verb::Repl:
+            return reported(session, repl::converse(line.options, session.share()));
         case cli::Verb::Explain: return show(session, driver::explain_message(session, line.word));
         case cli::Verb::DialectList: return show(session, driver::list_dialects(session));
         case cli::Verb::DialectCheck:
@@ -135,7 +136,7 @@ int main(int count, char** arguments) try {
     return static_cast<int>(perform(line));
 } catch (const std::bad_alloc&) {
     // Outputs that were begun are gone by now: what holds them has gone out of scope.
-    return cli::tell_out_of_memory();
+    return cli::report_out_of_memory();
 } catch (const std::length_error&) {  // more elements than any memory has
-    return cli::tell_out_of_memory();
+    return cli::report_out_of_memory();
 }

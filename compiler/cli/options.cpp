@@ -608,15 +608,15 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
 double Parser::take_override(const std::string& text, const char* option, motion::OperatorAct act,
                              double most) {
     if (text.empty()) return 1;
-    const auto course = driver::override_sequence(text, act, most);
-    if (!course) {
+    const auto sequence = driver::override_sequence(text, act, most);
+    if (!sequence) {
         throw CLI::ValidationError(option, "`" + text + "` is no course of a switch for 1 to " +
                                                std::to_string(static_cast<int>(100 * most)) +
                                                " %; write `80`, `80%` or `100%,5s:50%,N120:100%`");
     }
     std::vector<motion::OperatorEvent>& events = line_.run.operator_events;
-    events.insert(events.end(), course->events.begin(), course->events.end());
-    return course->at_start;
+    events.insert(events.end(), sequence->events.begin(), sequence->events.end());
+    return sequence->at_start;
 }
 
 void Parser::take_operator() {

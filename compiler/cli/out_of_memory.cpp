@@ -32,9 +32,9 @@ void write(std::string_view text) {
         try {
             std::rethrow_exception(thrown);
         } catch (const std::bad_alloc&) {
-            ::_exit(tell_out_of_memory());
+            ::_exit(report_out_of_memory());
         } catch (const std::length_error&) {
-            ::_exit(tell_out_of_memory());
+            ::_exit(report_out_of_memory());
         } catch (...) {
             // Ours throws nothing else: a broken promise, which is to be seen as one.
         }
@@ -50,7 +50,7 @@ void say_out_of_memory_as(driver::MessageFormat format) {
     says_json = format == driver::MessageFormat::Json;
 }
 
-int tell_out_of_memory() {
+int report_out_of_memory() {
     const bool json = says_json;
     const DiagnosticRow& row = diag::OutOfMemory;
     write(json ? R"({"file":"","severity":"error","code":")" : "error[");

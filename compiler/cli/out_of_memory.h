@@ -13,6 +13,6 @@ void end_without_memory();
 void say_out_of_memory_as(driver::MessageFormat format);
 
 /// Writes the message to standard error, without asking for memory. Returns the exit status.
-int tell_out_of_memory();
+int report_out_of_memory();
 
 }  // namespace kadr::cli

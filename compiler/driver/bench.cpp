@@ -68,7 +68,7 @@ Entry Bench::entry(const CallUnderTest& call) const {
 
 /// Executes the call to its end or to what stops it. Null: there is no machine.
 std::unique_ptr<Recording> Bench::perform(const CallUnderTest& call, const std::string& name,
-                                          DiagnosticList& said) {
+                                          DiagnosticList& messages) {
     was_asked_ = true;
     const nc::Dialect* dialect = wanted_dialect(call, name);
     const machine::Machine* machine = session_.machine();
@@ -76,7 +76,7 @@ std::unique_ptr<Recording> Bench::perform(const CallUnderTest& call, const std::
     auto recording = std::make_unique<Recording>();
     recording->dialect = name;
     const Subject subject{program_, *dialect,        entry(call), cycles_of(name, *dialect),
-                          said,     &recording->text};
+                          messages, &recording->text};
     const std::unique_ptr<Execution> execution = Execution::open(session_, subject);
     if (execution) {
         CommandTap tap(*execution, [&](const path::Command& command) { recording->add(command); });
@@ -99,7 +99,7 @@ std::unique_ptr<Recording> Bench::perform(const CallUnderTest& call, const std::
         tap.pass_until(planner.alarmed() && read > 0 ? read - 1 : read);
         recording->blocks = execution->statement_lines();
     }
-    for (const Diagnostic& diagnostic : said.all()) {
+    for (const Diagnostic& diagnostic : messages.all()) {
         switch (diagnostic.severity) {
             case Severity::Warning: ++recording->warnings; continue;
             case Severity::Error: ++recording->errors; break;
@@ -112,38 +112,39 @@ std::unique_ptr<Recording> Bench::perform(const CallUnderTest& call, const std::
 }
 
 /// A call with an error: what it says becomes what the test says.
-Done Bench::require_no_error(const DiagnosticList& said) {
-    if (!said.has_errors()) return kDone;
-    for (const Diagnostic& diagnostic : said.all()) {
+Done Bench::require_no_error(const DiagnosticList& messages) {
+    if (!messages.has_errors()) return kDone;
+    for (const Diagnostic& diagnostic : messages.all()) {
         if (diagnostic.severity != Severity::Warning) sink_->take(diagnostic);
     }
     return kFailed;
 }
 
 std::optional<std::int64_t> Bench::execute(const CallUnderTest& call) {
-    DiagnosticList said;
-    std::unique_ptr<Recording> recording = perform(call, call.text.value_or(dialect_), said);
+    DiagnosticList messages;
+    std::unique_ptr<Recording> recording = perform(call, call.text.value_or(dialect_), messages);
     if (!recording) return std::nullopt;
     const bool may_fail = call.call->purpose == sema::TestCall::Purpose::Attempt;
-    if (!may_fail && !require_no_error(said)) return std::nullopt;
+    if (!may_fail && !require_no_error(messages)) return std::nullopt;
     recordings_.push_back(std::move(recording));
     return static_cast<std::int64_t>(recordings_.size());
 }
 
 std::optional<std::string> Bench::write(const CallUnderTest& call) {
-    DiagnosticList said;
-    const std::unique_ptr<Recording> recording = perform(call, call.text.value_or(dialect_), said);
-    if (!recording || !require_no_error(said)) return std::nullopt;
+    DiagnosticList messages;
+    const std::unique_ptr<Recording> recording =
+        perform(call, call.text.value_or(dialect_), messages);
+    if (!recording || !require_no_error(messages)) return std::nullopt;
     return recording->text;
 }
 
 Done Bench::require_error(const CallUnderTest& call) {
-    DiagnosticList said;
-    const std::unique_ptr<Recording> recording = perform(call, dialect_, said);
+    DiagnosticList messages;
+    const std::unique_ptr<Recording> recording = perform(call, dialect_, messages);
     if (!recording) return kFailed;
     const std::string wanted = call.text.value_or("");
     const Diagnostic* first = nullptr;
-    for (const Diagnostic& diagnostic : said.all()) {
+    for (const Diagnostic& diagnostic : messages.all()) {
         if (diagnostic.severity == Severity::Warning) continue;
         if (diagnostic.row->code == wanted || diagnostic.alarm_number == wanted) return kDone;
         if (first == nullptr) first = &diagnostic;

@@ -23,7 +23,7 @@ using CycleShelf = std::map<std::string, std::unique_ptr<LibraryCycles>>;
 class Bench final : public expand::TestBench {
   public:
     /// References outlive the bench. `dialects` are all for which the tests are run.
-    Bench(Session& session, const Program& program, const std::vector<std::string>& dialects,
+    Bench(Session& session, const KadrProgram& program, const std::vector<std::string>& dialects,
           CycleShelf& cycles)
         : session_(session), program_(program), dialects_(dialects), cycles_(cycles) {}
 
@@ -44,12 +44,12 @@ class Bench final : public expand::TestBench {
     const nc::Dialect* wanted_dialect(const expand::CallUnderTest& call, const std::string& name);
     LibraryCycles& cycles_of(const std::string& name, const nc::Dialect& dialect);
     std::unique_ptr<Recording> perform(const expand::CallUnderTest& call, const std::string& name,
-                                       DiagnosticList& said);
+                                       DiagnosticList& messages);
     Entry entry(const expand::CallUnderTest& call) const;
-    Done require_no_error(const DiagnosticList& said);
+    Done require_no_error(const DiagnosticList& messages);
 
     Session& session_;
-    const Program& program_;
+    const KadrProgram& program_;
     const std::vector<std::string>& dialects_;
     CycleShelf& cycles_;
     std::string dialect_;

@@ -69,7 +69,7 @@ bool BreakPoint::is_line(const FileLine& line, std::string_view started) const {
     return name_.empty() ? line.file == started : is_file(line.file, name_);
 }
 
-bool BreakPoint::is_program(const Arrival& arrival) const {
+bool BreakPoint::is_program(const StopArrival& arrival) const {
     if (arrival.program.empty()) return false;
     if (kind_ == Kind::Number) return !has_letter_ && whole(arrival.program) == number_;
     return upper_ascii(arrival.program) == name_ ||
@@ -77,7 +77,7 @@ bool BreakPoint::is_program(const Arrival& arrival) const {
             without_zeros(arrival.program_head) == without_zeros(name_));
 }
 
-bool BreakPoint::is_at(const Arrival& arrival) const {
+bool BreakPoint::is_at(const StopArrival& arrival) const {
     switch (kind_) {
         case Kind::Number:
             return (arrival.has_number && arrival.number == number_) || is_program(arrival);
@@ -85,7 +85,7 @@ bool BreakPoint::is_at(const Arrival& arrival) const {
             return is_line(arrival.text, arrival.started) ||
                    is_line(arrival.statement, arrival.started) ||
                    std::any_of(arrival.entered.begin(), arrival.entered.end(),
-                               [this, &arrival](const Arrival::Entered& call) {
+                               [this, &arrival](const StopArrival::Entered& call) {
                                    return is_line(call.call, arrival.started);
                                });
         case Kind::Name: break;
@@ -95,7 +95,7 @@ bool BreakPoint::is_at(const Arrival& arrival) const {
     };
     return is_called(arrival.label) || is_program(arrival) ||
            std::any_of(arrival.entered.begin(), arrival.entered.end(),
-                       [&](const Arrival::Entered& call) { return is_called(call.function); });
+                       [&](const StopArrival::Entered& call) { return is_called(call.function); });
 }
 
 std::size_t CallWatch::known_calls(const expand::Trace& now) {

@@ -27,7 +27,7 @@ struct FileLine {
 };
 
 /// A line that is about to be executed, with what a person may call it.
-struct Arrival {
+struct StopArrival {
     std::uint64_t number = 0;  // N; used if has_number
     bool has_number = false;
     std::string_view label;
@@ -49,12 +49,12 @@ class BreakPoint {
     static std::optional<BreakPoint> parse(std::string_view text);
 
     const std::string& text() const { return text_; }
-    bool is_at(const Arrival& arrival) const;
+    bool is_at(const StopArrival& arrival) const;
 
   private:
     enum class Kind : std::uint8_t { Number, Line, Name };
     bool is_line(const FileLine& line, std::string_view started) const;
-    bool is_program(const Arrival& arrival) const;
+    bool is_program(const StopArrival& arrival) const;
 
     std::string text_;  // as it was given
     Kind kind_ = Kind::Name;

@@ -18,7 +18,7 @@ constexpr double kHeadroom = 0.06;  // share of the height above and below the c
 
 /// The numbers of a chart as places on paper.
 struct Scale {
-    Frame frame;
+    PlotFrame frame;
     double lower_across = 0;
     double lower_up = 0;
     double per_across = 1;  // px
@@ -57,7 +57,7 @@ std::string label(double value) { return fmt::format("{:.10g}", round_to(value, 
 /// `least`: pixels that it is wide at least; 0: one that has no width is not drawn.
 void draw_band(std::string& out, const Scale& scale, const Chart& chart, const ChartBand& band,
                const char* color, double least) {
-    const Frame& f = chart.frame;
+    const PlotFrame& f = chart.frame;
     const double from = scale.x(std::max(band.from, chart.lower));
     const double width = std::max(scale.x(std::min(band.to, chart.upper)) - from, least);
     if (!(width > 0)) return;
@@ -66,7 +66,7 @@ void draw_band(std::string& out, const Scale& scale, const Chart& chart, const C
 }
 
 void draw_grid(std::string& out, const Chart& chart, const Scale& scale) {
-    const Frame& f = chart.frame;
+    const PlotFrame& f = chart.frame;
     put(out,
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\" "
         "stroke=\"#c3c8cf\"/>\n",
@@ -101,7 +101,7 @@ void draw_grid(std::string& out, const Chart& chart, const Scale& scale) {
 }
 
 void draw_head(std::string& out, const Chart& chart) {
-    const Frame& f = chart.frame;
+    const PlotFrame& f = chart.frame;
     put(out,
         "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" font-weight=\"600\" "
         "fill=\"{}\">{}</text>\n",
@@ -178,7 +178,7 @@ void draw_line(std::string& out, const Chart& chart, const ChartLine& line, cons
 constexpr double kBadge = 7.5;  // px, radius of the disc of a number
 
 void draw_marks(std::string& out, const Chart& chart, const Scale& scale) {
-    const Frame& f = chart.frame;
+    const PlotFrame& f = chart.frame;
     double free_from = f.left;
     for (const ChartMark& mark : chart.marks) {
         if (mark.across < chart.lower || mark.across > chart.upper) continue;
@@ -207,7 +207,7 @@ void draw_badge(std::string& out, double x, double y, const std::string& name) {
 
 void draw_chart(std::string& out, const Chart& chart) {
     const Scale scale = scale_of(chart);
-    const Frame& f = chart.frame;
+    const PlotFrame& f = chart.frame;
     draw_grid(out, chart, scale);
     draw_head(out, chart);
     // Each chart has its place on paper: that names what its curves are cut off by.

@@ -33,7 +33,7 @@ struct ChartBand {
 };
 
 struct Chart {
-    Frame frame;
+    PlotFrame frame;
     std::string title;   // "Radius, mm"
     std::string across;  // "time, s"; empty: no labels below
     double lower = 0;    // of the quantity across; what lies outside is not drawn

@@ -22,14 +22,14 @@ void interpret(Session& session, const std::string& source, std::unique_ptr<File
     if (!execution) return;
     std::vector<path::Command> batch(kBatch);
     while (execution->pull(batch) > 0) {
-        session.tell({.blocks = execution->blocks(), .setpoints = 0, .time = 0});
+        session.report({.blocks = execution->blocks(), .setpoints = 0, .time = 0});
     }
     execution->read_rest();
 }
 
 /// Makes the text of a program that needs no values from outside, runs it and throws it away: what
 /// comes to light only then is a mistake as well.
-void try_out(Session& session, const Program& program) {
+void try_out(Session& session, const KadrProgram& program) {
     const Options& options = session.options();
     const sema::FunctionCode* chosen = chosen_program(*program.code, options.program);
     if (chosen == nullptr) return;

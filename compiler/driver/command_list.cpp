@@ -20,13 +20,13 @@ const std::string& CommandList::source_of(const path::Command& command) {
 
 void CommandList::write(const path::Command& command) {
     line_.clear();
-    if (macro::Program::is_in_main_text(command.line)) {
+    if (macro::NcProgram::is_in_main_text(command.line)) {
         listing_.append(command, source_of(command), line_);
     } else {
-        const TextLocation place = execution_.place_of(command.line);
+        const TextLocation location = execution_.location_of(command.line);
         called_ = command;
-        called_.line = place.line;
-        listing_.append(called_, place.file + ':' + std::to_string(place.line), line_);
+        called_.line = location.line;
+        listing_.append(called_, location.file + ':' + std::to_string(location.line), line_);
     }
     out_.write(line_);
 }

@@ -27,9 +27,9 @@ using motion::Comparison;
 using motion::Parting;
 
 /// One of the two: a session of its own, for it may be for another control.
-class Side {
+class ComparedProgram {
   public:
-    Side(Session& session, const std::string& source, const std::string& dialect)
+    ComparedProgram(Session& session, const std::string& source, const std::string& dialect)
         : session_(options_for_machine(session, dialect), session.share(), session.sources(),
                    session.messages()),
           source_(source) {}
@@ -63,8 +63,9 @@ class Side {
         return std::filesystem::path(execution_->text_name()).filename().string();
     }
     std::string place(std::uint32_t line) const {
-        if (macro::Program::is_in_main_text(line)) return text_name() + ':' + std::to_string(line);
-        const TextLocation called = execution_->place_of(line);
+        if (macro::NcProgram::is_in_main_text(line))
+            return text_name() + ':' + std::to_string(line);
+        const TextLocation called = execution_->location_of(line);
         return std::filesystem::path(called.file).filename().string() + ':' +
                std::to_string(called.line);
     }
@@ -94,7 +95,7 @@ class Side {
 
 const char* words_of(Parting parting) {
     switch (parting) {
-        case Parting::Way: return "the ways part";
+        case Parting::Path: return "the ways part";
         case Parting::Kind: return "one cuts or stands where the other does not";
         case Parting::Length: return "one stops before the other";
         case Parting::Followers: return "an axis beside X, Y, Z is elsewhere";
@@ -124,7 +125,7 @@ std::string point_text(const path::Vec3& point) {
 }
 
 /// "239.5 rpm", "120 m/min, counter-clockwise", "it stands".
-std::string spindle_text(const motion::Spindle& spindle) {
+std::string spindle_text(const motion::CommandedSpindle& spindle) {
     if (!spindle.is_turning) return "it stands";
     const std::string speed =
         spindle.holds_cutting_speed
@@ -133,43 +134,43 @@ std::string spindle_text(const motion::Spindle& spindle) {
     return speed + (spindle.is_counterclockwise ? ", counter-clockwise" : "");
 }
 
-std::string comparison_text(const Comparison& result, const std::array<Side*, 2>& sides,
+std::string comparison_text(const Comparison& result, const std::array<ComparedProgram*, 2>& sides,
                             double tolerance) {
     std::string out;
-    for (const Side* side : sides) {
+    for (const ComparedProgram* side : sides) {
         put(out, "  {:<20}{:<34}{:>12}{:>12.1f} mm\n", side->text_name(), side->control(),
             duration_text(side->totals().time), side->totals().length);
     }
-    const auto tell = [&](const ComparedPoint& place) {
+    const auto report = [&](const ComparedPoint& point) {
         const bool by_spindle = result.parting == Parting::Spindle;
-        const auto behind = [&](const motion::Spindle& spindle) {
+        const auto behind = [&](const motion::CommandedSpindle& spindle) {
             return by_spindle ? "   " + spindle_text(spindle) : std::string();
         };
-        put(out, "    {:<24}{}{}\n    {:<24}{}{}\n", sides[0]->place(place.first_line),
-            point_text(place.first), behind(result.first_spindle),
-            sides[1]->place(place.second_line), point_text(place.second),
+        put(out, "    {:<24}{}{}\n    {:<24}{}{}\n", sides[0]->place(point.first_line),
+            point_text(point.first), behind(result.first_spindle),
+            sides[1]->place(point.second_line), point_text(point.second),
             behind(result.second_spindle));
     };
     if (result.parting) {
         put(out, "\n  not the same motion: {}, after {} stretches alike\n",
             words_of(*result.parting), result.stretches > 0 ? result.stretches - 1 : 0);
-        tell(result.parted);
+        report(result.parted);
         return out;
     }
     put(out, "\n  the same motion within {} mm: {} stretches, {:.1f} um apart at most\n",
         format_shortest(tolerance), result.stretches, 1000 * result.greatest_distance);
-    if (result.greatest_distance > 0) tell(result.widest);
+    if (result.greatest_distance > 0) report(result.widest);
     if (result.greatest_feed_share > 0) {
         put(out, "  feeds within {:.3g} %\n", 100 * result.greatest_feed_share);
-        tell(result.fastest);
+        report(result.fastest);
     }
     return out;
 }
 
-void put_place(std::string& out, const char* name, const ComparedPoint& place,
-               const std::array<Side*, 2>& sides) {
-    const std::array<std::uint32_t, 2> lines = {place.first_line, place.second_line};
-    const std::array<path::Vec3, 2> points = {place.first, place.second};
+void put_point(std::string& out, const char* name, const ComparedPoint& point,
+               const std::array<ComparedProgram*, 2>& sides) {
+    const std::array<std::uint32_t, 2> lines = {point.first_line, point.second_line};
+    const std::array<path::Vec3, 2> points = {point.first, point.second};
     put(out, ",\"{}\":[", name);
     for (std::size_t i = 0; i < sides.size(); ++i) {
         put(out, "{}{{\"at\":{},\"x\":{},\"y\":{},\"z\":{}}}", i > 0 ? "," : "",
@@ -180,7 +181,8 @@ void put_place(std::string& out, const char* name, const ComparedPoint& place,
     out += ']';
 }
 
-std::string comparison_json(const Comparison& result, const std::array<Side*, 2>& sides) {
+std::string comparison_json(const Comparison& result,
+                            const std::array<ComparedProgram*, 2>& sides) {
     std::string out = "{\"same\":";
     out += result.parting ? "false" : "true";
     if (result.parting) put(out, ",\"parting\":\"{}\"", name_of(*result.parting));
@@ -192,23 +194,23 @@ std::string comparison_json(const Comparison& result, const std::array<Side*, 2>
         format_shortest(round_to(sides[1]->totals().time, 9)),
         format_shortest(round_to(sides[0]->totals().length, 9)),
         format_shortest(round_to(sides[1]->totals().length, 9)));
-    if (result.parting) put_place(out, "parted", result.parted, sides);
-    else put_place(out, "widest", result.widest, sides);
+    if (result.parting) put_point(out, "parted", result.parted, sides);
+    else put_point(out, "widest", result.widest, sides);
     return out + "}\n";
 }
 
 }  // namespace
 
 Status compare(Session& session, const CompareJob& job) {
-    Side first(session, job.sources[0], job.dialects[0]);
-    Side second(session, job.sources[1], job.dialects[1]);
-    const std::array<Side*, 2> sides = {&first, &second};
-    for (Side* side : sides) {
+    ComparedProgram first(session, job.sources[0], job.dialects[0]);
+    ComparedProgram second(session, job.sources[1], job.dialects[1]);
+    const std::array<ComparedProgram*, 2> sides = {&first, &second};
+    for (ComparedProgram* side : sides) {
         if (!side->open()) return side->status() == Status::Done ? Status::Failed : side->status();
     }
     const Comparison result =
         motion::compare(first.motion(), second.motion(), job.tolerance, first.chain());
-    for (Side* side : sides) side->finish();
+    for (ComparedProgram* side : sides) side->finish();
     const Status status = session.status();
     if (status != Status::Done) return status;
     auto output = Output::open("-", session.messages(), session.output_rules());

@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 /// Blocks of one cycle call; each bears the source of the call.
 class CycleBlocks final : public Stream<nc::Block> {
   public:
-    CycleBlocks(const Program& library, const nc::Dialect& dialect, const interp::CycleCall& call,
-                CycleMessages& sink)
+    CycleBlocks(const KadrProgram& library, const nc::Dialect& dialect,
+                const interp::CycleCall& call, CycleMessages& sink)
         // Only moves: the control's own cycle is what is being executed.
         : expander_(*library.code, dialect, {.limits = {}, .native_cycles = false, .trace = false},
                     sink),
           source_(call.source),
           messages_(sink),
-          caller_{std::string(call.name), call.place} {}
+          caller_{std::string(call.name), call.location} {}
 
     Done start(const interp::CycleCall& call) {
         expand::Expander::Surroundings at{.position = call.position,
@@ -62,7 +62,7 @@ class CycleBlocks final : public Stream<nc::Block> {
     CycleMessages::Caller caller_;
 };
 
-const sema::FunctionCode* find_cycle(const Program& program, std::string_view name) {
+const sema::FunctionCode* find_cycle(const KadrProgram& program, std::string_view name) {
     const auto& functions = program.code->functions;
     const auto found = std::ranges::find_if(functions, [name](const auto& function) {
         return function.kind == sema::FunctionKind::Cycle && function.is_main_file &&
@@ -86,11 +86,11 @@ std::vector<std::string> cycle_files(const std::string& library) {
 
 void CycleMessages::take(Diagnostic diagnostic) {
     if (diagnostic.severity == Severity::Warning) {
-        if (caller_ != nullptr && caller_->place) {
+        if (caller_ != nullptr && caller_->location) {
             Diagnostic::Note inside{diagnostic.range, std::move(diagnostic.line),
                                     "inside the cycle `" + caller_->cycle + '`'};
             diagnostic.notes.insert(diagnostic.notes.begin(), std::move(inside));
-            diagnostic.line = caller_->place;
+            diagnostic.line = caller_->location;
             diagnostic.range = {};
         }
         return next_->take(std::move(diagnostic));
@@ -99,23 +99,23 @@ void CycleMessages::take(Diagnostic diagnostic) {
 }
 
 /// The control's own cycles are looked for first: their names are their own.
-const Program* LibraryCycles::find(std::string_view cycle) {
+const KadrProgram* LibraryCycles::find(std::string_view cycle) {
     if (const auto known = found_.find(cycle); known != found_.end()) return known->second;
-    const Program* found = find_in(files_of_control(), cycle);
+    const KadrProgram* found = find_in(files_of_control(), cycle);
     if (found == nullptr) found = find_in(files_that_declare(cycle), cycle);
     found_.emplace(cycle, found);
     return found;
 }
 
-const Program* LibraryCycles::find_in(const std::vector<std::string>& files,
-                                      std::string_view cycle) {
+const KadrProgram* LibraryCycles::find_in(const std::vector<std::string>& files,
+                                          std::string_view cycle) {
     for (const std::string& file : files) {
         auto known = programs_.find(file);
         if (known == programs_.end()) {
             auto program = load_program(session_, file, dialect_.tables().file);
             known = programs_.emplace(file, std::move(program)).first;
         }
-        const std::optional<Program>& program = known->second;
+        const std::optional<KadrProgram>& program = known->second;
         if (program && find_cycle(*program, cycle) != nullptr) return &*program;
     }
     return nullptr;
@@ -142,14 +142,14 @@ std::vector<std::string> LibraryCycles::files_that_declare(std::string_view cycl
 
 /// A cycle that counts X as a diameter turns.
 bool LibraryCycles::turns(std::string_view cycle) {
-    const Program* const library = find(cycle);
+    const KadrProgram* const library = find(cycle);
     if (library == nullptr) return false;
     const std::vector<nc::Function>& needs = find_cycle(*library, cycle)->needs;
     return std::ranges::find(needs, nc::Function::DiameterOn) != needs.end();
 }
 
 std::unique_ptr<Stream<nc::Block>> LibraryCycles::expand(const interp::CycleCall& call) {
-    const Program* library = find(call.name);
+    const KadrProgram* library = find(call.name);
     if (library == nullptr) {
         sink_->report(diag::CycleUnknown).arg(call.name);
         return nullptr;

@@ -30,7 +30,7 @@ class CycleMessages final : public DiagnosticSink {
     /// The cycle that runs from here on.
     struct Caller {
         std::string cycle;
-        std::optional<TextLocation> place;
+        std::optional<TextLocation> location;
     };
     void follow(const Caller& caller) { caller_ = &caller; }
     void follow_nobody() { caller_ = nullptr; }
@@ -66,15 +66,16 @@ class LibraryCycles final : public interp::CycleExpander {
   private:
     std::vector<std::string> files_of_control() const;
     std::vector<std::string> files_that_declare(std::string_view cycle) const;
-    const Program* find(std::string_view cycle);
-    const Program* find_in(const std::vector<std::string>& files, std::string_view cycle);
+    const KadrProgram* find(std::string_view cycle);
+    const KadrProgram* find_in(const std::vector<std::string>& files, std::string_view cycle);
 
     Session& session_;
     const nc::Dialect& dialect_;
     DiagnosticSink* sink_;
     CycleMessages messages_;
-    std::map<std::string, std::optional<Program>> programs_;    // by file; nothing: it has mistakes
-    std::map<std::string, const Program*, std::less<>> found_;  // by cycle; null: there is none
+    std::map<std::string, std::optional<KadrProgram>>
+        programs_;  // by file; nothing: it has mistakes
+    std::map<std::string, const KadrProgram*, std::less<>> found_;  // by cycle; null: there is none
 };
 
 }  // namespace kadr::driver

@@ -22,9 +22,9 @@ bool is_danger(const DiagnosticRow& row) {
 }
 
 /// Passes on warnings of danger alone, each with its place in the program.
-class Dangers final : public DiagnosticSink {
+class DangerReport final : public DiagnosticSink {
   public:
-    Dangers(const GeneratedText& text, DiagnosticSink& next) : text_(text), next_(next) {}
+    DangerReport(const GeneratedText& text, DiagnosticSink& next) : text_(text), next_(next) {}
 
     void take(Diagnostic diagnostic) override {
         if (!is_danger(*diagnostic.row)) return;
@@ -39,14 +39,14 @@ class Dangers final : public DiagnosticSink {
 
 }  // namespace
 
-void make_with_dangers(Session& session, const Program& program, const nc::Dialect& target,
+void make_with_dangers(Session& session, const KadrProgram& program, const nc::Dialect& target,
                        std::unique_ptr<GeneratedText> text) {
-    Dangers dangers(*text, session.messages());
+    DangerReport dangers(*text, session.messages());
     const auto execution = Execution::open(session, program, target, std::move(text), dangers);
     if (!execution) return;
     std::vector<path::Command> batch(kBatch);
     while (execution->pull(batch) > 0)
-        session.tell({.blocks = execution->blocks(), .setpoints = 0, .time = 0});
+        session.report({.blocks = execution->blocks(), .setpoints = 0, .time = 0});
     execution->make_rest();
 }
 

@@ -16,7 +16,7 @@ namespace kadr::driver {
 /// matter. Warnings of danger go to the messages of the session.
 ///
 /// text  that has been started, of `program` for `target`; it keeps its calls
-void make_with_dangers(Session& session, const Program& program, const nc::Dialect& target,
+void make_with_dangers(Session& session, const KadrProgram& program, const nc::Dialect& target,
                        std::unique_ptr<GeneratedText> text);
 
 }  // namespace kadr::driver

@@ -71,15 +71,15 @@ std::string position_text(std::string_view label, AxisMask axes, const AxisValue
 Debugger::Debugger(Session& session, const RunJob& job, Output* trace)
     : session_(session), job_(job), out_(trace) {}
 
-Done Debugger::take_places(const std::vector<std::string>& texts, std::vector<Place>& places,
-                           DiagnosticSink& sink) {
+Done Debugger::take_watched_points(const std::vector<std::string>& texts,
+                                   std::vector<WatchedPoint>& points, DiagnosticSink& sink) {
     for (const std::string& text : texts) {
         auto point = BreakPoint::parse(text);
         if (!point) {
             sink.report(diag::PlaceUnclear).arg(text);
             return kFailed;
         }
-        places.push_back({std::move(*point), false});
+        points.push_back({std::move(*point), false});
     }
     return kDone;
 }
@@ -87,8 +87,8 @@ Done Debugger::take_places(const std::vector<std::string>& texts, std::vector<Pl
 std::unique_ptr<Debugger> Debugger::open(Session& session, const RunJob& job, Output* trace) {
     std::unique_ptr<Debugger> debugger(new Debugger(session, job, trace));
     Messages& messages = session.messages();
-    if (!take_places(job.breaks, debugger->breaks_, messages)) return nullptr;
-    if (!take_places(job.until, debugger->until_, messages)) return nullptr;
+    if (!take_watched_points(job.breaks, debugger->breaks_, messages)) return nullptr;
+    if (!take_watched_points(job.until, debugger->until_, messages)) return nullptr;
     return debugger;
 }
 
@@ -158,10 +158,10 @@ void Debugger::finish(const std::string& alarm) {
     warn_of(until_);
 }
 
-void Debugger::warn_of(const std::vector<Place>& places) {
-    for (const Place& place : places) {
-        if (place.was_reached) continue;
-        session_.messages().report(diag::PlaceNeverReached).arg(place.point.text());
+void Debugger::warn_of(const std::vector<WatchedPoint>& points) {
+    for (const WatchedPoint& point : points) {
+        if (point.was_reached) continue;
+        session_.messages().report(diag::PlaceNeverReached).arg(point.point.text());
     }
 }
 
@@ -174,8 +174,8 @@ FileLine Debugger::lines_of(const SourceRange& range) const {
             sources.locate(range.file, range.end).line};
 }
 
-Arrival Debugger::arrival_at(const macro::WatchedLine& line) {
-    Arrival arrival;
+StopArrival Debugger::arrival_at(const macro::WatchedLine& line) {
+    StopArrival arrival;
     arrival.has_number = line.number >= 0;
     arrival.number = arrival.has_number ? static_cast<std::uint64_t>(line.number) : 0;
     arrival.label = line.label;
@@ -187,7 +187,7 @@ Arrival Debugger::arrival_at(const macro::WatchedLine& line) {
     level_ = line.level;
     arrival.text = {step_->file, line.line, line.line};
     arrival.statement = lines_of(step_->statement);
-    const Program* program = execution_->program();
+    const KadrProgram* program = execution_->program();
     arrival.started = program == nullptr ? std::string_view(execution_->text_name())
                                          : std::string_view(session_.sources().name(program->file));
     const auto& calls = step_->calls.calls;
@@ -196,12 +196,13 @@ Arrival Debugger::arrival_at(const macro::WatchedLine& line) {
     return arrival;
 }
 
-const Debugger::Place* Debugger::find(std::vector<Place>& places, const Arrival& arrival) {
-    const Place* found = nullptr;
-    for (Place& place : places) {
-        if (!place.point.is_at(arrival)) continue;
-        place.was_reached = true;
-        if (found == nullptr) found = &place;
+const Debugger::WatchedPoint* Debugger::find(std::vector<WatchedPoint>& points,
+                                             const StopArrival& arrival) {
+    const WatchedPoint* found = nullptr;
+    for (WatchedPoint& point : points) {
+        if (!point.point.is_at(arrival)) continue;
+        point.was_reached = true;
+        if (found == nullptr) found = &point;
     }
     return found;
 }
@@ -218,12 +219,12 @@ bool Debugger::comes_to(const macro::WatchedLine& line) {
     has_begun_ = true;
     begin_step(line);
     if (breaks_.empty() && until_.empty() && !is_stepping_) return true;
-    const Arrival arrival = arrival_at(line);
+    const StopArrival arrival = arrival_at(line);
     if (find(until_, arrival) != nullptr) {
         step_.reset();
         return false;
     }
-    const Place* reached = find(breaks_, arrival);
+    const WatchedPoint* reached = find(breaks_, arrival);
     if (reached == nullptr && !is_stepping_) return true;
     const std::string reason =
         reached == nullptr ? "stopped" : "stopped before `" + reached->point.text() + '`';

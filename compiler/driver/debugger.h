@@ -34,22 +34,22 @@ class Debugger final : public macro::LineWatch {
     void finish(const std::string& alarm);
 
   private:
-    struct Place {
+    struct WatchedPoint {
         BreakPoint point;
         bool was_reached = false;
     };
     Debugger(Session& session, const RunJob& job, Output* trace);
 
-    static Done take_places(const std::vector<std::string>& texts, std::vector<Place>& places,
-                            DiagnosticSink& sink);
+    static Done take_watched_points(const std::vector<std::string>& texts,
+                                    std::vector<WatchedPoint>& points, DiagnosticSink& sink);
     TraceState state();
     void end_step();
     void begin_step(const macro::WatchedLine& line);
     void find_statement(TraceStep& step) const;
-    Arrival arrival_at(const macro::WatchedLine& line);
+    StopArrival arrival_at(const macro::WatchedLine& line);
     FileLine lines_of(const SourceRange& range) const;
-    static const Place* find(std::vector<Place>& places, const Arrival& arrival);
-    void warn_of(const std::vector<Place>& places);
+    static const WatchedPoint* find(std::vector<WatchedPoint>& points, const StopArrival& arrival);
+    void warn_of(const std::vector<WatchedPoint>& points);
 
     // the conversation
     bool stop(std::string_view reason);
@@ -67,8 +67,8 @@ class Debugger final : public macro::LineWatch {
     Output* out_;
     std::optional<Trace> trace_;
     Execution* execution_ = nullptr;
-    std::vector<Place> breaks_;
-    std::vector<Place> until_;
+    std::vector<WatchedPoint> breaks_;
+    std::vector<WatchedPoint> until_;
     std::vector<macro::VariableChange> changes_;
     std::optional<TraceStep> step_;  // that is executed
     std::uint64_t traced_ = 0;

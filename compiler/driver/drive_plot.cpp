@@ -210,7 +210,7 @@ std::vector<Chart> charts_of(const std::vector<DriveSample>& samples, const Wind
 
 /// Current over radius of the cut, with the line that the force alone would give.
 Chart radius_chart(const std::vector<DriveSample>& samples, const Facing& facing,
-                   const machine::Drives& drives, const Frame& frame) {
+                   const machine::Drives& drives, const PlotFrame& frame) {
     Chart chart;
     chart.frame = frame;
     chart.title = "Current over radius, A";
@@ -238,12 +238,12 @@ std::string number(double value, int decimals) {
 }
 
 /// The marks of the pass, each with the sentence that explains its number.
-struct Told {
+struct PassMarks {
     std::vector<ChartMark> marks;
     std::vector<std::string> sentences;
 };
 
-Told told(const std::vector<DriveSample>& samples, const Facing& facing) {
+PassMarks pass_marks(const std::vector<DriveSample>& samples, const Facing& facing) {
     struct Event {
         std::size_t at;
         std::string sentence;
@@ -273,7 +273,7 @@ Told told(const std::vector<DriveSample>& samples, const Facing& facing) {
     }
     std::stable_sort(events.begin(), events.end(),
                      [](const Event& a, const Event& b) { return a.at < b.at; });
-    Told all;
+    PassMarks all;
     for (const Event& event : events) {
         all.marks.push_back({samples[event.at].time, std::to_string(all.marks.size() + 1)});
         all.sentences.push_back(event.sentence);
@@ -309,7 +309,7 @@ std::string drive_svg(const DriveTrace& trace, const machine::Drives& drives,
             draw_chart(out, chart);
         return out + "</svg>\n";
     }
-    const Told events = told(samples, *facing);
+    const PassMarks events = pass_marks(samples, *facing);
     for (const Chart& chart : charts_of(samples, whole_of(samples), kLeft, {}))
         draw_chart(out, chart);
     for (const Chart& chart :

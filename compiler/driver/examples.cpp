@@ -63,7 +63,7 @@ Trial run_source(Session& session, const nc::Example& example, const nc::Dialect
     Session inner({}, session.share(), session.sources(), messages);
     const FileId file =
         session.sources().add("example", program_of(example, dialect, session.share().library));
-    const std::optional<Program> program = load_program(inner, file);
+    const std::optional<KadrProgram> program = load_program(inner, file);
     Trial trial;
     if (program) {
         expand::ExpandOptions options;
@@ -122,7 +122,7 @@ void check_cycles(Session& session, const nc::Dialect& dialect) {
                 .arg("no kind of curve of this name is linked into this program");
         }
         if (cycle.file.empty()) continue;
-        const std::optional<Program> program =
+        const std::optional<KadrProgram> program =
             load_program(session, cycle.file, dialect.tables().file, cycle.file_range);
         if (!program) continue;  // its mistakes have been reported
         const std::string fault = fault_of_cycle(*program->code, cycle);

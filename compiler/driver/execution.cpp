@@ -104,12 +104,12 @@ class Execution::HeldMessages final : public DiagnosticSink {
     void soften() {
         for (Diagnostic& diagnostic : held_) {
             if (diagnostic.severity != Severity::Alarm) continue;
-            std::string said = diagnostic.message();
+            std::string text = diagnostic.message();
             if (!diagnostic.alarm_number.empty())
-                said = "alarm " + diagnostic.alarm_number + ", " + said;
+                text = "alarm " + diagnostic.alarm_number + ", " + text;
             diagnostic.row = &diag::IfReached;
             diagnostic.severity = Severity::Warning;
-            diagnostic.arguments = {std::move(said)};
+            diagnostic.arguments = {std::move(text)};
             diagnostic.alarm_number.clear();
             diagnostic.alarm_text.clear();
         }
@@ -260,7 +260,7 @@ std::unique_ptr<Execution> Execution::open(Session& session, const Subject& subj
     return execution;
 }
 
-std::unique_ptr<Execution> Execution::open(Session& session, const Program& program,
+std::unique_ptr<Execution> Execution::open(Session& session, const KadrProgram& program,
                                            const nc::Dialect& dialect,
                                            std::unique_ptr<GeneratedText> text,
                                            DiagnosticSink& sink) {
@@ -362,7 +362,7 @@ void Execution::connect(DiagnosticSink& sink) {
     program_options.inputs = inputs_;
     program_options.call = options.call;
     program_options.events = aside_.input_events;
-    program_options.axis_names = axis_names(*machine_, session_.told());
+    program_options.axis_names = axis_names(*machine_, session_.machine_data());
     if (options.max_time > 0) program_options.is_over = [this] { return deadline_.is_over(); };
     if (options.max_blocks != 0) {  // it counts what the other limits count
         constexpr auto kNone = std::numeric_limits<std::uint64_t>::max();
@@ -370,12 +370,12 @@ void Execution::connect(DiagnosticSink& sink) {
         program_options.max_repeated = program_options.max_turns = kNone;
     }
     reader_ =
-        std::make_unique<macro::Program>(*dialect_, text, text_name_, program_options, *held_);
+        std::make_unique<macro::NcProgram>(*dialect_, text, text_name_, program_options, *held_);
     tagged_ = std::make_unique<Tagger>(*reader_, *held_,
                                        generated_ ? &generated_->lines() : nullptr, aside_.look_at);
     // A cycle that a test executes by itself runs with the tool of its caller.
     const bool is_subject = generated_ && !own_program_;
-    const std::optional<machine::ProbeScene>& probe = session_.told().probe;
+    const std::optional<machine::ProbeScene>& probe = session_.machine_data().probe;
     const interp::InterpreterOptions interpreter_options{
         .max_blocks = options.max_blocks,
         .skip_levels = options.skip_levels,
@@ -385,11 +385,11 @@ void Execution::connect(DiagnosticSink& sink) {
         .probe = probe ? &*probe : nullptr,
         .touches = aside_.touches,
         .in_step = aside_.watch != nullptr || aside_.in_step,
-        .is_allowed = [this](const DiagnosticRow& row, const TextLocation& place) {
+        .is_allowed = [this](const DiagnosticRow& row, const TextLocation& location) {
             Diagnostic warning;
             warning.row = &row;
             warning.severity = Severity::Warning;
-            warning.line = place;
+            warning.line = location;
             sink_->place_at_statement(warning);
             return session_.messages().is_silenced(warning);
         }};
@@ -404,7 +404,7 @@ void Execution::check_time() {
     is_late_ = true;
     // A loop without blocks was cut in the middle.
     const std::uint64_t line = reader_->stopped() ? reader_->line() : last_line_;
-    sink_->report(diag::TimeIsUp, shown_place(static_cast<std::uint32_t>(line), {}))
+    sink_->report(diag::TimeIsUp, shown_location(static_cast<std::uint32_t>(line), {}))
         .arg(deadline_.seconds())
         .arg(static_cast<std::size_t>(blocks()));
 }
@@ -446,7 +446,7 @@ void Execution::read_on(bool is_reached) {
 
 void Execution::make_rest() {
     while (!generated_->next().empty())
-        session_.tell({.blocks = generated_->blocks(), .setpoints = 0, .time = 0});
+        session_.report({.blocks = generated_->blocks(), .setpoints = 0, .time = 0});
 }
 
 bool Execution::failed() const {
@@ -466,19 +466,19 @@ std::uint64_t Execution::statement_lines() const {
     return generated_ ? generated_->statement_lines() : 0;
 }
 
-TextLocation Execution::place_of(std::uint32_t line) const { return reader_->place(line); }
+TextLocation Execution::location_of(std::uint32_t line) const { return reader_->location(line); }
 
 /// A line with its text, at the word of the axis if it has one.
-TextLocation Execution::shown_place(std::uint32_t line, std::optional<Axis> axis) const {
+TextLocation Execution::shown_location(std::uint32_t line, std::optional<Axis> axis) const {
     std::optional<nc::Slot> slot;
     if (axis) slot = static_cast<nc::Slot>(index(*axis));
-    return reader_->shown_place(line, slot);
+    return reader_->shown_location(line, slot);
 }
 
 void Execution::place_messages(motion::PlannerOptions& options) {
     reader_->keep_lines(std::max(kShownLines, 2 * options.lookahead));
-    options.place_of = [this](const motion::CommandLocation& asked) {
-        motion::ShownLocation shown{shown_place(asked.line, asked.axis), {}};
+    options.locate_command = [this](const motion::CommandLocation& asked) {
+        motion::ShownLocation shown{shown_location(asked.line, asked.axis), {}};
         // The source of generated text is a statement, which StatementNotes tells.
         if (!generated_) shown.calls = reader_->calls(asked.source);
         return shown;

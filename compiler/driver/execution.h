@@ -38,7 +38,7 @@ FileId keep_source(Session& session, const std::string& source, FileText& text);
 
 /// A call of a checked program that is executed by itself, as a test does.
 struct Subject {
-    const Program& program;
+    const KadrProgram& program;
     const nc::Dialect& dialect;
     Entry entry;
     LibraryCycles& cycles;  // those of the dialect
@@ -76,7 +76,7 @@ class Execution final : public Stream<path::Command> {
     static std::unique_ptr<Execution> open(Session& session, const Subject& subject);
     /// The same for the text of a checked program that somebody else has started; what they refer
     /// to outlives the execution. `sink` gets all that the execution says. Null: reported.
-    static std::unique_ptr<Execution> open(Session& session, const Program& program,
+    static std::unique_ptr<Execution> open(Session& session, const KadrProgram& program,
                                            const nc::Dialect& dialect,
                                            std::unique_ptr<GeneratedText> text,
                                            DiagnosticSink& sink);
@@ -88,7 +88,7 @@ class Execution final : public Stream<path::Command> {
     /// Makes the text of a Kadr program to its end, whatever has stopped its execution.
     void make_rest();
     /// Who gets the lines that a program of the control prints.
-    void print_to(macro::Printer& printer) { reader_->print_to(printer); }
+    void print_to(macro::PrintTarget& printer) { reader_->print_to(printer); }
 
     bool alarmed() const { return is_late_ || interpreter_->alarmed(); }
     /// Whether the command has computed for longer than it may. Any thread may ask.
@@ -102,15 +102,15 @@ class Execution final : public Stream<path::Command> {
     std::uint64_t blocks() const { return interpreter_->blocks(); }
 
     /// The checked program; null for ISO-7bit text.
-    const Program* program() const { return program_; }
+    const KadrProgram* program() const { return program_; }
     /// The generated text; null for ISO-7bit text.
     const GeneratedText* generated() const { return generated_.get(); }
     /// The modal state and the position behind what was pulled so far.
     const interp::Interpreter& interpreter() const { return *interpreter_; }
 
     /// The control's program, of which an onlooker asks what acts.
-    macro::Program& reader() { return *reader_; }
-    const macro::Program& reader() const { return *reader_; }
+    macro::NcProgram& reader() { return *reader_; }
+    const macro::NcProgram& reader() const { return *reader_; }
     /// Variables of the control that the program has set.
     std::vector<macro::ControlVariable> variables() const { return reader_->variables(); }
 
@@ -121,7 +121,7 @@ class Execution final : public Stream<path::Command> {
     /// The statement behind a command, invalid for ISO-7bit text.
     SourceRange statement(SourceId source) const;
     /// A line (Command::line) as its file and its number there.
-    TextLocation place_of(std::uint32_t line) const;
+    TextLocation location_of(std::uint32_t line) const;
     /// Lets messages of the motion show the lines that they are about and the calls that led to
     /// them. Before the first command is pulled.
     void place_messages(motion::PlannerOptions& options);
@@ -144,22 +144,22 @@ class Execution final : public Stream<path::Command> {
     /// Says it if the time is over, and is late from then on.
     void check_time();
     void read_on(bool is_reached);
-    TextLocation shown_place(std::uint32_t line, std::optional<Axis> axis) const;
+    TextLocation shown_location(std::uint32_t line, std::optional<Axis> axis) const;
 
     Session& session_;
     Aside aside_;
     std::string text_name_;
     const nc::Dialect* dialect_ = nullptr;
     const machine::Machine* machine_ = nullptr;
-    std::optional<Program> own_program_;
-    const Program* program_ = nullptr;  // null: ISO-7bit text
+    std::optional<KadrProgram> own_program_;
+    const KadrProgram* program_ = nullptr;  // null: ISO-7bit text
     std::unique_ptr<GeneratedText> generated_;
     std::unique_ptr<FileText> file_;
     std::unique_ptr<ProgramFolders> called_;  // programs that the text calls
     std::vector<macro::ProgramInputs> inputs_;
     std::unique_ptr<StatementNotes> sink_;
     std::unique_ptr<HeldMessages> held_;
-    std::unique_ptr<macro::Program> reader_;
+    std::unique_ptr<macro::NcProgram> reader_;
     std::unique_ptr<Stream<nc::Block>> tagged_;
     std::unique_ptr<LibraryCycles> own_cycles_;
     LibraryCycles* cycles_ = nullptr;

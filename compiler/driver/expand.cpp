@@ -37,7 +37,7 @@ Status expand(Session& session, const ExpandJob& job) {
     if (!require_outputs_apart(job.source, outputs, messages)) return refused(session);
     const nc::Dialect* target = session.chosen_dialect(kDefaultTarget);
     if (target == nullptr) return session.status();
-    const std::optional<Program> program =
+    const std::optional<KadrProgram> program =
         load_program(session, keep_source(session, job.source, *source));
     if (!program) return session.status();
 
@@ -58,7 +58,7 @@ Status expand(Session& session, const ExpandJob& job) {
     } else {
         while (!text->next().empty()) {
             if (!session.require_output_room()) return session.status();
-            session.tell({.blocks = text->blocks(), .setpoints = 0, .time = 0});
+            session.report({.blocks = text->blocks(), .setpoints = 0, .time = 0});
         }
         if (text->failed()) return session.status();
     }

@@ -17,10 +17,10 @@ namespace {
 /// The first line that differs, without its end; both texts differ somewhere.
 SourceRange first_difference(FileId file, std::string_view old, std::string_view wanted) {
     const auto [at, other] = std::mismatch(old.begin(), old.end(), wanted.begin(), wanted.end());
-    const auto place = static_cast<std::size_t>(at - old.begin());
-    std::size_t begin = place == 0 ? std::string_view::npos : old.rfind('\n', place - 1);
+    const auto index = static_cast<std::size_t>(at - old.begin());
+    std::size_t begin = index == 0 ? std::string_view::npos : old.rfind('\n', index - 1);
     begin = begin == std::string_view::npos ? 0 : begin + 1;
-    const std::size_t end = std::min(old.find('\n', place), old.size());
+    const std::size_t end = std::min(old.find('\n', index), old.size());
     return {file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
 }
 

@@ -37,16 +37,17 @@ const sema::FunctionCode* chosen_program(const sema::Code& code, std::string_vie
     return found == code.functions.end() ? nullptr : &*found;
 }
 
-GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
-                             Output* map, bool keeps_calls)
+GeneratedText::GeneratedText(Session& session, const KadrProgram& program,
+                             const nc::Dialect& target, Output* map, bool keeps_calls)
     : GeneratedText(session, program, target, map, keeps_calls, session.messages()) {}
 
-GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
-                             DiagnosticSink& sink)
+GeneratedText::GeneratedText(Session& session, const KadrProgram& program,
+                             const nc::Dialect& target, DiagnosticSink& sink)
     : GeneratedText(session, program, target, nullptr, false, sink) {}
 
-GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
-                             Output* map, bool keeps_calls, DiagnosticSink& sink)
+GeneratedText::GeneratedText(Session& session, const KadrProgram& program,
+                             const nc::Dialect& target, Output* map, bool keeps_calls,
+                             DiagnosticSink& sink)
     : session_(session),
       program_(program),
       target_(target),
@@ -65,7 +66,7 @@ GeneratedText::~GeneratedText() = default;
 
 expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
     const Options& options = session_.options();
-    expand::Limits limits;
+    expand::RunLimits limits;
     limits.blocks = options.max_blocks > 0 ? options.max_blocks : kMaxBlocks;
     limits.seconds = options.max_time;
     return {.limits = limits,
@@ -79,8 +80,8 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
 }
 
 void GeneratedText::warn_of_cuts(const Messages& messages) {
-    expander_.warn_of_cuts([&messages](const DiagnosticRow& row, const SourceRange& place) {
-        return messages.is_allowed(row.code, place);
+    expander_.warn_of_cuts([&messages](const DiagnosticRow& row, const SourceRange& location) {
+        return messages.is_allowed(row.code, location);
     });
 }
 
@@ -169,9 +170,11 @@ static bool ends_program(const nc::Block& block) {
 /// Whether a function of the block is written letter by letter, in the control's own language.
 static bool has_phrase(const nc::DialectTables& tables, const nc::Block& block) {
     return std::ranges::any_of(
-        std::span(block.functions).first(block.function_count), [&](const nc::Invocation& said) {
-            return std::ranges::any_of(tables.forms_of[static_cast<std::size_t>(said.function)],
-                                       [&](nc::FormId id) { return tables.forms[id].is_verbatim; });
+        std::span(block.functions).first(block.function_count),
+        [&](const nc::Invocation& invocation) {
+            return std::ranges::any_of(
+                tables.forms_of[static_cast<std::size_t>(invocation.function)],
+                [&](nc::FormId id) { return tables.forms[id].is_verbatim; });
         });
 }
 

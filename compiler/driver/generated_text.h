@@ -36,10 +36,10 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
   public:
     /// All references outlive the text. `map` gets a line for every block; null: no source map.
     /// `keeps_calls`: for `calls_behind`.
-    GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
-                  bool keeps_calls = false);
+    GeneratedText(Session& session, const KadrProgram& program, const nc::Dialect& target,
+                  Output* map, bool keeps_calls = false);
     /// The same for one entry, with its messages to a sink of its own.
-    GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
+    GeneratedText(Session& session, const KadrProgram& program, const nc::Dialect& target,
                   DiagnosticSink& sink);
     ~GeneratedText() override;
 
@@ -77,8 +77,8 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
 
   private:
     Done require_units(const Entry& entry);
-    GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
-                  bool keeps_calls, DiagnosticSink& sink);
+    GeneratedText(Session& session, const KadrProgram& program, const nc::Dialect& target,
+                  Output* map, bool keeps_calls, DiagnosticSink& sink);
     /// Where errors of the writer go: to each the calls that led to the block are added, and what
     /// a statement of the library cannot say is an error where the library was called.
     class WriterMessages final : public DiagnosticSink {
@@ -117,7 +117,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     SourceRange last_statement() const;
 
     Session& session_;
-    const Program& program_;
+    const KadrProgram& program_;
     const nc::Dialect& target_;
     std::function<Done(expand::Expander&)> start_;
     ExpanderMessages expander_messages_;

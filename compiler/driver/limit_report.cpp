@@ -89,9 +89,9 @@ void LimitReport::add(const motion::Segment& segment) {
 }
 
 LimitShare& LimitReport::share_at(std::uint32_t line, SourceId source) {
-    ProgramLocation place = places_.find(line, source);
-    std::string key = ProgramLocations::key_of(place);
-    return rows_.try_emplace(std::move(key), Row{std::move(place), {}}).first->second.share;
+    ProgramLocation location = locations_.find(line, source);
+    std::string key = ProgramLocations::key_of(location);
+    return rows_.try_emplace(std::move(key), Row{std::move(location), {}}).first->second.share;
 }
 
 LimitShare& LimitReport::share_of_tool(double time) {
@@ -141,7 +141,7 @@ std::vector<const LimitReport::Row*> LimitReport::costly() const {
     std::ranges::sort(rows, [](const Row* a, const Row* b) {
         const double first = a->share.all_lost();
         const double second = b->share.all_lost();
-        return first != second ? first > second : a->place < b->place;
+        return first != second ? first > second : a->location < b->location;
     });
     return rows;
 }
@@ -174,9 +174,9 @@ std::string LimitReport::report(const std::string& source) const {
     if (!rows.empty()) text += "\nby statement, the costliest first\n";
     for (std::size_t i = 0; i < std::min(rows.size(), kShownPlaces); ++i) {
         const Row& row = *rows[i];
-        const std::string statement = places_.text_of(row.place);
-        text += fmt::format("  {}{}{}\n", places_.name_of(row.place), statement.empty() ? "" : "  ",
-                            statement);
+        const std::string statement = locations_.text_of(row.location);
+        text += fmt::format("  {}{}{}\n", locations_.name_of(row.location),
+                            statement.empty() ? "" : "  ", statement);
         text += fmt::format("      {:.3f} s of {:.3f} s: {}\n", row.share.all_lost(),
                             row.share.time, reasons(row.share));
     }
@@ -190,7 +190,7 @@ std::string LimitReport::table() const {
     std::string text = "place,reason,lost,time\n";
     for (const Row* row : costly()) {
         for (const std::size_t i : by_cost(row->share)) {
-            text += csv_cell(places_.name_of(row->place));
+            text += csv_cell(locations_.name_of(row->location));
             text += ',';
             text += motion::reason_name(reason_at(i));
             append_column(text, row->share.lost[i], kDecimals);

@@ -28,7 +28,7 @@ class LimitReport {
     ///
     /// has_pulses  what pieces take longer than planned is the pulses'
     LimitReport(const Execution& execution, const Session& session, bool has_pulses)
-        : places_(execution, session), has_pulses_(has_pulses) {}
+        : locations_(execution, session), has_pulses_(has_pulses) {}
 
     /// A command on its way to the planner.
     void see(const path::Command& command);
@@ -45,7 +45,7 @@ class LimitReport {
 
   private:
     struct Row {
-        ProgramLocation place;
+        ProgramLocation location;
         LimitShare share;
     };
     /// From a time on, s.
@@ -62,7 +62,7 @@ class LimitReport {
     std::string report(const std::string& source) const;
     std::string table() const;
 
-    ProgramLocations places_;
+    ProgramLocations locations_;
     bool has_pulses_;
     LimitShare all_;
     std::unordered_map<std::string, Row> rows_;

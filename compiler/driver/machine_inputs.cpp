@@ -158,9 +158,9 @@ std::string_view without_number(std::string_view line) {
 }
 
 /// What frames the values of a file: its name, the channel, its end.
-bool is_frame(std::string_view said) {
-    if (said.starts_with('%')) return true;
-    const std::string word = upper_ascii(said);
+bool is_frame(std::string_view text) {
+    if (text.starts_with('%')) return true;
+    const std::string word = upper_ascii(text);
     if (word.starts_with("CHANDATA")) return true;
     const std::string_view head(word.data(), std::min(word.find_first_of(" ;("), word.size()));
     constexpr std::array<std::string_view, 6> kEnds = {"M17", "M30", "M2", "M02", "RET", "M99"};
@@ -199,18 +199,18 @@ std::string lines_of_control(std::string_view text) {
 
 /// A value as the control writes it: a number, or a text between quotes.
 std::string written(const std::string& value) {
-    const bool is_told = number_of(value).has_value() || value.starts_with('"');
-    return is_told ? value : '"' + value + '"';
+    const bool is_reported = number_of(value).has_value() || value.starts_with('"');
+    return is_reported ? value : '"' + value + '"';
 }
 
 /// Each at its line of the file, so that messages show that.
 void add_data(Session& session, std::vector<macro::ProgramInputs>& out) {
     std::uint32_t line = 0;  // of the text that is being made; 0: none
-    for (const machine::MachineDatum& datum : session.told().data) {
+    for (const machine::MachineDatum& datum : session.machine_data().data) {
         const Sources& sources = session.sources();
-        const std::uint32_t at = sources.locate(datum.place.file, datum.place.begin).line;
+        const std::uint32_t at = sources.locate(datum.location.file, datum.location.begin).line;
         if (line == 0 || at <= line) {
-            out.push_back({std::string(sources.name(datum.place.file)), {}, false});
+            out.push_back({std::string(sources.name(datum.location.file)), {}, false});
             line = 1;
         }
         std::string& text = out.back().text;
@@ -261,11 +261,11 @@ std::optional<std::vector<macro::ProgramInputs>> machine_inputs(Session& session
     return out;
 }
 
-nc::MachineAxisNames axis_names(const machine::Machine& machine, const machine::MachineData& told) {
+nc::MachineAxisNames axis_names(const machine::Machine& machine, const machine::MachineData& data) {
     std::vector<Axis> axes;
     for (const machine::MachineAxis& axis : machine.axes) axes.push_back(axis.axis);
     nc::MachineAxisNames names = nc::usual_axis_names(axes);
-    for (const auto& [name, axis] : told.axis_names) names.insert_or_assign(name, axis);
+    for (const auto& [name, axis] : data.axis_names) names.insert_or_assign(name, axis);
     return names;
 }
 

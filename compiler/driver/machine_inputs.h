@@ -17,7 +17,7 @@ namespace kadr::driver {
 std::optional<std::vector<macro::ProgramInputs>> machine_inputs(Session& session);
 
 /// What the machine's axes are called as an index.
-nc::MachineAxisNames axis_names(const machine::Machine& machine, const machine::MachineData& told);
+nc::MachineAxisNames axis_names(const machine::Machine& machine, const machine::MachineData& data);
 
 /// A file of variables as lines of the control's language, each at its place: JSON as `--variables`
 /// writes it, or what the control puts out itself (F: `#500=12.5`, `#500 12.5 (NAME)`, `G10 L2 …`

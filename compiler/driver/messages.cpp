@@ -47,15 +47,15 @@ std::string_view comment_of(std::string_view line) {
 }  // namespace
 
 /// Whether `// kadr: allow K2501 why` stands in the line of the place, or alone in the line before.
-bool Messages::is_allowed(std::string_view code, const SourceRange& place) const {
-    if (!place.file.is_valid()) return false;
-    const std::string_view text = sources_.text(place.file);
-    const std::string_view line = sources_.line_at(place.file, place.begin);
+bool Messages::is_allowed(std::string_view code, const SourceRange& location) const {
+    if (!location.file.is_valid()) return false;
+    const std::string_view text = sources_.text(location.file);
+    const std::string_view line = sources_.line_at(location.file, location.begin);
     if (allowed_codes(comment_of(line)).contains(code)) return true;
     const auto begin = static_cast<std::size_t>(line.data() - text.data());
     if (begin == 0) return false;
     const std::string_view before =
-        sources_.line_at(place.file, static_cast<std::uint32_t>(begin - 1));
+        sources_.line_at(location.file, static_cast<std::uint32_t>(begin - 1));
     const std::size_t first = before.find_first_not_of(" \t");
     return first != std::string_view::npos && before.substr(first).starts_with("//") &&
            allowed_codes(before.substr(first + 2)).contains(code);

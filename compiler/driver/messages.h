@@ -46,7 +46,7 @@ class Messages final : public DiagnosticSink {
     const std::string& first_error() const { return first_error_; }
 
     /// Whether a comment in the source silences warnings of this code at the place.
-    bool is_allowed(std::string_view code, const SourceRange& place) const;
+    bool is_allowed(std::string_view code, const SourceRange& location) const;
     /// Whether a comment at the place of a warning allows it.
     bool is_silenced(const Diagnostic& diagnostic) const;
 

@@ -104,9 +104,9 @@ std::vector<std::string> Modules::folders_for(FileId from) const {
 }
 
 void Modules::report_missing(std::string_view import, const std::string& relative, FileId from,
-                             const SourceRange& place) {
+                             const SourceRange& location) {
     const std::vector<std::string> folders = folders_for(from);
-    auto report = std::move(session_.messages().report(diag::ModuleMissing, place).arg(import));
+    auto report = std::move(session_.messages().report(diag::ModuleMissing, location).arg(import));
     std::string looked;
     for (const std::string& folder : folders) {
         looked +=
@@ -124,7 +124,7 @@ void Modules::report_missing(std::string_view import, const std::string& relativ
 }
 
 Modules::Module Modules::load(std::string_view import, bool is_file, FileId from,
-                              const SourceRange& place) {
+                              const SourceRange& location) {
     const std::string relative = relative_path(import, is_file);
     // The prelude is part of the language, whatever lies beside a program.
     const bool is_prelude = import == kPrelude && !is_file;
@@ -132,15 +132,15 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
     const std::optional<std::string> path =
         find_in(is_prelude ? library : folders_for(from), relative);
     if (!path) {
-        report_missing(import, relative, from, place);
+        report_missing(import, relative, from, location);
         return {};
     }
     const std::string key = identity(*path);
     if (const auto known = by_path_.find(key); known != by_path_.end())
         return known->second.module();
     auto text = session_.files().read_named(*path);
-    if (text) return parse_import(session_.sources().add(*path, *std::move(text)), place);
-    report_unread(session_.messages(), diag::FileUnreadable, place, *path, text.error(),
+    if (text) return parse_import(session_.sources().add(*path, *std::move(text)), location);
+    report_unread(session_.messages(), diag::FileUnreadable, location, *path, text.error(),
                   session_.files());
     by_path_.emplace(key, Parsed{});
     return {};
@@ -148,16 +148,16 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
 
 /// A file may be named by mistake, or by somebody who wants to see it in messages: one that does
 /// not call itself a Kadr program is shown only if it is one.
-Modules::Module Modules::parse_import(FileId file, const SourceRange& place) {
+Modules::Module Modules::parse_import(FileId file, const SourceRange& location) {
     const std::string name(session_.sources().name(file));
     if (is_kadr_name(name)) return parse(file);
-    DiagnosticList said;
-    const Module module = parse(file, said);
-    if (!said.has_errors()) {
-        for (const Diagnostic& diagnostic : said.all()) session_.messages().take(diagnostic);
+    DiagnosticList messages;
+    const Module module = parse(file, messages);
+    if (!messages.has_errors()) {
+        for (const Diagnostic& diagnostic : messages.all()) session_.messages().take(diagnostic);
         return module;
     }
-    session_.messages().report(diag::NoKadrText, place).arg(name);
+    session_.messages().report(diag::NoKadrText, location).arg(name);
     by_path_[identity(name)] = {};
     return {};
 }
@@ -209,9 +209,9 @@ std::optional<sema::ModuleLoader::ControlCommand> Modules::command_of_control(
         const auto command = nc::command_of_word(*dialect, word);
         if (!command) continue;
         const std::string_view name = command->is_call ? "" : nc::info(command->function).name;
-        const bool can_be_said =
+        const bool can_be_given =
             command->is_call || !nc::has_fact(command->function, nc::Fact::ReadOnly);
-        if (can_be_said) return ControlCommand{std::string(name), std::string(dialect->name())};
+        if (can_be_given) return ControlCommand{std::string(name), std::string(dialect->name())};
     }
     return std::nullopt;
 }

@@ -29,7 +29,7 @@ class Modules final : public sema::ModuleLoader {
     explicit Modules(Session& session) : session_(session) {}
 
     Module load(std::string_view import, bool is_file, FileId from,
-                const SourceRange& place) override;
+                const SourceRange& location) override;
 
     std::optional<std::string> library_module_of(std::string_view function) override;
     std::optional<ControlCycle> cycle_of_control(std::string_view word) override;
@@ -46,10 +46,10 @@ class Modules final : public sema::ModuleLoader {
     };
 
     Module parse(FileId file, DiagnosticSink& sink);
-    Module parse_import(FileId file, const SourceRange& place);
+    Module parse_import(FileId file, const SourceRange& location);
     std::vector<std::string> folders_for(FileId from) const;
     void report_missing(std::string_view import, const std::string& relative, FileId from,
-                        const SourceRange& place);
+                        const SourceRange& location);
 
     std::vector<const nc::Dialect*> controls();
 

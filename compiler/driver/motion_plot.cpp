@@ -252,7 +252,7 @@ std::vector<ChartBand> bands_of(const MotionTrace& trace, double end) {
 /// The lines of the blocks in a row above the charts, as far as they have room.
 void draw_strip(std::string& out, const MotionTrace& trace, const Chart& chart) {
     const std::vector<MotionTrace::BlockStart>& blocks = trace.blocks();
-    const Frame& f = chart.frame;
+    const PlotFrame& f = chart.frame;
     const double per_second = f.width / (chart.upper - chart.lower);
     const double top = f.top - 24 - kStrip;
     put(out,
@@ -278,7 +278,7 @@ void draw_strip(std::string& out, const MotionTrace& trace, const Chart& chart) 
 
 /// What the red ground means.
 void draw_pole_legend(std::string& out, const Chart& chart) {
-    const Frame& f = chart.frame;
+    const PlotFrame& f = chart.frame;
     put(out,
         "<rect x=\"{:.1f}\" y=\"46\" width=\"16\" height=\"12\" fill=\"{}\"/>\n"
         "<text x=\"{:.1f}\" y=\"56\" font-size=\"11\" fill=\"{}\">tool along the first rotary axis "

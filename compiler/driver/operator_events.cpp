@@ -164,9 +164,9 @@ std::optional<interp::ProbeTouch> probe_touch(std::string_view text) {
         if (axis == kAxisNames.end()) return std::nullopt;
         const Decimal number = parse_decimal(left.data() + 1, left.data() + left.size());
         if (number.end == left.data() + 1 || !std::isfinite(number.value)) return std::nullopt;
-        const auto place = static_cast<std::size_t>(axis - kAxisNames.begin());
-        touch.axes = static_cast<AxisMask>(touch.axes | 1u << place);
-        touch.at[place] = number.value;
+        const auto index = static_cast<std::size_t>(axis - kAxisNames.begin());
+        touch.axes = static_cast<AxisMask>(touch.axes | 1u << index);
+        touch.at[index] = number.value;
         left = trimmed(left.substr(static_cast<std::size_t>(number.end - left.data())));
     }
     return touch.axes != 0 ? std::optional(touch) : std::nullopt;
@@ -191,7 +191,7 @@ std::optional<std::vector<OperatorEvent>> hold_events(std::string_view text) {
 
 std::optional<OverrideSequence> override_sequence(std::string_view text, OperatorAct act,
                                                   double most) {
-    OverrideSequence course;
+    OverrideSequence sequence;
     std::string_view left = trimmed(text);
     for (bool is_first = true; is_first || !left.empty(); is_first = false) {
         const auto head = cut_at(left, ",");
@@ -210,12 +210,12 @@ std::optional<OverrideSequence> override_sequence(std::string_view text, Operato
         const auto part = part_of(item, most);
         if (!part || is_later == is_first) return std::nullopt;
         event.value = *part;
-        if (is_later) course.events.push_back(event);
-        else course.at_start = *part;
+        if (is_later) sequence.events.push_back(event);
+        else sequence.at_start = *part;
     }
     // Nothing would turn it on.
-    if (course.events.empty() && course.at_start < 0.01) return std::nullopt;
-    return course;
+    if (sequence.events.empty() && sequence.at_start < 0.01) return std::nullopt;
+    return sequence;
 }
 
 std::optional<RunEvents> read_events(Session& session, const std::string& file) {
@@ -234,30 +234,30 @@ std::optional<RunEvents> read_events(Session& session, const std::string& file) 
     while (begin < all.size()) {
         const std::size_t end = std::min(all.find('\n', begin), all.size());
         std::string_view line(all.data() + begin, end - begin);
-        const std::string_view said = without_remark(line);
+        const std::string_view words = without_remark(line);
         begin = end + 1;
         ++number;
-        if (said.empty()) continue;
-        const auto first = static_cast<std::uint32_t>(said.data() - all.data());
-        if (const auto event = operator_event(said)) {
+        if (words.empty()) continue;
+        const auto first = static_cast<std::uint32_t>(words.data() - all.data());
+        if (const auto event = operator_event(words)) {
             events.panel.push_back(*event);
             continue;
         }
-        if (const auto touch = probe_touch(said)) {
+        if (const auto touch = probe_touch(words)) {
             events.touches.push_back(*touch);
             continue;
         }
-        if (auto event = input_event(said)) {
+        if (auto event = input_event(words)) {
             event->file = file;
             event->file_line = number;
             events.inputs.push_back(std::move(*event));
             continue;
         }
         is_good = false;
-        const auto last = static_cast<std::uint32_t>(first + said.size());
+        const auto last = static_cast<std::uint32_t>(first + words.size());
         session.messages()
             .report(diag::OperatorLineUnclear, SourceRange{id, first, last})
-            .arg(said)
+            .arg(words)
             .fix(
                 "say when and what: `5s feed hold`, `N120 + 2s feed override 50%`, "
                 "`5s set $A_IN[3]=1`, `N120 touch X25.3`");

@@ -32,12 +32,12 @@ class OutputLimit {
     }
     /// Whether nobody has been told yet that it is over: from here on it counts as told. Asked by
     /// one thread.
-    bool first_time_over() { return !std::exchange(is_told_, true); }
+    bool first_time_over() { return !std::exchange(is_reported_, true); }
 
   private:
     std::uint64_t most_;
     std::atomic<std::uint64_t> written_ = 0;
-    bool is_told_ = false;
+    bool is_reported_ = false;
 };
 
 /// What an output must not do; both may be null: nothing is asked.

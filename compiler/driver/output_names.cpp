@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_same_place(const std::string& a, const std::string& b) {
+bool is_same_file(const std::string& a, const std::string& b) {
     if (a == b) return true;
     std::error_code error;
     if (fs::equivalent(a, b, error) && !error) return true;
@@ -33,13 +33,13 @@ Done require_outputs_apart(const std::string& source, std::span<const std::strin
                            DiagnosticSink& sink) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         if (outputs[i].empty()) continue;
-        if (source != "-" && outputs[i] != "-" && is_same_place(source, outputs[i])) {
+        if (source != "-" && outputs[i] != "-" && is_same_file(source, outputs[i])) {
             sink.report(diag::OutputIsSource).arg(outputs[i]);
             return kFailed;
         }
         for (std::size_t k = 0; k < i; ++k) {
             if (outputs[k].empty() || is_device(outputs[i])) continue;
-            if (!is_same_place(outputs[i], outputs[k])) continue;
+            if (!is_same_file(outputs[i], outputs[k])) continue;
             sink.report(diag::OutputTwice).arg(outputs[i]);
             return kFailed;
         }

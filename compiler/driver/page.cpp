@@ -102,8 +102,8 @@ std::string chain_json(const machine::Kinematics& kinematics) {
         put(joints,
             R"({}{{"role":"{}","letter":"{}","side":"{}","direction":{},"point":{},"sign":{}}})",
             joints.empty() ? "" : ",", kRoles[k], kAxisNames[index(joint.axis)],
-            joint.side == machine::Side::Table ? "table" : "head", vector_text(joint.direction),
-            vector_text(joint.point), joint.sign);
+            joint.side == machine::ChainSide::Table ? "table" : "head",
+            vector_text(joint.direction), vector_text(joint.point), joint.sign);
     }
     return fmt::format(
         R"({{"toolDirection":{},"compensatesParallel":{},"poleTolerance":{},"joints":[{}]}})",
@@ -239,10 +239,10 @@ std::optional<std::string> page_template(Session& session) {
         return std::nullopt;
     }
     std::size_t at = 0;
-    for (const std::string_view place : {kTitlePlace, kDataPlace}) {
-        at = page->find(place, at);
+    for (const std::string_view text : {kTitlePlace, kDataPlace}) {
+        at = page->find(text, at);
         if (at != std::string::npos) continue;
-        session.messages().report(diag::PageTemplateBroken).arg(name).arg(place);
+        session.messages().report(diag::PageTemplateBroken).arg(name).arg(text);
         return std::nullopt;
     }
     return *page;

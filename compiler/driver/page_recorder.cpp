@@ -23,13 +23,13 @@ void PageRecorder::follow(const Execution& execution) {
     execution_ = &execution;
     const machine::Machine& machine = execution.machine();
     trace_ = std::make_unique<PageTrace>(machine, most_page_samples(machine), most_page_blocks());
-    const Program* program = execution.program();
+    const KadrProgram* program = execution.program();
     if (program == nullptr) return;
     const std::string name = session_.output_name(program->file);
     texts_.append(texts_.index_of(name, true), session_.sources().text(program->file));
 }
 
-PageLocation PageRecorder::source_place(SourceId source) {
+PageLocation PageRecorder::source_location(SourceId source) {
     const SourceRange range = execution_->statement(source);
     if (!range.file.is_valid()) return {};
     const Sources& sources = session_.sources();
@@ -45,9 +45,9 @@ void PageRecorder::add(const motion::Segment& segment) {
         has_block_ = true;
         line_ = segment.line;
         statement_ = segment.source;
-        const TextLocation place = execution_->place_of(segment.line);
-        block_.source = source_place(segment.source);
-        block_.iso = {texts_.index_of(place.file, false), place.line};
+        const TextLocation location = execution_->location_of(segment.line);
+        block_.source = source_location(segment.source);
+        block_.iso = {texts_.index_of(location.file, false), location.line};
     }
     trace_->add(block_, segment);
 }

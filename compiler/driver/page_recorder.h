@@ -31,7 +31,7 @@ class PageRecorder {
 
   private:
     PageRecorder(Session& session, std::string page) : session_(session), page_(std::move(page)) {}
-    PageLocation source_place(SourceId source);
+    PageLocation source_location(SourceId source);
     void read_texts();
 
     Session& session_;

@@ -79,8 +79,8 @@ bool PageTrace::reaches(const Sample& sample) const {
     const Sample& from = samples_.back();
     const double time = sample.time - from.time;
     for (std::size_t i = 0; i < kColumns; ++i) {
-        const double way = column(sample, i) - column(from, i);
-        if (way < lower_[i] * time || way > upper_[i] * time) return false;
+        const double distance = column(sample, i) - column(from, i);
+        if (distance < lower_[i] * time || distance > upper_[i] * time) return false;
     }
     return true;
 }
@@ -90,9 +90,9 @@ void PageTrace::narrow(const Sample& sample) {
     const double time = sample.time - from.time;
     if (!(time > 0)) return;
     for (std::size_t i = 0; i < kColumns; ++i) {
-        const double way = column(sample, i) - column(from, i);
-        lower_[i] = std::max(lower_[i], (way - column_tolerance(sample, i)) / time);
-        upper_[i] = std::min(upper_[i], (way + column_tolerance(sample, i)) / time);
+        const double distance = column(sample, i) - column(from, i);
+        lower_[i] = std::max(lower_[i], (distance - column_tolerance(sample, i)) / time);
+        upper_[i] = std::min(upper_[i], (distance + column_tolerance(sample, i)) / time);
     }
 }
 

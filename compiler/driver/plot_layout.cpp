@@ -100,7 +100,7 @@ void place_turning(Layout& layout) {
     const double scale = scale_now();
     const Vec3& low = layout.shown.lower;
     const Vec3 pixels = (layout.shown.upper - low) * scale;
-    const Frame frame{kLeft, kTop, pixels.z(), pixels.x()};
+    const PlotFrame frame{kLeft, kTop, pixels.z(), pixels.x()};
     layout.grid = round_step(kGridPixels / scale);
     layout.views.push_back({frame, 2, 0, low.z(), low.x(), scale, "Z-X"});
     layout.legend = {frame.right() + kGap, kTop, kLegendWidth, kLegendHeight};
@@ -121,9 +121,9 @@ void place_three_views(Layout& layout) {
 
     const Vec3& low = layout.shown.lower;
     const Vec3 pixels = (layout.shown.upper - low) * scale;
-    const Frame plan{kLeft, kTop, pixels.x(), pixels.y()};
-    const Frame front{kLeft, plan.bottom() + kGap, pixels.x(), pixels.z()};
-    const Frame side{plan.right() + kGap, kTop, pixels.z(), pixels.y()};
+    const PlotFrame plan{kLeft, kTop, pixels.x(), pixels.y()};
+    const PlotFrame front{kLeft, plan.bottom() + kGap, pixels.x(), pixels.z()};
+    const PlotFrame side{plan.right() + kGap, kTop, pixels.z(), pixels.y()};
     layout.views = {{plan, 0, 1, low.x(), low.y(), scale, "X-Y"},
                     {front, 0, 2, low.x(), low.z(), scale, "X-Z"},
                     {side, 2, 1, low.z(), low.y(), scale, "Z-Y"}};

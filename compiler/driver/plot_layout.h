@@ -11,7 +11,7 @@
 namespace kadr::driver {
 
 /// A rectangle on paper, pixels, y downwards.
-struct Frame {
+struct PlotFrame {
     double left = 0;
     double top = 0;
     double width = 0;
@@ -22,14 +22,14 @@ struct Frame {
 
 /// One view: two axes of the part on a frame of the paper.
 struct View {
-    Frame frame;
+    PlotFrame frame;
     int across = 0;           // axis to the right: 0 X, 1 Y, 2 Z
     int up = 1;               // axis upwards
     double lower_across = 0;  // mm at the left edge
     double lower_up = 0;      // mm at the bottom edge
     double scale = 1;         // pixels a mm
     std::string name;
-    double up_said = 1;  // what a mm upwards is called: 2 where a radius is said as a diameter
+    double up_given = 1;  // what a mm upwards is called: 2 where a radius is said as a diameter
     /// Seen from above at the front, X to the right and Y into the depth, all three foreshortened
     /// alike; `across` and `up` mean nothing then.
     bool is_isometric = false;
@@ -56,7 +56,7 @@ struct Layout {
     double grid = 10;         // mm between labelled lines
     std::vector<View> views;  // the plan view; then front and side view, if there is depth;
                               // then the isometric one, if it was asked for
-    Frame legend;
+    PlotFrame legend;
 };
 
 /// The next of 1, 2, 5, 10, 20 … at or above the value.

@@ -27,7 +27,7 @@ std::string mm(double value) { return format_shortest(round_to(value, 3)); }
 // ------------------------------------------------------------------------------- grid and scales
 
 void draw_lines(std::string& out, const View& view, double step, const char* color, double width) {
-    const Frame& f = view.frame;
+    const PlotFrame& f = view.frame;
     put(out, "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" d=\"", color, width);
     for (const double v :
          grid_values(view.lower_across, view.lower_across + f.width / view.scale, step)) {
@@ -40,7 +40,7 @@ void draw_lines(std::string& out, const View& view, double step, const char* col
 }
 
 void draw_zero_lines(std::string& out, const View& view) {
-    const Frame& f = view.frame;
+    const PlotFrame& f = view.frame;
     put(out, "<path fill=\"none\" stroke=\"#aab1ba\" stroke-width=\"1.1\" d=\"");
     if (const double x = view.x(0); x >= f.left && x <= f.right()) {
         put(out, "M{:.1f} {:.1f}v{:.1f}", x, f.top, f.height);
@@ -52,7 +52,7 @@ void draw_zero_lines(std::string& out, const View& view) {
 }
 
 void draw_labels(std::string& out, const View& view, double step) {
-    const Frame& f = view.frame;
+    const PlotFrame& f = view.frame;
     put(out, "<g font-size=\"11\" fill=\"{}\">\n", kSoft);
     for (const double v :
          grid_values(view.lower_across, view.lower_across + f.width / view.scale, step)) {
@@ -61,7 +61,7 @@ void draw_labels(std::string& out, const View& view, double step) {
     }
     for (const double v : grid_values(view.lower_up, view.lower_up + f.height / view.scale, step)) {
         put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", f.left - 6,
-            view.y(v) + 4, mm(v * view.up_said));
+            view.y(v) + 4, mm(v * view.up_given));
     }
     out += "</g>\n";
     put(out,
@@ -74,7 +74,7 @@ void draw_labels(std::string& out, const View& view, double step) {
 void draw_isometric_paper(std::string& out, const View& view) {
     constexpr double kArrow = 34;   // pixels
     constexpr double kCorner = 56;  // of the axes, from the edges of the frame
-    const Frame& f = view.frame;
+    const PlotFrame& f = view.frame;
     put(out,
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
         "stroke=\"#c3c8cf\"/>\n"
@@ -96,7 +96,7 @@ void draw_isometric_paper(std::string& out, const View& view) {
 }
 
 void draw_paper(std::string& out, const View& view, const Layout& layout) {
-    const Frame& f = view.frame;
+    const PlotFrame& f = view.frame;
     put(out,
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\"/>\n",
         f.left, f.top, f.width, f.height);
@@ -141,7 +141,7 @@ void draw_dimension_up(std::string& out, const View& view, double from, double t
     put(out,
         "<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" font-size=\"13\" "
         "text-anchor=\"middle\" fill=\"{}\" class=\"halo wide\">{}</text>\n",
-        x + 4.5, (a + b) / 2, kInk, mm((to - from) * view.up_said));
+        x + 4.5, (a + b) / 2, kInk, mm((to - from) * view.up_given));
 }
 
 void draw_dimensions(std::string& out, const Layout& layout, const Box& part) {
@@ -259,16 +259,16 @@ class DrawnLines {
   public:
     bool is_new(const View& view, const Vec3& a, const Vec3& b) {
         const auto place = [&view](const Vec3& p) {
-            return Place(std::lround(view.x(p)), std::lround(view.y(p)));
+            return Point(std::lround(view.x(p)), std::lround(view.y(p)));
         };
-        const Place from = place(a);
-        const Place to = place(b);
+        const Point from = place(a);
+        const Point to = place(b);
         return from != to && lines_.emplace(std::min(from, to), std::max(from, to)).second;
     }
 
   private:
-    using Place = std::pair<long, long>;
-    std::set<std::pair<Place, Place>> lines_;
+    using Point = std::pair<long, long>;
+    std::set<std::pair<Point, Point>> lines_;
 };
 
 void draw_path(std::string& out, const View& view, const PlotScene& scene,
@@ -293,7 +293,7 @@ void draw_name(std::string& out, const View& view, const Vec3& at, const char* c
     constexpr double kLetter = 7;  // px, a generous mean of the letters
     constexpr double kGap = 9;     // from the middle of the mark
     constexpr double kHeight = 14;
-    const Frame& frame = view.frame;
+    const PlotFrame& frame = view.frame;
     const double room = kGap + kLetter * static_cast<double>(std::string_view(name).size());
     const double to_right = frame.right() - view.x(at);
     const bool is_left = to_right < room && view.x(at) - frame.left > to_right;
@@ -351,7 +351,7 @@ void draw_view(std::string& out, const Layout& layout, std::size_t index, const 
     const PlotScene& scene = picture.scene;
     const std::vector<LegendEntry>& legend = picture.legend;
     const View& view = layout.views[index];
-    const Frame& f = view.frame;
+    const PlotFrame& f = view.frame;
     draw_paper(out, view, layout);
     put(out,
         "<clipPath id=\"view{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
@@ -422,7 +422,7 @@ std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor col
     Layout layout = lay_out(scene, tools);
     for (View& view : layout.views) {
         if (!text.has_diameters || view.up != 0 || view.is_isometric) continue;
-        view.up_said = 2;
+        view.up_given = 2;
         view.name += ", X as diameters";
     }
     const std::vector<LegendEntry> legend = legend_of(scene, color);

@@ -19,9 +19,10 @@ constexpr double kWay = 2;      // mm
 constexpr double kParts = 100;  // of a piece, at most
 
 /// By how much a tool turns along a piece, rad; never less than it does.
-double turn_along(const motion::Segment& segment, double length) {
-    if (segment.turn.kind == path::Turning::Cone) return std::abs(segment.turn.rate) * length;
-    if (motion::gives_direction(segment.turn))
+double orientation_along(const motion::Segment& segment, double length) {
+    if (segment.orientation.kind == path::OrientKind::Cone)
+        return std::abs(segment.orientation.rate) * length;
+    if (motion::gives_direction(segment.orientation))
         return std::numbers::pi;  // on a surface, or to a point
     double rate = 0;
     for (std::size_t i = 0; i < 3; ++i) rate += std::abs(segment.follower_rate[i]);
@@ -33,8 +34,9 @@ double turn_along(const motion::Segment& segment, double length) {
 void PlotTools::add(const machine::Chain& chain, const motion::Segment& segment) {
     if (!segment.is_in_workpiece() || segment.kind != motion::SegmentKind::Feed) return;
     const double length = path::length(segment.curve);
-    const double way = segment.is_rotary_only ? 0 : length;
-    const double wanted = std::max({1.0, turn_along(segment, length) / kTurn, way / kWay});
+    const double travel = segment.is_rotary_only ? 0 : length;
+    const double wanted =
+        std::max({1.0, orientation_along(segment, length) / kTurn, travel / kWay});
     const auto parts = static_cast<int>(std::ceil(std::min(wanted, kParts)));
     for (int i = 0; i <= parts; ++i) {
         const double distance = length * i / parts;

@@ -32,9 +32,9 @@ Done require_time(Session& session, FileId file) {
     return kFailed;
 }
 
-std::optional<Program> checked(Session& session, FileId file) {
+std::optional<KadrProgram> checked(Session& session, FileId file) {
     const std::size_t errors_before = session.messages().errors();
-    Program program;
+    KadrProgram program;
     program.file = file;
     program.modules = std::make_unique<Modules>(session);
     const auto [ast, dialect] = program.modules->parse(file);
@@ -55,18 +55,18 @@ std::optional<Program> checked(Session& session, FileId file) {
 
 }  // namespace
 
-std::optional<Program> load_program(Session& session, const std::string& path,
-                                    const std::string& beside, const SourceRange& place) {
+std::optional<KadrProgram> load_program(Session& session, const std::string& path,
+                                        const std::string& beside, const SourceRange& location) {
     auto text = session.files().read_named(path, beside);
     if (!text) {
-        report_unread(session.messages(), diag::FileUnreadable, place, path, text.error(),
+        report_unread(session.messages(), diag::FileUnreadable, location, path, text.error(),
                       session.files());
         return std::nullopt;
     }
     return checked(session, session.sources().add(path, *std::move(text)));
 }
 
-std::optional<Program> load_program(Session& session, FileId file) {
+std::optional<KadrProgram> load_program(Session& session, FileId file) {
     session.files().allow_home_of(std::string(session.sources().name(file)));
     return checked(session, file);
 }

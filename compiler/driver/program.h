@@ -11,19 +11,20 @@
 
 namespace kadr::driver {
 
-struct Program {
+struct KadrProgram {
     FileId file;
     std::unique_ptr<Modules> modules;  // the trees that were checked
     std::unique_ptr<sema::Code> code;
 };
 
-/// Reads and checks a file of the library, or one that a dialect names, at `place`, and that lies
-/// beside it. Nothing, with messages, if it has errors.
-std::optional<Program> load_program(Session& session, const std::string& path,
-                                    const std::string& beside, const SourceRange& place = {});
+/// Reads and checks a file of the library, or one that a dialect names, at `location`, and that
+/// lies beside it. Nothing, with messages, if it has errors.
+std::optional<KadrProgram> load_program(Session& session, const std::string& path,
+                                        const std::string& beside,
+                                        const SourceRange& location = {});
 
 /// Checks a text that is already among the sources and that the user named: it may read what lies
 /// beside it.
-std::optional<Program> load_program(Session& session, FileId file);
+std::optional<KadrProgram> load_program(Session& session, FileId file);
 
 }  // namespace kadr::driver

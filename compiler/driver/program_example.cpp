@@ -64,7 +64,7 @@ std::string outcome_of(Session& session, const nc::Dialect& dialect, const std::
     macro::ProgramOptions options;
     options.max_turns = 10'000;
     options.max_repeated = 10'000;
-    macro::Program program(dialect, source, "example", options, messages);
+    macro::NcProgram program(dialect, source, "example", options, messages);
     interp::Interpreter interpreter(dialect, *machine, program, &program, nullptr, {}, messages);
     program.follow(interpreter);
     std::array<path::Command, 8> batch;

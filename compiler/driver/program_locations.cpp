@@ -27,23 +27,23 @@ std::string without_folder(const std::string& name) {
 }  // namespace
 
 ProgramLocation ProgramLocations::find(std::uint32_t line, SourceId source) const {
-    ProgramLocation place;
-    place.statement = users_statement(line, source);
-    if (place.statement.file.is_valid()) return place;
-    if (macro::Program::is_in_main_text(line)) {
-        place.line = line;
-        return place;
+    ProgramLocation location;
+    location.statement = users_statement(line, source);
+    if (location.statement.file.is_valid()) return location;
+    if (macro::NcProgram::is_in_main_text(line)) {
+        location.line = line;
+        return location;
     }
-    const TextLocation called = execution_.place_of(line);
-    place.called = called.file + ':' + std::to_string(called.line);
-    return place;
+    const TextLocation called = execution_.location_of(line);
+    location.called = called.file + ':' + std::to_string(called.line);
+    return location;
 }
 
-std::string ProgramLocations::key_of(const ProgramLocation& place) {
-    if (place.statement.file.is_valid())
-        return std::to_string(place.statement.file.index) + '@' +
-               std::to_string(place.statement.begin);
-    return place.called.empty() ? std::to_string(place.line) : place.called;
+std::string ProgramLocations::key_of(const ProgramLocation& location) {
+    if (location.statement.file.is_valid())
+        return std::to_string(location.statement.file.index) + '@' +
+               std::to_string(location.statement.begin);
+    return location.called.empty() ? std::to_string(location.line) : location.called;
 }
 
 /// The statement outside of the library that led to the piece; none in ISO-7bit text.
@@ -63,16 +63,16 @@ bool ProgramLocations::is_in_library(const SourceRange& range) const {
     return session_.sources().name(range.file).starts_with(session_.share().library);
 }
 
-std::string ProgramLocations::name_of(const ProgramLocation& place) const {
-    if (!place.called.empty()) return without_folder(place.called);
-    if (!place.statement.file.is_valid())
-        return without_folder(execution_.text_name() + ':' + std::to_string(place.line));
-    return without_folder(session_.source_name(place.statement));
+std::string ProgramLocations::name_of(const ProgramLocation& location) const {
+    if (!location.called.empty()) return without_folder(location.called);
+    if (!location.statement.file.is_valid())
+        return without_folder(execution_.text_name() + ':' + std::to_string(location.line));
+    return without_folder(session_.source_name(location.statement));
 }
 
-std::string ProgramLocations::text_of(const ProgramLocation& place) const {
-    if (!place.called.empty() || !place.statement.file.is_valid()) return {};
-    return first_line(session_.sources().text(place.statement));
+std::string ProgramLocations::text_of(const ProgramLocation& location) const {
+    if (!location.called.empty() || !location.statement.file.is_valid()) return {};
+    return first_line(session_.sources().text(location.statement));
 }
 
 }  // namespace kadr::driver

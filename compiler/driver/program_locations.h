@@ -35,12 +35,12 @@ class ProgramLocations {
     /// Of what a line of the ISO-7bit text, written for a statement, has moved.
     ProgramLocation find(std::uint32_t line, SourceId source) const;
     /// The same for the same place only.
-    static std::string key_of(const ProgramLocation& place);
+    static std::string key_of(const ProgramLocation& location);
 
     /// "flange.kadr:41"
-    std::string name_of(const ProgramLocation& place) const;
+    std::string name_of(const ProgramLocation& location) const;
     /// The statement, its first line; empty for ISO-7bit text.
-    std::string text_of(const ProgramLocation& place) const;
+    std::string text_of(const ProgramLocation& location) const;
 
   private:
     SourceRange users_statement(std::uint32_t line, SourceId source) const;

@@ -134,8 +134,8 @@ void PropertyValues::add_simpler(const Set& set, std::size_t parameter,
         const bool is_nearer = std::fabs(rounded - zero) < std::fabs(now - zero);
         if (is_nearer) add({0, rounded});
     }
-    for (double way = now - zero; std::fabs(way) >= step / 2; way /= 2) {
-        const double nearer = round_to(now - way, space.decimals);
+    for (double distance = now - zero; std::fabs(distance) >= step / 2; distance /= 2) {
+        const double nearer = round_to(now - distance, space.decimals);
         if (std::fabs(nearer - zero) < std::fabs(now - zero)) add({0, nearer});
     }
     if (zero != now) {

@@ -29,11 +29,11 @@ constexpr double kBeyond = sema::kExpectTolerance;
 
 /// A key for places in the plane that are one. Coordinates are mostly whole thousandths: those lie
 /// in the middle of a cell, so that noise does not part what is the same.
-std::pair<std::int64_t, std::int64_t> cell(const Vec3& place) {
+std::pair<std::int64_t, std::int64_t> cell(const Vec3& point) {
     const auto index = [](double value) {
         return static_cast<std::int64_t>(std::floor(value / 0.001 + 0.5));
     };
-    return {index(place.x()), index(place.y())};
+    return {index(point.x()), index(point.y())};
 }
 
 /// Noise of frames and conversions does not show: a millionth of a millimetre.
@@ -41,9 +41,9 @@ double clean(double value) { return round_to(value, 6); }
 
 std::string coordinate(double value) { return format_shortest(round_to(value, 4)); }
 
-std::string place_text(const Vec3& place) {
-    return "X" + coordinate(place.x()) + " Y" + coordinate(place.y()) + " Z" +
-           coordinate(place.z());
+std::string point_text(const Vec3& point) {
+    return "X" + coordinate(point.x()) + " Y" + coordinate(point.y()) + " Z" +
+           coordinate(point.z());
 }
 
 bool is_vertical(const Vec3& direction) { return std::hypot(direction.x(), direction.y()) < 1e-9; }
@@ -66,10 +66,10 @@ std::optional<path::Curve> part_below(const path::Curve& curve, double height) {
 }
 
 /// Distance in the plane from a place to a curve, and the curve's height there.
-std::pair<double, double> nearest(const path::Curve& curve, const Vec3& place) {
+std::pair<double, double> nearest(const path::Curve& curve, const Vec3& point) {
     const double length = path::length(curve);
     const auto away = [&](double s) {
-        const Vec3 gap = path::position(curve, s) - place;
+        const Vec3 gap = path::position(curve, s) - point;
         return std::hypot(gap.x(), gap.y());
     };
     // The distance to a line has one least value; an arc is looked at in pieces of a few degrees.
@@ -99,8 +99,8 @@ bool Recording::Move::is_known() const {
 bool Recording::Move::is_in_plane() const {
     if (std::holds_alternative<path::Helix>(curve)) return true;
     if (path::bends_freely(curve)) return true;
-    const Vec3 way = end() - start();
-    return std::hypot(way.x(), way.y()) > kBeyond;
+    const Vec3 delta = end() - start();
+    return std::hypot(delta.x(), delta.y()) > kBeyond;
 }
 
 void Recording::add(const path::Command& command) {
@@ -219,31 +219,31 @@ Recording::Extent Recording::extent_of_all(bool with_rapids) const {
     return all;
 }
 
-std::array<double, 3> Recording::final_place() const {
-    std::array<double, 3> place = {kNone, kNone, kNone};
-    if (moves_.empty()) return place;
+std::array<double, 3> Recording::final_position() const {
+    std::array<double, 3> point = {kNone, kNone, kNone};
+    if (moves_.empty()) return point;
     const Vec3 end = moves_.back().end();
     for (int i = 0; i < 3; ++i) {
         if ((moves_.back().known_after >> i & 1u) != 0)
-            place[static_cast<std::size_t>(i)] = clean(end[i]);
+            point[static_cast<std::size_t>(i)] = clean(end[i]);
     }
-    return place;
+    return point;
 }
 
 /// Whether a move at feed, one of the first `before`, came by here as deep as this.
-bool Recording::was_cut(std::size_t before, const Vec3& place) const {
+bool Recording::was_cut(std::size_t before, const Vec3& point) const {
     for (std::size_t i = 0; i < before; ++i) {
         const Move& move = moves_[i];
         if (move.is_rapid || !move.is_known()) continue;
         const path::Box box = path::bounds(move.curve);
         const bool is_apart =
-            place.x() < box.lower.x() - kSame || place.x() > box.upper.x() + kSame ||
-            place.y() < box.lower.y() - kSame || place.y() > box.upper.y() + kSame ||
-            box.lower.z() > place.z() + kBeyond;
+            point.x() < box.lower.x() - kSame || point.x() > box.upper.x() + kSame ||
+            point.y() < box.lower.y() - kSame || point.y() > box.upper.y() + kSame ||
+            box.lower.z() > point.z() + kBeyond;
         if (is_apart) continue;
         if (!move.is_in_plane()) return true;  // straight down here, and deep enough
-        const auto [away, height] = nearest(move.curve, place);
-        if (away <= kSame && height <= place.z() + kBeyond) return true;
+        const auto [away, height] = nearest(move.curve, point);
+        if (away <= kSame && height <= point.z() + kBeyond) return true;
     }
     return false;
 }
@@ -260,7 +260,7 @@ void Recording::answer_rapids(bool blind, double height, FigureAnswer& answer) c
         if (is_straight && has_start && end.z() > move.start().z()) continue;
         if (blind && (!is_straight || was_cut(i, end))) continue;
         if (answer.count++ > 0) continue;
-        answer.reason = "this moves at rapid to " + place_text(end);
+        answer.reason = "this moves at rapid to " + point_text(end);
         answer.reason_at = move.source;
     }
 }
@@ -294,7 +294,7 @@ void Recording::answer_inside(std::span<const sema::Slot> arguments, FigureAnswe
             const bool is_high = reach.upper[i] > upper[i] + kBeyond;
             if (!is_low && !is_high) continue;
             answer.count = 0;
-            answer.reason = "the move to " + place_text(move.end()) + " reaches " + "XYZ"[i] +
+            answer.reason = "the move to " + point_text(move.end()) + " reaches " + "XYZ"[i] +
                             coordinate(is_low ? reach.lower[i] : reach.upper[i]) + ", beyond " +
                             coordinate(is_low ? lower[i] : upper[i]);
             answer.reason_at = move.source;
@@ -318,7 +318,7 @@ FigureAnswer Recording::ask(Figure figure, std::span<const sema::Slot> arguments
         case Figure::Max: answer.numbers = extent_of_all(true).upper; break;
         case Figure::CutMin: answer.numbers = extent_of_all(false).lower; break;
         case Figure::CutMax: answer.numbers = extent_of_all(false).upper; break;
-        case Figure::Final: answer.numbers = final_place(); break;
+        case Figure::Final: answer.numbers = final_position(); break;
         case Figure::Length: answer.numbers[0] = clean(cutting_length_ + rapid_length_); break;
         case Figure::CuttingLength: answer.numbers[0] = clean(cutting_length_); break;
         case Figure::RapidLength: answer.numbers[0] = clean(rapid_length_); break;

@@ -67,10 +67,10 @@ class Recording {
     Knowledge knowledge_at(std::uint32_t line) const;
     static Extent extent(const Move& move);
     Extent extent_of_all(bool with_rapids) const;
-    std::array<double, 3> final_place() const;
+    std::array<double, 3> final_position() const;
     void find_holes();
     void find_levels();
-    bool was_cut(std::size_t before, const path::Vec3& place) const;
+    bool was_cut(std::size_t before, const path::Vec3& point) const;
     void answer_inside(std::span<const sema::Slot> arguments, expand::FigureAnswer& answer) const;
     void answer_rapids(bool blind, double height, expand::FigureAnswer& answer) const;
 

@@ -74,7 +74,7 @@ struct Outputs {
 };
 
 /// Keeps what the program prints; without a file it counts the lines.
-class PrintedLines final : public macro::Printer {
+class PrintedLines final : public macro::PrintTarget {
   public:
     explicit PrintedLines(Output* output) : output_(output) {}
     void line(std::string_view text) override {
@@ -110,30 +110,30 @@ Done open_if_named(std::unique_ptr<Output>& output, const std::string& name, Ses
 class SegmentTap final : public Stream<motion::Segment> {
   public:
     using Look = std::function<void(motion::Segment&)>;
-    SegmentTap(Stream<motion::Segment>& segments, Look look, std::function<void()> tell)
-        : segments_(segments), look_(std::move(look)), tell_(std::move(tell)) {}
+    SegmentTap(Stream<motion::Segment>& segments, Look look, std::function<void()> report)
+        : segments_(segments), look_(std::move(look)), report_(std::move(report)) {}
 
     std::size_t pull(std::span<motion::Segment> out) override {
         const std::size_t count = segments_.pull(out);
         for (motion::Segment& segment : out.first(count)) look_(segment);
-        tell_();
+        report_();
         return count;
     }
 
   private:
     Stream<motion::Segment>& segments_;
     Look look_;
-    std::function<void()> tell_;
+    std::function<void()> report_;
 };
 
 /// For the message.
-std::string_view what_is_off(motion::PathFault fault) {
+std::string_view what_is_off(motion::DeviationKind fault) {
     switch (fault) {
-        case motion::PathFault::Tip: return "the tip";
-        case motion::PathFault::LeftOut: return "the end of a motion, which is passed by,";
-        case motion::PathFault::Tool: return "the direction of the tool";
-        case motion::PathFault::Followers: return "an axis beside X, Y and Z";
-        case motion::PathFault::End: return "the end of the path";
+        case motion::DeviationKind::Tip: return "the tip";
+        case motion::DeviationKind::LeftOut: return "the end of a motion, which is passed by,";
+        case motion::DeviationKind::Tool: return "the direction of the tool";
+        case motion::DeviationKind::Followers: return "an axis beside X, Y and Z";
+        case motion::DeviationKind::End: return "the end of the path";
     }
     return "";
 }
@@ -294,11 +294,11 @@ void Run::execute() {
             if (limits_) limits_->add(segment);
             if (page_) page_->add(segment);
             // For the setpoints, whose thread must not ask what is being executed.
-            if (!macro::Program::is_in_main_text(segment.line))
-                segment.line = execution_->place_of(segment.line).line;
+            if (!macro::NcProgram::is_in_main_text(segment.line))
+                segment.line = execution_->location_of(segment.line).line;
         },
         [&] {
-            session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
+            session_.report({execution_->blocks(), setpoints_, motion.planned_time()});
         });
     if (samples()) {
         sample(segments, session_.options().tick.value_or(0));
@@ -373,13 +373,13 @@ void Run::finish_check(const motion::PlannerOptions& options) {
     const std::optional<motion::PathDeviation>& deviation = check_->deviation();
     if (!deviation) return;
     const auto amount = [&](double value) {
-        const bool is_angle = deviation->fault == motion::PathFault::Tool;
+        const bool is_angle = deviation->fault == motion::DeviationKind::Tool;
         return readable(round_to(is_angle ? deg_from_rad(value) : value, 9)) +
-               (is_angle                                           ? " deg"
-                : deviation->fault == motion::PathFault::Followers ? ""
-                                                                   : " mm");
+               (is_angle                                               ? " deg"
+                : deviation->fault == motion::DeviationKind::Followers ? ""
+                                                                       : " mm");
     };
-    motion::report(execution_->sink(), diag::PathLeft, deviation->motion, options.place_of)
+    motion::report(execution_->sink(), diag::PathLeft, deviation->motion, options.locate_command)
         .arg(what_is_off(deviation->fault))
         .arg(amount(deviation->distance))
         .arg(round_to(deviation->time, 6))
@@ -541,8 +541,8 @@ Done Run::open_drives() {
             drive_trace_.add(sample);
             return;
         }
-        if (!macro::Program::is_in_main_text(sample.line))
-            sample.line = execution_->place_of(sample.line).line;
+        if (!macro::NcProgram::is_in_main_text(sample.line))
+            sample.line = execution_->location_of(sample.line).line;
         drive_table_->add(sample);
     };
     const double period = session_.options().tick.value_or(machine.tick);

@@ -34,14 +34,14 @@ class HeldSink final : public DiagnosticSink {
     void take(Diagnostic diagnostic) override { held_.push_back(std::move(diagnostic)); }
     void release_to(DiagnosticSink& next) {
         for (Diagnostic& diagnostic : held_) {
-            tell_why(diagnostic);
+            report_why(diagnostic);
             next.take(std::move(diagnostic));
         }
     }
 
   private:
     /// The loader knows only that a file could not be read.
-    static void tell_why(Diagnostic& diagnostic) {
+    static void report_why(Diagnostic& diagnostic) {
         if (diagnostic.row != &diag::FileUnreadable || diagnostic.arguments.empty()) return;
         std::string why = why_unreadable(diagnostic.arguments[0]);
         if (why.empty()) why = "it holds more than " + bytes_text(Files::kMostBytes);
@@ -54,13 +54,13 @@ class HeldSink final : public DiagnosticSink {
 /// Says where something was asked for that is not there: a place in a source, or an option.
 class OriginSink final : public DiagnosticSink {
   public:
-    OriginSink(DiagnosticSink& next, const SourceRange& place, std::string_view option)
-        : next_(next), place_(place), option_(option) {}
+    OriginSink(DiagnosticSink& next, const SourceRange& location, std::string_view option)
+        : next_(next), location_(location), option_(option) {}
 
     void take(Diagnostic diagnostic) override {
         const bool has_place = diagnostic.range.file.is_valid() || diagnostic.line;
-        if (!has_place && place_.file.is_valid()) {
-            diagnostic.range = place_;
+        if (!has_place && location_.file.is_valid()) {
+            diagnostic.range = location_;
         } else if (!has_place && !option_.empty()) {
             diagnostic.notes.push_back(
                 {{}, std::nullopt, "it is asked for by the option `" + std::string(option_) + "`"});
@@ -70,7 +70,7 @@ class OriginSink final : public DiagnosticSink {
 
   private:
     DiagnosticSink& next_;
-    SourceRange place_;
+    SourceRange location_;
     std::string_view option_;
 };
 
@@ -93,13 +93,13 @@ Session::Session(Options options, Share share, Sources& sources, Messages& messa
 }
 
 /// All texts from this one on, which a loader has read, are ones that it may read; they are noted.
-/// `beside`: the file that the user named; empty: a source named it, at `place`.
-Done Session::admit(std::size_t first, const std::string& beside, const SourceRange& place) {
+/// `beside`: the file that the user named; empty: a source named it, at `location`.
+Done Session::admit(std::size_t first, const std::string& beside, const SourceRange& location) {
     for (std::size_t i = first; i < sources_.size(); ++i) {
         const std::string name(sources_.name(FileId{static_cast<std::uint32_t>(i)}));
         files_.note(name);
         if (name == beside || is_of_share(name) || files_.may_be_read(name, beside)) continue;
-        report_unread(messages_, diag::FileUnreadable, place, name, files_.fault_elsewhere(name),
+        report_unread(messages_, diag::FileUnreadable, location, name, files_.fault_elsewhere(name),
                       files_);
         return kFailed;
     }
@@ -115,7 +115,7 @@ bool Session::is_of_share(const std::string& name) const {
            std::ranges::any_of(share_.machines, holds);
 }
 
-const nc::Dialect* Session::dialect(const std::string& name_or_file, const SourceRange& place) {
+const nc::Dialect* Session::dialect(const std::string& name_or_file, const SourceRange& location) {
     const bool is_option = name_or_file == options_.dialect;
     // Without an option the machine is a lathe where the control is one by itself.
     const bool is_lathe = !options_.machine.empty() && machine() != nullptr && machine()->is_lathe;
@@ -123,10 +123,10 @@ const nc::Dialect* Session::dialect(const std::string& name_or_file, const Sourc
     return load_once(dialects_, name_or_file, [&]() -> std::optional<nc::Dialect> {
         const std::size_t first = sources_.size();
         HeldSink held;
-        OriginSink sink(held, place, is_option ? "-d" : "");
+        OriginSink sink(held, location, is_option ? "-d" : "");
         auto fresh = nc::load_dialect_for(kind, name_or_file, share_.dialects, sources_, sink);
-        const bool is_named = is_option || !place.file.is_valid();
-        if (!admit(first, is_named ? name_or_file : std::string(), place)) return std::nullopt;
+        const bool is_named = is_option || !location.file.is_valid();
+        if (!admit(first, is_named ? name_or_file : std::string(), location)) return std::nullopt;
         held.release_to(messages_);
         // The files of its cycles belong to it, whether this run calls one or not.
         if (fresh) {
@@ -145,13 +145,13 @@ const nc::Dialect* Session::chosen_dialect(const std::string& otherwise) {
 }
 
 const syntax::KeywordTable* Session::keywords(const std::string& name_or_file,
-                                              const SourceRange& place) {
+                                              const SourceRange& location) {
     return load_once(keywords_, name_or_file, [&]() -> std::optional<syntax::KeywordTable> {
         const std::size_t first = sources_.size();
         HeldSink held;
-        OriginSink sink(held, place, "");
+        OriginSink sink(held, location, "");
         auto fresh = syntax::load_keywords(name_or_file, share_.languages, sources_, sink);
-        if (!admit(first, "", place)) return std::nullopt;
+        if (!admit(first, "", location)) return std::nullopt;
         held.release_to(messages_);
         return fresh;
     });
@@ -196,7 +196,7 @@ const machine::Machine* Session::machine() {
         if (!fresh) mark_usage();
         if (fresh) {
             machine_ = std::make_unique<machine::Machine>(std::move(fresh->machine));
-            told_ = std::move(fresh->told);
+            machine_data_ = std::move(fresh->data);
         }
     }
     return machine_.get();

@@ -63,8 +63,8 @@ class Session {
     std::string source_name(const SourceRange& range) const;
 
     /// A dialect by name or file; each is loaded once. Null, with messages, if it has mistakes.
-    /// `place`: where a source names it, for the message that there is none; invalid: nowhere.
-    const nc::Dialect* dialect(const std::string& name_or_file, const SourceRange& place = {});
+    /// `location`: where a source names it, for the message that there is none; invalid: nowhere.
+    const nc::Dialect* dialect(const std::string& name_or_file, const SourceRange& location = {});
     /// A dialect that is looked at for its mistakes, which go to `found`; nothing in it, if its
     /// files may not be read.
     nc::InspectedDialect inspect_dialect(const std::string& name_or_file, DiagnosticSink& found);
@@ -74,7 +74,7 @@ class Session {
                                                           std::string_view option = {});
     /// A keyword language by name or file, likewise.
     const syntax::KeywordTable* keywords(const std::string& name_or_file,
-                                         const SourceRange& place = {});
+                                         const SourceRange& location = {});
     /// The dialect of the options or, if they name none, `otherwise`. A failure is wrong usage.
     const nc::Dialect* chosen_dialect(const std::string& otherwise);
     /// The stock machine for the dialect of the options: a lathe for the control of a lathe.
@@ -82,13 +82,13 @@ class Session {
     /// The machine of the options, or the stock one; null, with messages, if it has mistakes.
     const machine::Machine* machine();
     /// What it tells programs; behind `machine`, which has loaded it.
-    const machine::MachineData& told() const { return told_; }
+    const machine::MachineData& machine_data() const { return machine_data_; }
 
     /// Called now and then while a long command works.
     void set_progress(std::function<void(const Progress&)> progress) {
         progress_ = std::move(progress);
     }
-    void tell(const Progress& progress) const {
+    void report(const Progress& progress) const {
         if (progress_) progress_(progress);
     }
 
@@ -100,7 +100,7 @@ class Session {
 
   private:
     bool is_of_share(const std::string& name) const;
-    Done admit(std::size_t first, const std::string& beside, const SourceRange& place);
+    Done admit(std::size_t first, const std::string& beside, const SourceRange& location);
 
     Options options_;
     Share share_;
@@ -112,7 +112,7 @@ class Session {
     std::map<std::string, std::unique_ptr<nc::Dialect>> dialects_;
     std::map<std::string, std::unique_ptr<syntax::KeywordTable>> keywords_;
     std::unique_ptr<machine::Machine> machine_;
-    machine::MachineData told_;
+    machine::MachineData machine_data_;
     bool machine_was_loaded_ = false;
     bool is_usage_ = false;
     std::function<void(const Progress&)> progress_;

@@ -39,7 +39,7 @@ enum class Outcome : std::uint8_t { Holds, Fails, Rejected };
 /// What one test said under one control.
 struct Verdict {
     std::string dialect;
-    std::vector<Diagnostic> said;
+    std::vector<Diagnostic> messages;
 };
 
 std::string signature(const Diagnostic& diagnostic) {
@@ -71,11 +71,11 @@ class TestRun {
 
   private:
     void run_file(const std::string& source);
-    void run_test(const Program& program, std::uint32_t index);
+    void run_test(const KadrProgram& program, std::uint32_t index);
     Outcome run_once(std::uint32_t index, const std::vector<sema::Slot>& values,
-                     const std::string& dialect, DiagnosticList& said);
-    void run_property(std::uint32_t index, const std::string& dialect, DiagnosticList& said);
-    void run_given(std::uint32_t index, const std::string& dialect, DiagnosticList& said);
+                     const std::string& dialect, DiagnosticList& messages);
+    void run_property(std::uint32_t index, const std::string& dialect, DiagnosticList& messages);
+    void run_given(std::uint32_t index, const std::string& dialect, DiagnosticList& messages);
     Diagnostic counterexample(std::uint32_t index, const PropertyValues& values,
                               const PropertyValues::Set& set, const Diagnostic& first) const;
     Done require_known_defines(const FunctionCode& property);
@@ -86,7 +86,7 @@ class TestRun {
     const TestJob& job_;
     std::vector<std::string> dialects_;
     CycleShelf cycles_;
-    const Program* program_ = nullptr;
+    const KadrProgram* program_ = nullptr;
     std::string source_;
     std::unique_ptr<Bench> bench_;
     std::string lines_;
@@ -104,18 +104,19 @@ bool TestRun::is_chosen(const FunctionCode& function) const {
 }
 
 Outcome TestRun::run_once(std::uint32_t index, const std::vector<sema::Slot>& values,
-                          const std::string& dialect, DiagnosticList& said) {
+                          const std::string& dialect, DiagnosticList& messages) {
     const nc::Dialect* target = session_.dialect(dialect, {});
     if (target == nullptr) return Outcome::Fails;
-    bench_->begin(dialect, said);
+    bench_->begin(dialect, messages);
     const sema::Code& code = *program_->code;
-    expand::Expander expander(code, *target, {}, said);
+    expand::Expander expander(code, *target, {}, messages);
     expander.start_test(index, values, *bench_);
     std::array<nc::Block, 1> block;
     if (expander.pull(block) > 0) {
         const bool has_place =
             block[0].source.is_valid() && block[0].source.index < code.statements.size();
-        said.report(diag::TestBlocks, has_place ? code.statements[block[0].source.index]
+        messages
+            .report(diag::TestBlocks, has_place ? code.statements[block[0].source.index]
                                                 : code.functions[index].range)
             .arg(code.functions[index].kind == FunctionKind::Test ? "test" : "property")
             .note(code.functions[index].range, "of this")
@@ -123,7 +124,7 @@ Outcome TestRun::run_once(std::uint32_t index, const std::vector<sema::Slot>& va
         return Outcome::Fails;
     }
     if (expander.rejected()) return Outcome::Rejected;
-    return expander.failed() || said.has_errors() ? Outcome::Fails : Outcome::Holds;
+    return expander.failed() || messages.has_errors() ? Outcome::Fails : Outcome::Holds;
 }
 
 /// What a failed property says: the message, the values, and how to see it again.
@@ -140,7 +141,8 @@ Diagnostic TestRun::counterexample(std::uint32_t index, const PropertyValues& va
     return diagnostic;
 }
 
-void TestRun::run_property(std::uint32_t index, const std::string& dialect, DiagnosticList& said) {
+void TestRun::run_property(std::uint32_t index, const std::string& dialect,
+                           DiagnosticList& messages) {
     const FunctionCode& property = program_->code->functions[index];
     const PropertyValues values(*program_->code, property);
     // Each property has numbers of its own, so that a new one before it does not change them.
@@ -175,11 +177,11 @@ void TestRun::run_property(std::uint32_t index, const std::string& dialect, Diag
             }
         }
         for (const Diagnostic& diagnostic : found)
-            said.take(counterexample(index, values, set, diagnostic));
+            messages.take(counterexample(index, values, set, diagnostic));
         return;
     }
     if (tried < job_.runs) {
-        said.report(diag::PropertyStarved, property.range)
+        messages.report(diag::PropertyStarved, property.range)
             .arg(static_cast<std::int64_t>(tried))
             .arg(static_cast<std::int64_t>(chosen));
     }
@@ -204,37 +206,39 @@ Done TestRun::require_known_defines(const FunctionCode& property) {
 }
 
 /// One set of values, from the command line.
-void TestRun::run_given(std::uint32_t index, const std::string& dialect, DiagnosticList& said) {
+void TestRun::run_given(std::uint32_t index, const std::string& dialect, DiagnosticList& messages) {
     const nc::Dialect* target = session_.dialect(dialect, {});
     if (target == nullptr) return;
-    expand::Expander reader(*program_->code, *target, {}, said);
+    expand::Expander reader(*program_->code, *target, {}, messages);
     const auto values = reader.read_values(index, session_.options().defines);
     if (!values) return;
-    if (run_once(index, *values, dialect, said) == Outcome::Rejected) {
-        said.report(diag::PropertyStarved, program_->code->functions[index].range).arg(0).arg(1);
+    if (run_once(index, *values, dialect, messages) == Outcome::Rejected) {
+        messages.report(diag::PropertyStarved, program_->code->functions[index].range)
+            .arg(0)
+            .arg(1);
     }
 }
 
 void TestRun::report(const FunctionCode& function, const std::vector<Verdict>& verdicts) {
     // The same words under several controls are said once.
-    struct Said {
+    struct SharedMessage {
         Diagnostic diagnostic;
         std::string signature;
         std::vector<std::string> dialects;
     };
-    std::vector<Said> all;
+    std::vector<SharedMessage> all;
     for (const Verdict& verdict : verdicts) {
-        for (const Diagnostic& diagnostic : verdict.said) {
+        for (const Diagnostic& diagnostic : verdict.messages) {
             const std::string words = signature(diagnostic);
-            const auto known = std::find_if(all.begin(), all.end(), [&](const Said& other) {
-                return other.signature == words;
-            });
+            const auto known =
+                std::find_if(all.begin(), all.end(),
+                             [&](const SharedMessage& other) { return other.signature == words; });
             if (known == all.end()) all.push_back({diagnostic, words, {verdict.dialect}});
             else if (known->dialects.back() != verdict.dialect)
                 known->dialects.push_back(verdict.dialect);
         }
     }
-    const auto is_error = [](const Said& said) {
+    const auto is_error = [](const SharedMessage& said) {
         return said.diagnostic.severity != Severity::Warning;
     };
     const auto first = std::find_if(all.begin(), all.end(), is_error);
@@ -244,18 +248,18 @@ void TestRun::report(const FunctionCode& function, const std::vector<Verdict>& v
     } else {
         ++failed_;
         const Diagnostic& diagnostic = first->diagnostic;
-        std::string place;
+        std::string text;
         if (diagnostic.line) {
-            place = diagnostic.line->file + ':' + std::to_string(diagnostic.line->line);
+            text = diagnostic.line->file + ':' + std::to_string(diagnostic.line->line);
         } else if (diagnostic.range.file.is_valid()) {
-            place = session_.source_name(diagnostic.range);
+            text = session_.source_name(diagnostic.range);
         }
-        lines_ += "failed  " + function.name + ": " + place + ": " + diagnostic.message();
+        lines_ += "failed  " + function.name + ": " + text + ": " + diagnostic.message();
         if (first->dialects.size() < verdicts.size())
             lines_ += " (" + joined(first->dialects, ", ") + ")";
         lines_ += '\n';
     }
-    for (Said& said : all) {
+    for (SharedMessage& said : all) {
         if (said.dialects.size() < verdicts.size()) {
             said.diagnostic.notes.push_back(
                 {{}, std::nullopt, "only under " + joined(said.dialects, ", ")});
@@ -264,24 +268,24 @@ void TestRun::report(const FunctionCode& function, const std::vector<Verdict>& v
     }
 }
 
-void TestRun::run_test(const Program& program, std::uint32_t index) {
+void TestRun::run_test(const KadrProgram& program, std::uint32_t index) {
     const FunctionCode& function = program.code->functions[index];
     const bool has_values = !session_.options().defines.empty();
     if (has_values && !require_known_defines(function)) return;
     std::vector<Verdict> verdicts;
     for (const std::string& dialect : dialects_) {
-        DiagnosticList said;
+        DiagnosticList messages;
         bool depends = true;
         if (function.kind == FunctionKind::Test) {
-            run_once(index, {}, dialect, said);
+            run_once(index, {}, dialect, messages);
             depends = bench_->was_asked();
         } else if (has_values) {
-            run_given(index, dialect, said);
+            run_given(index, dialect, messages);
         } else {
-            run_property(index, dialect, said);
+            run_property(index, dialect, messages);
             depends = bench_->was_asked();
         }
-        verdicts.push_back({dialect, said.all()});
+        verdicts.push_back({dialect, messages.all()});
         if (!depends) break;  // plain arithmetic is the same for all
     }
     report(function, verdicts);
@@ -301,7 +305,7 @@ void TestRun::run_file(const std::string& source) {
         ++failed_;
         return;
     }
-    const std::optional<Program> program =
+    const std::optional<KadrProgram> program =
         load_program(session_, keep_source(session_, source, *text));
     if (!program) {
         ++failed_;

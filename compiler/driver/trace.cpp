@@ -83,28 +83,28 @@ std::string_view code_of(const std::vector<macro::ActiveCode>& codes, std::strin
     return found == codes.end() ? std::string_view() : found->code;
 }
 
-/// Calls `tell` with group, code before and code after for every group whose code is another one.
+/// Calls `report` with group, code before and code after for every group whose code is another one.
 template <typename Tell>
 void each_code_change(const std::vector<macro::ActiveCode>& before,
-                      const std::vector<macro::ActiveCode>& after, Tell tell) {
+                      const std::vector<macro::ActiveCode>& after, Tell report) {
     if (before == after) return;
     for (const macro::ActiveCode& code : after) {
         const std::string_view old = code_of(before, code.group);
-        if (old != code.code) tell(code.group, old, code.code);
+        if (old != code.code) report(code.group, old, code.code);
     }
     for (const macro::ActiveCode& code : before) {
-        if (code_of(after, code.group).empty()) tell(code.group, code.code, std::string_view());
+        if (code_of(after, code.group).empty()) report(code.group, code.code, std::string_view());
     }
 }
 
 /// The same for the entries of the modal state.
 template <typename Tell>
 void each_modal_change(const std::vector<ModalEntry>& before, const std::vector<ModalEntry>& after,
-                       Tell tell) {
+                       Tell report) {
     for (std::size_t i = 0; i < after.size(); ++i) {
         std::string_view old = "null";
         if (i < before.size()) old = before[i].value;
-        if (old != after[i].value) tell(after[i], old);
+        if (old != after[i].value) report(after[i], old);
     }
 }
 

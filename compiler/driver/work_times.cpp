@@ -26,8 +26,8 @@ void WorkTimes::add(const motion::Segment& segment) {
     // A module beside the axes does not know of tools.
     if (!motion::is_external(segment.kind)) take_tool(segment.tool_number);
     const bool moves = motion::is_motion(segment.kind) || motion::is_external(segment.kind);
-    const bool has_way = moves && !segment.is_rotary_only;
-    const double length = has_way ? path::arc_length(segment.curve) : 0;
+    const bool has_distance = moves && !segment.is_rotary_only;
+    const double length = has_distance ? path::arc_length(segment.curve) : 0;
     // What tools have adds up to what the axes do: marks of a module have figures of their own.
     if (motion::is_external(segment.kind)) {
         tools_[tool_at_].share.time += segment.duration;
@@ -52,22 +52,22 @@ void WorkTimes::take_tool(std::int64_t tool) {
 WorkShare& WorkTimes::share_of(const motion::Segment& segment) {
     const bool is_same = segment.line == last_line_ && segment.source == last_source_;
     if (last_ != nullptr && is_same) return last_->share;
-    ProgramLocation place = places_.find(segment.line, segment.source);
-    const std::uint64_t key = key_of(place);
-    last_ = &rows_.try_emplace(key, Row{std::move(place), {}}).first->second;
+    ProgramLocation location = locations_.find(segment.line, segment.source);
+    const std::uint64_t key = key_of(location);
+    last_ = &rows_.try_emplace(key, Row{std::move(location), {}}).first->second;
     last_line_ = segment.line;
     last_source_ = segment.source;
     return last_->share;
 }
 
 /// Lines of the main text have their number; statements file and offset; others are counted.
-std::uint64_t WorkTimes::key_of(const ProgramLocation& place) {
+std::uint64_t WorkTimes::key_of(const ProgramLocation& location) {
     constexpr std::uint64_t kCalled = std::uint64_t{1} << 63;
-    const SourceRange& statement = place.statement;
+    const SourceRange& statement = location.statement;
     if (statement.file.is_valid())
         return (std::uint64_t{statement.file.index} + 1) << 32 | statement.begin;
-    if (place.called.empty()) return place.line;
-    return called_.try_emplace(place.called, kCalled + called_.size()).first->second;
+    if (location.called.empty()) return location.line;
+    return called_.try_emplace(location.called, kCalled + called_.size()).first->second;
 }
 
 void WorkTimes::forget_least() {
@@ -106,7 +106,7 @@ std::vector<LocationShare> WorkTimes::longest(std::size_t most) const {
     const std::size_t count = std::min(most, rows.size());
     const auto is_before = [](const Row* a, const Row* b) {
         if (a->share.time != b->share.time) return a->share.time > b->share.time;
-        return a->place < b->place;
+        return a->location < b->location;
     };
     const auto end = rows.begin() + static_cast<std::ptrdiff_t>(count);
     std::partial_sort(rows.begin(), end, rows.end(), is_before);
@@ -116,7 +116,7 @@ std::vector<LocationShare> WorkTimes::longest(std::size_t most) const {
 }
 
 LocationShare WorkTimes::shown(const Row& row) const {
-    return {places_.name_of(row.place), places_.text_of(row.place), row.share};
+    return {locations_.name_of(row.location), locations_.text_of(row.location), row.share};
 }
 
 }  // namespace kadr::driver

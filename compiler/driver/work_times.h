@@ -43,7 +43,7 @@ class WorkTimes {
   public:
     /// Both outlive this.
     WorkTimes(const Execution& execution, const Session& session)
-        : execution_(execution), places_(execution, session) {}
+        : execution_(execution), locations_(execution, session) {}
 
     /// A piece of motion; pieces come in the order of the run.
     void add(const motion::Segment& segment);
@@ -58,18 +58,18 @@ class WorkTimes {
 
   private:
     struct Row {
-        ProgramLocation place;
+        ProgramLocation location;
         WorkShare share;
     };
 
     WorkShare& share_of(const motion::Segment& segment);
-    std::uint64_t key_of(const ProgramLocation& place);
+    std::uint64_t key_of(const ProgramLocation& location);
     void take_tool(std::int64_t tool);
     void forget_least();
     LocationShare shown(const Row& row) const;
 
     const Execution& execution_;
-    ProgramLocations places_;
+    ProgramLocations locations_;
     std::vector<ToolShare> tools_ = {{}};
     std::size_t tool_at_ = 0;
     std::vector<WorkShare> cycles_;  // by Segment::cycle

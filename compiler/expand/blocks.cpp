@@ -37,11 +37,11 @@ std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at)
     if (emit.op != Op::Emit) return at;  // a feed of `follow`
     const sema::Plan& plan = code.plans[static_cast<std::size_t>(emit.immediate.pair.first)];
     const auto value = static_cast<std::uint16_t>(emit.a + (&filling - plan.fillings.data()));
-    const SourceRange block = code.places[at];
+    const SourceRange block = code.locations[at];
     for (std::uint32_t i = at; i-- > 0;) {
-        const SourceRange place = code.places[i];
-        const bool is_inside =
-            place.file == block.file && place.begin >= block.begin && place.end <= block.end;
+        const SourceRange location = code.locations[i];
+        const bool is_inside = location.file == block.file && location.begin >= block.begin &&
+                               location.end <= block.end;
         if (!is_inside) break;
         if (code.instructions[i].a == value) return i;
     }
@@ -112,7 +112,7 @@ Done Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
     if (!require_room(at)) return kFailed;
     if (modal.due_offset != 0) [[unlikely]]
         say_offset(plan, instruction, at);
-    if (modal.diameter_due != Function::None && plan.skip >= 0) [[unlikely]] {
+    if (modal.diameter_due != Function::None && plan.skip_level >= 0) [[unlikely]] {
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
         say_diameter_alone(source, at, instruction.c);
     }
@@ -127,7 +127,8 @@ Done Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
         if (plan.customs == 0) [[likely]]
             return kDone;
         if ((plan.customs & sema::custom::kReference) != 0)
-            go_over_place(SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
+            go_over_position(
+                SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
         const Block& block = batch_count > in_batch ? batch[batch_count - 1] : waiting.back();
         const bool is_empty =
             block.function_count == 0 && block.given == 0 && block.motion == Function::None;
@@ -146,7 +147,7 @@ Done Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
 
 Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instruction,
                                 const sema::Slot* registers, std::uint32_t at) {
-    if (plan.skip < 0) [[likely]]
+    if (plan.skip_level < 0) [[likely]]
         return fill_block(plan, instruction, registers, at);
     // Nobody knows here whether the operator lets the block run.
     const ModalState without = modal;
@@ -170,8 +171,9 @@ static inline void copy_constants(const sema::Plan& plan, int default_skip, Bloc
     block.incremental = plan.incremental;
     block.absolute = plan.absolute;
     block.argument_count = plan.argument_count;
-    block.skip =
-        plan.skip == syntax::kDefaultSkipLevel ? static_cast<std::int8_t>(default_skip) : plan.skip;
+    block.skip_level = plan.skip_level == syntax::kDefaultSkipLevel
+                           ? static_cast<std::int8_t>(default_skip)
+                           : plan.skip_level;
     block.cycle = plan.cycle;
     block.number = plan.number;
     block.feed_along_arc = (plan.customs & sema::custom::kFeedOfArc) != 0;
@@ -213,10 +215,10 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         if (options.warns_of_cuts) warn_of_plane(block, at);
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         owes_behind = modal.take_functions(block, target.rules());
-        if (modal.frame_fault != control::FrameFault::None && is_frame_of_language(plan))
+        if (modal.frame_fault != control::FrameFormFault::None && is_frame_of_language(plan))
             return refuse_frame(modal.frame_fault, at);
-        const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
-        if (target.rules().machine_coordinates_rapid && !says_rapid && motion != Function::Rapid &&
+        const bool has_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
+        if (target.rules().machine_coordinates_rapid && !has_rapid && motion != Function::Rapid &&
             block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
             fault(diag::MachineAtFeed, at)
                 .arg(target.name())
@@ -227,7 +229,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         if (target.rules().shift_in_diameter) scale_frame_x(block, 2);
         if (modal[Group::Diameter] == Function::None && options.warns_of_cuts)
             warn_of_radius(block, at);
-        if (says_rapid && motion != Function::Rapid) {
+        if (has_rapid && motion != Function::Rapid) {
             modal.assume(Group::Motion, motion);
             modal.restate_motion = true;
         }
@@ -285,7 +287,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     if (modal.comp_choice != ModalState::kNoChoice && recordings.empty() &&
         !require_sure_compensation(block, at)) [[unlikely]]
         return kFailed;
-    if (modal.is_compensation_due() && !check_lead(block, at)) [[unlikely]]
+    if (modal.is_compensation_due() && !check_pitch(block, at)) [[unlikely]]
         return kFailed;
     if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
     if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
@@ -301,7 +303,8 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
     if (modal.tcp != ModalState::Tcp::Off && !check_leading(block, at)) return kFailed;
     if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
         say_diameter(block);
-    if (options.warns_of_cuts && !modal.told.has_reported(Once::Rapid) && recordings.empty())
+    if (options.warns_of_cuts && !modal.reported.has_reported(ProgramNotice::Rapid) &&
+        recordings.empty())
         check_rapid(block, at);
     modal.take_words(block);
     if (owes_behind) [[unlikely]]
@@ -347,10 +350,10 @@ Done Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
         return kFailed;
     }
     if (filling.is_argument) {
-        block.arguments[filling.place] = number;
+        block.arguments[filling.index] = number;
         block.functions[filling.invocation].given |= 1u << filling.parameter;
     } else {
-        block.set(static_cast<nc::Slot>(filling.place), number);
+        block.set(static_cast<nc::Slot>(filling.index), number);
     }
     return kDone;
 }

@@ -57,7 +57,7 @@ struct Wording {
         return {indices.first == index(Axis::X) ? 2 : 1, indices.second == index(Axis::X) ? 2 : 1};
     }
     Vec2 words(const Vec2& point) const { return point.cwiseProduct(scale()); }
-    Vec2 place(const Vec2& words) const { return words.cwiseQuotient(scale()); }
+    Vec2 point(const Vec2& words) const { return words.cwiseQuotient(scale()); }
 };
 
 template <typename Kept>
@@ -106,7 +106,7 @@ void put_element(Slot* slots, const Wording& wording, const Element& element) {
 
 Vec2 point_in(const Slot* slots, const Wording& wording) {
     const PlaneIndices axes = wording.axes();
-    return wording.place({slots[axes.first].number, slots[axes.second].number});
+    return wording.point({slots[axes.first].number, slots[axes.second].number});
 }
 
 }  // namespace
@@ -171,7 +171,7 @@ Done Expander::State::contour_value(const Instruction& instruction, Slot* regist
         Vec2 words = Vec2::Zero();
         if (is_given(slots[axes.first])) words.x() = slots[axes.first].number;
         if (is_given(slots[axes.second])) words.y() = slots[axes.second].number;
-        return wording.place(words);
+        return wording.point(words);
     };
     const auto put_points = [&](const std::vector<Vec2>& points) {
         const std::int64_t list = heap.new_array(layout);
@@ -313,7 +313,7 @@ std::int64_t Expander::State::make_contours(const std::vector<Contour>& contours
 }
 
 void Expander::State::offset_fault(path::OffsetFault why, double distance, std::uint32_t at) {
-    if (why == path::OffsetFault::Stopped) return tell_end(at);
+    if (why == path::OffsetFault::Stopped) return report_end(at);
     fault(diag::OffsetUnresolved, at).arg(quantity_text(distance, sema::kLength));
 }
 
@@ -444,7 +444,7 @@ Done Expander::State::keep(const Block& block, std::uint32_t where) {
         return kFailed;
     }
     const Wording wording = wording_of(recording);
-    const Vec2 to = wording.place({modal.position[axes.first], modal.position[axes.second]});
+    const Vec2 to = wording.point({modal.position[axes.first], modal.position[axes.second]});
     if (!recording.has_start) {
         const bool both =
             (modal.known >> axes.first & 1u) != 0 && (modal.known >> axes.second & 1u) != 0;
@@ -606,14 +606,14 @@ Done Expander::State::follow_contour(const Instruction& instruction, const Slot*
     next.feed = arguments[at(FollowSlot::Feed)].number;
     // X is what the program, or a contour that is being made, says; else what the contour's words
     // were.
-    const bool is_said = !recordings.empty() || modal[Group::Diameter] != Function::None;
-    const Wording wording{plane, is_said ? modal.is_diameter : contour->is_diameter};
+    const bool is_given = !recordings.empty() || modal[Group::Diameter] != Function::None;
+    const Wording wording{plane, is_given ? modal.is_diameter : contour->is_diameter};
     next.is_diameter = wording.is_diameter;
     const PlaneIndices axes = wording.axes();
     const Vec2 begin = contour->elements.front().from;
     const bool is_known =
         (modal.known >> axes.first & 1u) != 0 && (modal.known >> axes.second & 1u) != 0;
-    const Vec2 here = wording.place({modal.position[axes.first], modal.position[axes.second]});
+    const Vec2 here = wording.point({modal.position[axes.first], modal.position[axes.second]});
     const bool is_there = is_known && (here - begin).norm() <= path::kSamePoint;
     if (!is_there) {
         if (!emit_element(path::line_element(here, begin), next, where)) return kFailed;
@@ -672,7 +672,7 @@ Done Expander::State::finish_followed(Block& block, const FollowedBlock& next,
         drop_block(block);
         return kFailed;
     }
-    if (modal.is_compensation_due() && !check_lead(block, where)) {
+    if (modal.is_compensation_due() && !check_pitch(block, where)) {
         drop_block(block);
         return kFailed;
     }

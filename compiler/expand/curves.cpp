@@ -141,9 +141,9 @@ Done Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     for (std::size_t i = 0; i < 3; ++i) {
         if (!curve.is_given[i]) continue;
         const bool is_known = (modal.known >> axes[i] & 1u) != 0;
-        const double way = modal.position[axes[i]] / word_scale(axes[i], modal.is_diameter) -
-                           first->position[static_cast<Eigen::Index>(i)];
-        is_there = is_there && is_known && std::fabs(way) <= path::kSamePoint;
+        const double distance = modal.position[axes[i]] / word_scale(axes[i], modal.is_diameter) -
+                                first->position[static_cast<Eigen::Index>(i)];
+        is_there = is_there && is_known && std::fabs(distance) <= path::kSamePoint;
     }
     if (is_there) return kDone;
     if (!emit_line(first->position, curve.next, where)) return kFailed;
@@ -160,7 +160,7 @@ void Expander::State::keep_back_rounding(std::uint32_t where, int coordinates,
     const double rounding = std::sqrt(coordinates) * increment / 2;
     const double asked = fit.tolerance;
     fit.tolerance = std::max(asked - rounding, asked / 2);
-    if (fit.tolerance + rounding <= asked || !told_at.first_time(NoticeAt::Tolerance, where))
+    if (fit.tolerance + rounding <= asked || !reported_at.first_time(NoticeAt::Tolerance, where))
         return;
     fault(diag::CurveIncrement, where)
         .arg(quantity_text(increment, sema::kLength))
@@ -176,7 +176,7 @@ Done Expander::State::start_fit(const Instruction& instruction, std::uint32_t wh
         target.can_write(Function::Spline) &&
         (target.can_write(Function::SplineInterval) || target.can_write(Function::SplineKnot));
     if (wants_nurbs && has_splines) return fit_spline(instruction, where, fit);
-    if (wants_nurbs && told_at.first_time(NoticeAt::Spline, where)) {
+    if (wants_nurbs && reported_at.first_time(NoticeAt::Spline, where)) {
         fault(diag::SplineFallback, where)
             .arg(target.name())
             .arg(fit.kind == path::FitKind::Biarcs ? "arcs" : "lines");
@@ -258,7 +258,8 @@ Expander::State::Progress Expander::State::follow_curve(const Instruction& instr
 
 /// Blocks of a spline: by knots one for each of them; by intervals one for each pole but the first.
 std::size_t Expander::State::block_count(const path::Nurbs& spline) const {
-    return target.can_write(Function::SplineInterval) ? spline.poles.size() : spline.knots.size();
+    return target.can_write(Function::SplineInterval) ? spline.control_points.size()
+                                                      : spline.knots.size();
 }
 
 /// One block of the spline: a pole with its knot or its interval, or a knot alone.
@@ -282,7 +283,7 @@ Done Expander::State::emit_control_point(const FollowedBlock& next, std::uint32_
         block.set_argument(*block.add(Function::SplineKnot, 1),
                            nc::parameter_of<Function::SplineKnot>("knot"), spline.knots[i]);
     }
-    if (i < spline.poles.size()) set_coordinates(block, spline.poles[i]);
+    if (i < spline.control_points.size()) set_coordinates(block, spline.control_points[i]);
     return finish_followed(block, next, where);
 }
 

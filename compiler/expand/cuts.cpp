@@ -54,7 +54,7 @@ Done Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
 /// Controls go to a compensated contour, and leave it, on straight lines only.
 ///
 /// source       F PS0034, S 10753
-Done Expander::State::check_lead(const Block& block, std::uint32_t at) {
+Done Expander::State::check_pitch(const Block& block, std::uint32_t at) {
     const bool is_arc = nc::is_arc(modal[Group::Motion]) &&
                         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
     if (!is_arc || !recordings.empty()) return kDone;
@@ -95,10 +95,10 @@ void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
     if (!is_zx && block.find(Function::PlaneYz) == nullptr) return;
     const bool is_turned = modal[Group::Diameter] != Function::None;
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !is_turned;
-    if (!is_mill || !modal.has_tool_in || told.has_reported(Once::Plane) ||
+    if (!is_mill || !modal.has_tool_in || reported.has_reported(ProgramNotice::Plane) ||
         target.rules().length_axis == nc::LengthAxis::Z)
         return;
-    if (!is_allowed(diag::LengthTurns, at)) told.count_as_reported(Once::Plane);
+    if (!is_allowed(diag::LengthTurns, at)) reported.count_as_reported(ProgramNotice::Plane);
     fault(diag::LengthTurns, at)
         .arg(target.name())
         .arg(is_zx ? "G18" : "G19")
@@ -148,7 +148,7 @@ static void warn_of_selection(DiagnosticBuilder builder, double tool) {
 
 /// What the interpreter finds when the text is run, said where only the text is made.
 void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
-    if (needs_feed && !modal.has_feed && told.first_time(Once::Feed)) {
+    if (needs_feed && !modal.has_feed && reported.first_time(ProgramNotice::Feed)) {
         // Where the control alarms, no text is written that would; the common core has no alarms.
         if (const auto alarm = target.alarm(diag::FeedMissing)) {
             const std::string number = alarm->number.empty() ? alarm->text : alarm->number;
@@ -161,12 +161,12 @@ void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
         fault(diag::FeedNeverSet, at);
     }
     if (modal.is_spindle_turning() && misses_tool()) {
-        modal.told.count_as_reported(Once::NoTool);
+        modal.reported.count_as_reported(ProgramNotice::NoTool);
         if (!modal.has_tool) fault(diag::ToolNeverCalled, at);
         else if (!nc::selects_at_once(target.rules(), changer()))
             warn_of_selection(fault(diag::ToolNeverCalled, at), modal.tool);
     }
-    if (!modal.is_spindle_turning() && !modal.told.has_reported(Once::SpindleStopped))
+    if (!modal.is_spindle_turning() && !modal.reported.has_reported(ProgramNotice::SpindleStopped))
         warn_of_spindle(at);
 }
 
@@ -176,7 +176,7 @@ void Expander::State::warn_of_spindle(std::uint32_t at) {
     const DiagnosticRow& row = is_on && modal.lacks_speed
                                    ? static_cast<const DiagnosticRow&>(diag::SpindleWithoutSpeed)
                                    : diag::FeedWithSpindleStopped;
-    if (!is_allowed(row, at)) modal.told.count_as_reported(Once::SpindleStopped);
+    if (!is_allowed(row, at)) modal.reported.count_as_reported(ProgramNotice::SpindleStopped);
     DiagnosticBuilder builder = fault(row, at);
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Spindle)];
     if (modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
@@ -191,19 +191,21 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     if (!block.has(nc::Slot::Z) || modal[Group::Motion] != Function::Rapid) return;
     // On a lathe, and in another plane, Z is not the way into the workpiece.
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !modal.is_diameter;
-    if (!is_mill || modal[Group::Spindle] != Function::SpindleStop || block.skip >= 0) return;
+    if (!is_mill || modal[Group::Spindle] != Function::SpindleStop || block.skip_level >= 0) return;
     if (block.find(nc::Fact::AtMachinePosition) != nullptr ||
         block.find(Function::Probe) != nullptr)
         return;
     const nc::SlotMask word = bit(nc::Slot::Z);
     const bool is_known = (modal.known >> kZ & 1u) != 0;
     const bool is_modal = modal[Group::Distance] == Function::Incremental;
-    const bool is_way = (block.incremental & word) != 0 || (is_modal && !(block.absolute & word));
-    if (is_way && !is_known) return;
-    const double way = block.at(nc::Slot::Z);
-    const double target_z = is_way ? modal.position[kZ] + way : way;
+    const bool is_distance =
+        (block.incremental & word) != 0 || (is_modal && !(block.absolute & word));
+    if (is_distance && !is_known) return;
+    const double distance = block.at(nc::Slot::Z);
+    const double target_z = is_distance ? modal.position[kZ] + distance : distance;
     if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
-    if (!is_allowed(diag::RapidBelowPlane, at)) modal.told.count_as_reported(Once::Rapid);
+    if (!is_allowed(diag::RapidBelowPlane, at))
+        modal.reported.count_as_reported(ProgramNotice::Rapid);
     // As a word of the program says it.
     const bool is_inch = modal[Group::Units] == Function::Inch;
     fault(diag::RapidBelowPlane, at).arg(is_inch ? target_z / kMmPerInch : target_z);

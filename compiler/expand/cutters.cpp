@@ -26,7 +26,7 @@ double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 }  // namespace
 
-bool says_cutter(const sema::FunctionCode& cycle) {
+bool has_cutter(const sema::FunctionCode& cycle) {
     return std::ranges::any_of(cycle.parameters,
                                [](const auto& each) { return role_of(each) != nullptr; });
 }
@@ -40,10 +40,10 @@ std::optional<CutterMismatch> cutter_mismatch(const sema::FunctionCode& cycle,
     for (const sema::ParameterInfo& parameter : cycle.parameters) {
         const Role* role = role_of(parameter);
         if (role == nullptr) continue;
-        const double said = registers[parameter.slot].number;
+        const double programmed = registers[parameter.slot].number;
         const double size = role->radii * own->radius;
-        if (said > 0 && std::abs(said - size) > danger::kCutterSlack)
-            return CutterMismatch{role->name, rounded(said), rounded(size)};
+        if (programmed > 0 && std::abs(programmed - size) > danger::kCutterSlack)
+            return CutterMismatch{role->name, rounded(programmed), rounded(size)};
     }
     return std::nullopt;
 }

@@ -20,7 +20,7 @@ struct CutterMismatch {
 };
 
 /// Whether a parameter of the cycle is the size of its tool.
-bool says_cutter(const sema::FunctionCode& cycle);
+bool has_cutter(const sema::FunctionCode& cycle);
 
 /// The first size that is not the tool's. Nothing where the machine has no radius of the tool: it
 /// says nothing then.

@@ -41,14 +41,14 @@ bool is_given(const ActiveCycle& cycle, std::optional<std::size_t> parameter) {
 /// cycle are scaled, while the control of its source spares it.
 ///
 /// source       F 3.7 G51: Q and d of G83 and G73, the shifts of G76 and G87
-double spared_factor(const SourceCycle& said, const control::ProgramFrame& frame,
+double spared_factor(const SourceCycle& source, const control::ProgramFrame& frame,
                      std::string_view parameter) {
     using Spared = std::pair<std::string_view, Axis>;
     constexpr std::array kSpared = {Spared{"peck", Axis::Z},   Spared{"draw", Axis::Z},
                                     Spared{"lift_x", Axis::X}, Spared{"lift_y", Axis::Y},
                                     Spared{"lift_z", Axis::Z}, Spared{"shift_x", Axis::X},
                                     Spared{"shift_y", Axis::Y}};
-    if (said.rules.cycle_distances_scaled || !frame.has_scale()) return 1;
+    if (source.rules.cycle_distances_scaled || !frame.has_scale()) return 1;
     const auto spared = std::ranges::find(kSpared, parameter, &Spared::first);
     return spared == kSpared.end() ? 1 : frame.scale[index(spared->second)];
 }
@@ -62,10 +62,10 @@ bool has(const sema::Plan& plan, Function function) {
 
 Done Expander::State::refuse_beside_cycle(std::string_view what, std::uint32_t at) {
     fault(diag::SourceCycleActive, at)
-        .arg(active_cycle.said->word)
+        .arg(active_cycle.source->word)
         .arg(what)
-        .fix(active_cycle.said->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
-                                                                  : "end it before: `G80;`");
+        .fix(active_cycle.source->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
+                                                                    : "end it before: `G80;`");
     return kFailed;
 }
 
@@ -80,7 +80,7 @@ Done Expander::State::require_between_positions(const sema::Plan& plan,
     const bool moves = plan.motion != Function::None || instruction.b != 0 ||
                        (plan.given & nc::kTargetSlots) != 0 ||
                        std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
-                           return !filling.is_argument && filling.place < kAxes;
+                           return !filling.is_argument && filling.index < kAxes;
                        });
     return moves ? refuse_beside_cycle("a move that is no block of its file", at) : kDone;
 }
@@ -90,7 +90,7 @@ Done Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint
     const bool ends = plan.motion != Function::None || has(plan, Function::CycleOff);
     if (ends) active_cycle.taps_rigidly = false;
     const bool is_called =
-        active_cycle.is_active && active_cycle.said->kind == SourceCycle::Kind::Called;
+        active_cycle.is_active && active_cycle.source->kind == SourceCycle::Kind::Called;
     if (begins && is_called) return refuse_beside_cycle("another cycle", at);
     if (!begins && !active_cycle.is_active) {
         if ((plan.customs & custom::kRepeats) == 0) return kDone;
@@ -103,7 +103,7 @@ Done Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint
     }
     const nc::SlotMask words = block.given & (nc::kTargetSlots | nc::kArcSlots);
     if (words == 0) return kDone;
-    if (plan.skip >= 0) return refuse_beside_cycle("a block that may be left out", at);
+    if (plan.skip_level >= 0) return refuse_beside_cycle("a block that may be left out", at);
     if (is_called) {
         active_cycle.is_due = (words & nc::kTargetSlots) != 0;
         return kDone;
@@ -126,18 +126,18 @@ Done Expander::State::take_cycle_words(const Block& block, const nc::Invocation&
     constexpr std::array kSaidFor = {
         SaidFor{nc::parameter_of<Function::CycleWords>("stroke"), "peck"},
         SaidFor{nc::parameter_of<Function::CycleWords>("dwell"), "dwell"}};
-    for (const auto& [said, name] : kSaidFor) {
-        if (!invocation.has(said)) continue;
+    for (const auto& [text, name] : kSaidFor) {
+        if (!invocation.has(text)) continue;
         const auto word = std::ranges::find(kHeldWords, name, &HeldWord::parameter);
         const bool is_place =
-            active_cycle.is_active && active_cycle.said->kind == SourceCycle::Kind::Modal;
+            active_cycle.is_active && active_cycle.source->kind == SourceCycle::Kind::Modal;
         if (!is_place) {
             fault(diag::SourceCycleWord, at).arg(std::string(1, word->letter));
             return kFailed;
         }
-        const double value = block.argument(invocation, said);
+        const double value = block.argument(invocation, text);
         const auto parameter =
-            find_parameter(code.functions[active_cycle.said->function].parameters, name);
+            find_parameter(code.functions[active_cycle.source->function].parameters, name);
         // A cycle without such a word keeps it for the next one.
         if (parameter && is_given(active_cycle, parameter))
             set_argument(active_cycle, parameter, value);
@@ -152,16 +152,16 @@ Done Expander::State::require_no_stroke(std::uint32_t at) {
     const auto word = std::ranges::find(kHeldWords, "peck", &HeldWord::parameter);
     const double stroke =
         active_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())].value_or(0);
-    if (!active_cycle.said->has_other_in_strokes || stroke == 0) return kDone;
+    if (!active_cycle.source->has_other_in_strokes || stroke == 0) return kDone;
     fault(diag::SourceCycleStroke, at)
         .arg(std::string(1, word->letter))
-        .arg(active_cycle.said->word);
+        .arg(active_cycle.source->word);
     return kFailed;
 }
 
 /// `X10. Z-12. R3.` among the places: from here on the cycle has these levels.
 void Expander::State::take_levels(Block& block) {
-    const nc::Rules& rules = active_cycle.said->rules;
+    const nc::Rules& rules = active_cycle.source->rules;
     const bool is_incremental = modal[Group::Distance] == Function::Incremental;
     control::CycleLevels& levels = active_cycle.levels;
     if (block.has(nc::Slot::Radius)) {
@@ -182,26 +182,27 @@ void Expander::State::take_levels(Block& block) {
 Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot* registers,
                                 std::uint32_t at) {
     if (!recordings.empty()) return refuse_in_contour("a cycle", at);
-    const SourceCycle& said =
+    const SourceCycle& source =
         code.cycles[static_cast<std::size_t>(instruction.immediate.pair.first)];
     const bool goes_on = active_cycle.is_active &&
-                         active_cycle.said->kind == SourceCycle::Kind::Modal &&
-                         said.kind == SourceCycle::Kind::Modal;
-    if (active_cycle.is_active && !goes_on && said.kind != SourceCycle::Kind::Called)
+                         active_cycle.source->kind == SourceCycle::Kind::Modal &&
+                         source.kind == SourceCycle::Kind::Modal;
+    if (active_cycle.is_active && !goes_on && source.kind != SourceCycle::Kind::Called)
         return refuse_beside_cycle("another cycle", at);
     if (goes_on) keep_words();
     else active_cycle.held = {}, active_cycle.levels = {};
-    active_cycle.said = &said;
+    active_cycle.source = &source;
     active_cycle.given = 0;
-    for (const auto& [parameter, value] : said.fixed) set_argument(active_cycle, parameter, value);
-    for (std::size_t i = 0; i < said.arguments.size(); ++i) {
+    for (const auto& [parameter, value] : source.fixed)
+        set_argument(active_cycle, parameter, value);
+    for (std::size_t i = 0; i < source.arguments.size(); ++i) {
         const sema::Slot slot = registers[instruction.a + i];
-        const SourceCycle::Argument argument = said.arguments[i];
+        const SourceCycle::Argument argument = source.arguments[i];
         const double value = argument.is_count ? static_cast<double>(slot.integer) : slot.number;
         const bool is_missing =
             argument.is_count ? slot.integer == sema::kNotGivenInteger : value != value;
         if (is_missing) {
-            not_given(code.functions[said.function].parameters[argument.parameter].name, at);
+            not_given(code.functions[source.function].parameters[argument.parameter].name, at);
             return kFailed;
         }
         if (!(std::fabs(value) < 1e15)) {
@@ -216,10 +217,10 @@ Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
         active_cycle.frame = modal.frame;
         active_cycle.work_offset = modal.work_offset;
     }
-    active_cycle.is_active = said.kind != SourceCycle::Kind::Once;
-    active_cycle.is_due = said.kind != SourceCycle::Kind::Called;
+    active_cycle.is_active = source.kind != SourceCycle::Kind::Once;
+    active_cycle.is_due = source.kind != SourceCycle::Kind::Called;
     const std::uint32_t own = active_cycle.given;
-    if (said.kind == SourceCycle::Kind::Modal) take_said_levels(own);
+    if (source.kind == SourceCycle::Kind::Modal) take_given_levels(own);
     if (goes_on) take_kept_words();
     return require_no_stroke(at) ? require_words(at) : kFailed;
 }
@@ -227,18 +228,19 @@ Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
 /// What the cycle so far had said holds for the next one of the mode, too. What its code says by
 /// itself is no word: `G81` does not dwell, and a P from before waits for the next `G82`.
 void Expander::State::keep_words() {
-    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
+    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
         const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
-        const bool is_fixed = std::ranges::any_of(
-            active_cycle.said->fixed, [&](const auto& fixed) { return fixed.first == parameter; });
+        const bool is_fixed =
+            std::ranges::any_of(active_cycle.source->fixed,
+                                [&](const auto& fixed) { return fixed.first == parameter; });
         if (is_given(active_cycle, parameter) && !is_fixed)
             active_cycle.held[i] = active_cycle.arguments[*parameter];
     }
 }
 
 void Expander::State::take_kept_words() {
-    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
+    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
         const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
         if (active_cycle.held[i] && !is_given(active_cycle, parameter))
@@ -248,8 +250,8 @@ void Expander::State::take_kept_words() {
 
 /// Whether a modal cycle has its levels, and what else has no value of its own.
 Done Expander::State::require_words(std::uint32_t at) {
-    if (active_cycle.said->kind != SourceCycle::Kind::Modal) return kDone;
-    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
+    if (active_cycle.source->kind != SourceCycle::Kind::Modal) return kDone;
+    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
     std::string missing;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const sema::ParameterInfo& parameter = function.parameters[i];
@@ -262,14 +264,14 @@ Done Expander::State::require_words(std::uint32_t at) {
         else missing += parameter.name;
     }
     if (missing.empty()) return kDone;
-    fault(diag::BlockWordMissing, at).arg(active_cycle.said->word).arg(missing);
+    fault(diag::BlockWordMissing, at).arg(active_cycle.source->word).arg(missing);
     return kFailed;
 }
 
 /// `said`: the arguments that the block itself has.
-void Expander::State::take_said_levels(std::uint32_t said) {
-    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
-    const nc::Rules& rules = active_cycle.said->rules;
+void Expander::State::take_given_levels(std::uint32_t said) {
+    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
+    const nc::Rules& rules = active_cycle.source->rules;
     const bool is_incremental = modal[Group::Distance] == Function::Incremental;
     const auto value = [&](std::string_view name) -> std::optional<double> {
         const std::optional<std::size_t> parameter = find_parameter(function.parameters, name);
@@ -291,7 +293,7 @@ std::optional<double> Expander::State::initial_level(std::uint32_t at) {
     if (here.is_known[kToolAxis] && modal.work_offset == active_cycle.work_offset)
         return here.value[kToolAxis];
     fault(diag::SourceCycleLevel, at)
-        .arg(active_cycle.said->word)
+        .arg(active_cycle.source->word)
         .fix("move the tool axis before the cycle begins: `G0 Z50.`");
     return std::nullopt;
 }
@@ -306,7 +308,7 @@ Done Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
                           modal[Group::FeedMode] != Function::FeedInverseTime;
     if (!is_known) {
         fault(diag::SourceCyclePitch, at)
-            .arg(active_cycle.said->word)
+            .arg(active_cycle.source->word)
             .arg(is_pitch ? "" : " and S");
         return kFailed;
     }
@@ -317,16 +319,16 @@ Done Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
 Done Expander::State::complete_cycle(const sema::FunctionCode& function, std::uint32_t at) {
     if (active_cycle.taps_rigidly) {
         set_argument(active_cycle, find_parameter(function.parameters, "floating"), 0);
-        if (active_cycle.said->rules.rigid_tap_stops_spindle)
+        if (active_cycle.source->rules.rigid_tap_stops_spindle)
             set_argument(active_cycle, find_parameter(function.parameters, "after"), kSpindleStop);
     }
     const std::optional<std::size_t> pitch = find_parameter(function.parameters, "pitch");
-    const bool is_said = std::ranges::any_of(
-        active_cycle.said->arguments, [&](const SourceCycle::Argument& argument) {
+    const bool is_given = std::ranges::any_of(
+        active_cycle.source->arguments, [&](const SourceCycle::Argument& argument) {
             return argument.parameter == pitch.value_or(nc::kMaxArguments);
         });
-    if (pitch && !is_said && !complete_pitch(*pitch, at)) return kFailed;
-    if (active_cycle.said->kind != SourceCycle::Kind::Modal) return kDone;
+    if (pitch && !is_given && !complete_pitch(*pitch, at)) return kFailed;
+    if (active_cycle.source->kind != SourceCycle::Kind::Modal) return kDone;
     return complete_levels(function, at);
 }
 
@@ -334,7 +336,7 @@ Done Expander::State::complete_cycle(const sema::FunctionCode& function, std::ui
 Done Expander::State::complete_levels(const sema::FunctionCode& function, std::uint32_t at) {
     const bool is_incremental = modal[Group::Distance] == Function::Incremental;
     const auto complete = [&](std::optional<double> initial) {
-        return control::complete_levels(active_cycle.said->rules, active_cycle.levels,
+        return control::complete_levels(active_cycle.source->rules, active_cycle.levels,
                                         is_incremental, initial, active_cycle.returns_low);
     };
     std::optional<control::CallLevels> levels = complete(std::nullopt);
@@ -354,11 +356,11 @@ Done Expander::State::complete_levels(const sema::FunctionCode& function, std::u
 
 Done Expander::State::call_cycle(const Instruction& instruction, const sema::Slot* registers,
                                  std::uint32_t at) {
-    const sema::FunctionCode& function = code.functions[active_cycle.said->function];
+    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
     active_cycle.is_due = false;
     active_cycle.is_running = true;
     if (!complete_cycle(function, at)) return kFailed;
-    if (active_cycle.said->kind != SourceCycle::Kind::Modal)
+    if (active_cycle.source->kind != SourceCycle::Kind::Modal)
         active_cycle.motion = modal[Group::Motion];
     active_cycle.was_incremental = modal[Group::Distance] == Function::Incremental;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.first)};
@@ -381,7 +383,7 @@ Done Expander::State::call_cycle(const Instruction& instruction, const sema::Slo
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         if ((active_cycle.given >> i & 1u) == 0) continue;
         const sema::ParameterInfo& parameter = function.parameters[i];
-        const double factor = spared_factor(*active_cycle.said, modal.frame, parameter.name);
+        const double factor = spared_factor(*active_cycle.source, modal.frame, parameter.name);
         set_number(parameter, active_cycle.arguments[i] / factor, stack[base + parameter.slot]);
     }
     return kDone;

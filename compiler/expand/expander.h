@@ -33,7 +33,7 @@ class Files;
 
 namespace kadr::expand {
 
-struct Limits {
+struct RunLimits {
     std::uint32_t call_depth = 1000;
     std::uint64_t loop_turns = 1'000'000'000;  // of all loops together, calls counted like turns
     std::uint64_t blocks = 100'000'000;
@@ -57,7 +57,7 @@ struct Trace {
 };
 
 struct ExpandOptions {
-    Limits limits;
+    RunLimits limits;
     bool native_cycles = true;   // a call of a mapped cycle stays one block
     bool trace = false;          // keep a Trace for every block of the batch
     bool warns_of_cuts = false;  // without feed or tool, spindle off; of dives

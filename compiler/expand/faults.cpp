@@ -17,7 +17,7 @@ DiagnosticBuilder Expander::State::fault_in(const DiagnosticRow& row, std::uint3
         has_failed = true;
         is_running = false;
     }
-    DiagnosticBuilder builder = sink.report(row, code.places[at]);
+    DiagnosticBuilder builder = sink.report(row, code.locations[at]);
     std::size_t left_out = 0;
     for (std::size_t i = depth; i-- > 1;) {
         const CallFrame& frame = frames[i];
@@ -31,7 +31,7 @@ DiagnosticBuilder Expander::State::fault_in(const DiagnosticRow& row, std::uint3
             builder.note("… " + std::to_string(left_out) + " more calls");
             left_out = 0;
         }
-        builder.note(code.places[frame.return_to - 1],
+        builder.note(code.locations[frame.return_to - 1],
                      "`" + frame.function->name + "` was called here");
     }
     return builder;
@@ -58,15 +58,15 @@ void Expander::State::not_given(std::string_view name, std::uint32_t at) {
         const CallFrame& frame = frames.back();
         const bool is_callers = frames.size() > 1 && frame.return_to > 0 &&
                                 frame.function->kind == sema::FunctionKind::Cycle;
-        const std::uint32_t place = is_callers ? frame.return_to - 1 : at;
+        const std::uint32_t index = is_callers ? frame.return_to - 1 : at;
         DiagnosticBuilder builder =
-            fault_in(diag::PlaceUnknown, place, frames.size() - (is_callers ? 1 : 0));
+            fault_in(diag::PlaceUnknown, index, frames.size() - (is_callers ? 1 : 0));
         builder.arg(axis);
         if (is_callers)
-            builder.note(code.places[at], "`" + frame.function->name + "` needs it here");
+            builder.note(code.locations[at], "`" + frame.function->name + "` needs it here");
         const auto* const found = std::ranges::find(kAxisNames, axis);
         if (found != kAxisNames.end())
-            tell_lost_position(builder, static_cast<std::size_t>(found - kAxisNames.begin()));
+            report_lost_position(builder, static_cast<std::size_t>(found - kAxisNames.begin()));
         builder.fix("move the axis first, for example `G0 " + axis + "50`");
         return;
     }
@@ -110,7 +110,7 @@ void Expander::State::contract_failed(const Instruction& instruction, const Slot
         fault(diag::RequireFailed, at).arg(text);
         return;
     }
-    const SourceRange contract = code.places[at];
+    const SourceRange contract = code.locations[at];
     fault_in(diag::RequireFailed, frame.return_to - 1, frames.size() - 1)
         .arg(text)
         .note(contract, "`" + frame.function->name + "` requires this");
@@ -121,11 +121,11 @@ void Expander::State::keep_trace(std::uint32_t at, unsigned depth, SourceId sour
     Trace trace;
     trace.statement = source.is_valid() && source.index < code.statements.size()
                           ? code.statements[source.index]
-                          : code.places[at];
+                          : code.locations[at];
     for (std::size_t i = 1; i < frames.size(); ++i) {
         if (frames[i].return_to == 0) continue;
         trace.calls.push_back(
-            {code.places[frames[i].return_to - 1], frames[i].function->name, frames[i].loops});
+            {code.locations[frames[i].return_to - 1], frames[i].function->name, frames[i].loops});
     }
     const std::size_t loops = frames.back().loops + depth;
     trace.loop_counts.assign(

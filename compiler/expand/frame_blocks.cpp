@@ -74,7 +74,7 @@ Done Expander::State::settle_frame(Block& block, std::uint32_t at) {
 Done Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
                                    std::uint32_t at) {
     if (!recordings.empty()) return refuse_in_contour("a frame", at);
-    if (modal.tilt == ModalState::Tilt::Closed) return refuse_in_tilted_plane("a frame", at);
+    if (modal.tilt == ModalState::PlaneTilt::Closed) return refuse_in_tilted_plane("a frame", at);
     if (modal.tcp == ModalState::Tcp::Length) return refuse_under_tcp("a frame", at);
     const sema::Slot* values = registers + instruction.a;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
@@ -118,15 +118,15 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
         case sema::FrameChange::Mirror: steps.mirror(given); break;
     }
     const auto [next, why] = steps.frame();
-    if (why != control::FrameFault::None) return refuse_frame(why, at);
+    if (why != control::FrameFormFault::None) return refuse_frame(why, at);
     write_frame(next, source, at, instruction.c);
     modal.steps = steps;
     return Done(!has_failed);
 }
 
 /// No frame of the language is what the steps make.
-Done Expander::State::refuse_frame(control::FrameFault why, std::uint32_t at) {
-    fault(why == control::FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+Done Expander::State::refuse_frame(control::FrameFormFault why, std::uint32_t at) {
+    fault(why == control::FrameFormFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
     return kFailed;
 }
 
@@ -168,7 +168,7 @@ void Expander::State::write_frame(const control::ProgramFrame& next, SourceId so
     const control::ProgramFrame from = modal.frame;
     // Whatever acts is deleted.
     const bool is_lost =
-        (modal.lost & sema::kFrameBit) != 0 || modal.frame_fault != control::FrameFault::None;
+        (modal.lost & sema::kFrameBit) != 0 || modal.frame_fault != control::FrameFormFault::None;
     if (from == next && !is_lost) return;
     const auto add = [&](Function function, std::span<const double> values,
                          std::span<const bool> given) {
@@ -225,13 +225,13 @@ void Expander::State::write_frame(const control::ProgramFrame& next, SourceId so
                        !is_equal && fz != 1});
     }
     if (!next.is_stretched(next.plane)) add_rotation();
-    modal.say_frame(next, source);
+    modal.put_frame(next, source);
     modal.lost &= ~sema::kFrameBit;
 }
 
 /// The whole frame of the program, where the control may have taken it off: said on top of itself
 /// it is the same. S 7.1.
-void Expander::State::say_frame_again(SourceId source, std::uint32_t at, unsigned depth) {
+void Expander::State::put_frame_again(SourceId source, std::uint32_t at, unsigned depth) {
     const bool is_known = (modal.lost & sema::kFrameBit) == 0;
     if (!is_known || modal.frame.is_identity()) return;
     modal.lost |= sema::kFrameBit;  // whatever acts is deleted

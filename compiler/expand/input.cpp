@@ -92,7 +92,7 @@ bool names_axes(const sema::Plan& plan, const Instruction& instruction) {
     return (instruction.op == Op::Emit && instruction.b != 0) ||
            (plan.given & nc::kTargetSlots) != 0 ||
            std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
-               return !filling.is_argument && filling.place < kAxes;
+               return !filling.is_argument && filling.index < kAxes;
            });
 }
 
@@ -156,7 +156,8 @@ bool Expander::State::needs_frame(const sema::Plan& plan, std::size_t invocation
         // What is left of the text's own steps may be another frame.
         case Function::RotateOff:
         case Function::ScaleOff:
-            return !target.can_write(function) || modal.frame_fault != control::FrameFault::None ||
+            return !target.can_write(function) ||
+                   modal.frame_fault != control::FrameFormFault::None ||
                    !control::is_same(frame_behind(modal.steps, plan, invocation),
                                      frame_behind(modal.written_steps, plan, invocation));
         case Function::Rotate:
@@ -201,7 +202,7 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
     control::FrameSteps steps = modal.steps;
     const auto say = [&] {
         const auto [next, why] = steps.frame();
-        if (why != control::FrameFault::None) return refuse_frame(why, at);
+        if (why != control::FrameFormFault::None) return refuse_frame(why, at);
         write_frame(next, source, at, instruction.c);
         modal.steps = steps;
         return Done(!has_failed);
@@ -249,9 +250,9 @@ Done Expander::State::emit_rest(const sema::Plan& plan, const Instruction& instr
                                    registers + instruction.a + plan.fillings.size());
     for (std::size_t i = rest.functions.size(); i-- > 0;) {
         const Function function = rest.functions[i].function;
-        const bool is_said = nc::has_fact(function, nc::Fact::ChangesFrame) &&
-                             !nc::has_fact(function, nc::Fact::SetsFrame);
-        if (!is_said) continue;
+        const bool is_given = nc::has_fact(function, nc::Fact::ChangesFrame) &&
+                              !nc::has_fact(function, nc::Fact::SetsFrame);
+        if (!is_given) continue;
         rest.functions.erase(rest.functions.begin() + static_cast<std::ptrdiff_t>(i));
         for (std::size_t f = rest.fillings.size(); f-- > 0;) {
             sema::Filling& filling = rest.fillings[f];
@@ -581,13 +582,13 @@ Done Expander::State::name_positions(Block& block, std::uint32_t at) {
     }
     if (!is_modal) return kDone;
     // `G91` of the block itself waits, too.
-    bool is_said = false;
+    bool is_given = false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (block.functions[i].function != Function::Incremental) continue;
         block.functions[i].function = Function::Absolute;
-        is_said = true;
+        is_given = true;
     }
-    if (!is_said) block.add(Function::Absolute);
+    if (!is_given) block.add(Function::Absolute);
     modal.owes_incremental = true;
     return kDone;
 }
@@ -597,7 +598,7 @@ bool Expander::State::is_whole_circle(const sema::Plan& plan) const {
     const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
     nc::SlotMask given = plan.given;
     for (const sema::Filling& filling : plan.fillings) {
-        if (!filling.is_argument) given |= nc::SlotMask{1} << filling.place;
+        if (!filling.is_argument) given |= nc::SlotMask{1} << filling.index;
     }
     return nc::is_arc(motion) && (given & nc::kCenterSlots) != 0 && (given & nc::kTargetSlots) == 0;
 }
@@ -660,7 +661,7 @@ void Expander::State::say_reference(Block& block) {
 }
 
 /// A return over another place, for a target that goes straight: at rapid to the place, then on.
-void Expander::State::go_over_place(SourceId source) {
+void Expander::State::go_over_position(SourceId source) {
     if (target.can_write(Function::ReferenceReturn) || !target.can_write(Function::ReferencePoint))
         return;
     Block& way = waiting.empty() ? batch[batch_count - 1] : waiting.back();
@@ -672,10 +673,10 @@ void Expander::State::go_over_place(SourceId source) {
     way.motion = Function::Rapid;
     // The motion that the program has said is not changed by the return.
     if (modal[Group::Motion] != Function::Rapid) modal.restate_motion = true;
-    const std::int8_t skip = way.skip;
+    const std::int8_t skip_level = way.skip_level;
     const std::uint16_t further_skip_levels = way.further_skip_levels;
     Block& back = next_block(source);
-    back.skip = skip;
+    back.skip_level = skip_level;
     back.further_skip_levels = further_skip_levels;
     Invocation* reference = back.add(Function::ReferencePoint, 4);
     back.set_argument(*reference, kPoint, point);
@@ -725,7 +726,7 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
     const double tool = is_called ? block.argument(*select, kTool)
                         : is_in   ? modal.tool_in
                                   : modal.tool;
-    bool is_said = false;
+    bool is_given = false;
     for (std::size_t i = 0; i < block.function_count;) {
         Invocation& invocation = block.functions[i];
         // `H2` alone is another offset of a length that acts already.
@@ -759,11 +760,11 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
                                : "give the offset the number of its tool, or say `tool(n)`");
             return kFailed;
         }
-        if (is_said) {
+        if (is_given) {
             erase(block, i);
             continue;
         }
-        is_said = true;
+        is_given = true;
         if (!is_radius) {  // what a `with` around it sets back
             modal.assume(Group::LengthComp,
                          number == 0 ? Function::LengthCompOff : Function::LengthCompOn);

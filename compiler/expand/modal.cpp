@@ -140,16 +140,16 @@ void ModalState::set_diameter(bool is_on, bool was_known) {
 
 /// The zero point moves along one axis (1 is X), in a frame that turns along some.
 void ModalState::lose_corrected(double axis) {
-    const bool is_one = frame.is_shift() && tilt == Tilt::None && axis >= 1 && axis <= 3;
+    const bool is_one = frame.is_shift() && tilt == PlaneTilt::None && axis >= 1 && axis <= 3;
     known &= is_one ? static_cast<AxisMask>(~(1u << (static_cast<unsigned>(axis) - 1u)))
                     : static_cast<AxisMask>(~kLinearXYZ);
 }
 
-void ModalState::say_frame(const control::ProgramFrame& next, SourceId source) {
+void ModalState::put_frame(const control::ProgramFrame& next, SourceId source) {
     const AxisMask before = known;
     steps.say(next);
     written_steps = steps;
-    frame_fault = control::FrameFault::None;
+    frame_fault = control::FrameFormFault::None;
     set_frame(next, source);
     note_lost_positions(before, source, Loss::Control);
 }
@@ -165,7 +165,7 @@ void ModalState::change_steps(SourceId source, Change change) {
 void ModalState::frame_from_steps(SourceId source) {
     const auto [next, fault] = steps.frame();
     frame_fault = fault;
-    if (fault != control::FrameFault::None) known &= static_cast<AxisMask>(~kLinearXYZ);
+    if (fault != control::FrameFormFault::None) known &= static_cast<AxisMask>(~kLinearXYZ);
     set_frame(next, source);
 }
 
@@ -198,14 +198,15 @@ void ModalState::lose_system() { lose_axes(kAllAxes); }
 /// Data of the zero point that acts move it along the axes that they name: in a rotated or
 /// tilted system along all of X, Y, Z.
 void ModalState::write_offset(const nc::Block& block, const nc::Effect& effect) {
-    const nc::Invocation& said = effect.invocation_in(block);
-    const double number = block.argument(said, parameter_of<Function::WorkOffsetData>("number"));
+    const nc::Invocation& invocation = effect.invocation_in(block);
+    const double number =
+        block.argument(invocation, parameter_of<Function::WorkOffsetData>("number"));
     const bool is_other =
         (*this)[Group::WorkOffsets] == Function::WorkOffset && number != 0 && number != work_offset;
     if (is_other) return;
-    auto axes =
-        static_cast<AxisMask>(said.given >> parameter_of<Function::WorkOffsetData>("x") & kAllAxes);
-    const bool is_turned_system = frame.angle_deg != 0 || tilt != Tilt::None;
+    auto axes = static_cast<AxisMask>(
+        invocation.given >> parameter_of<Function::WorkOffsetData>("x") & kAllAxes);
+    const bool is_turned_system = frame.angle_deg != 0 || tilt != PlaneTilt::None;
     if (is_turned_system && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
     lose_axes(axes);
 }
@@ -221,7 +222,7 @@ void ModalState::lose_words(const nc::Block& block, const nc::Effect& effect) {
     auto axes = static_cast<AxisMask>(block.given & nc::kTargetSlots);
     // In machine coordinates one axis moves: along a turned system several coordinates change.
     const bool is_machine = effect.function == Function::MachineCoordinates;
-    const bool turns_axes = frame.angle_deg != 0 || tilt != Tilt::None;
+    const bool turns_axes = frame.angle_deg != 0 || tilt != PlaneTilt::None;
     if (is_machine && turns_axes && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
     known &= static_cast<AxisMask>(~axes);
     // The control may count an increment from the number that was said there.
@@ -301,9 +302,9 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::TurnsSpindle: turn_spindle(block, effect); break;
         case Kind::Tilts:
         case Kind::EndsTiltedPlane:
-            tilt = effect.kind == Kind::EndsTiltedPlane ? Tilt::None
-                   : effect.function == Function::Tilt  ? Tilt::Own
-                                                        : Tilt::Closed;
+            tilt = effect.kind == Kind::EndsTiltedPlane ? PlaneTilt::None
+                   : effect.function == Function::Tilt  ? PlaneTilt::Own
+                                                        : PlaneTilt::Closed;
             lose_system();
             is_turned = true;  // as the plane before had left the axes
             break;
@@ -327,9 +328,9 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
         case Kind::LeavesWords: lose_words(block, effect); break;
         case Kind::GoesToPoint: go_to_point(block, effect); break;
         case Kind::EndsProgram:
-            has_ended = block.skip < 0;
+            has_ended = block.skip_level < 0;
             ended_by = source;
-            told.renew(Once::AfterEnd);
+            reported.renew(ProgramNotice::AfterEnd);
             break;
         case Kind::SelectsLength:
             length.offset = number(parameter_of<Function::LengthOffset>("offset"));
@@ -361,17 +362,17 @@ void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
             break;
         case Group::Spindle:
             spindle_in_doubt = false;
-            told.renew_spindle();
+            reported.renew_spindle();
             break;
         case Group::RadiusComp:
-            choose_compensation(effect.function, block.skip, block.source);
+            choose_compensation(effect.function, block.skip_level, block.source);
             break;
         case Group::FeedMode:
             is_feed_lost |= is_other && has_feed;
             has_feed &= !is_other;
             break;
         case Group::SpeedMode: has_speed &= !is_other; break;
-        case Group::Once:
+        case Group::NonModal:
         case Group::Plane:
         case Group::Units:
         case Group::Distance:
@@ -386,7 +387,7 @@ void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
         case Group::CompCheck:
         case Group::Compressor:
         case Group::Transformation:
-        case Group::Turning:
+        case Group::OrientInterpolation:
         case Group::OrientAngles:
         case Group::OrientSystem:
         case Group::Spinning:
@@ -398,22 +399,22 @@ void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
 
 /// Follows what acts if the operator leaves out the blocks that he may, beside what acts if not.
 ///
-/// skip         level of the block that says the compensation or its end; -1 none
-void ModalState::choose_compensation(Function side, int skip, SourceId source) {
-    if (skip < 0) {
+/// skip_level         level of the block that says the compensation or its end; -1 none
+void ModalState::choose_compensation(Function side, int skip_level, SourceId source) {
+    if (skip_level < 0) {
         comp_without = side;
         comp_choice = kNoChoice;
         return;
     }
-    if (comp_choice != kNoChoice && comp_choice != skip) comp_choice = kSeveralLevels;
-    else comp_choice = side == comp_without ? kNoChoice : skip;
+    if (comp_choice != kNoChoice && comp_choice != skip_level) comp_choice = kSeveralLevels;
+    else comp_choice = side == comp_without ? kNoChoice : skip_level;
     comp_by = source;
 }
 
 void ModalState::switch_spindle(Function member, SourceId source) {
     active[static_cast<std::size_t>(Group::Spindle)] = member;
     changed_by[static_cast<std::size_t>(Group::Spindle)] = source;
-    told.renew_spindle();
+    reported.renew_spindle();
 }
 
 void ModalState::set_spindle(double code, SourceId source) {
@@ -458,7 +459,7 @@ void ModalState::take_speed(double value, const nc::Block& block) {
     had_cutting_speed |= (*this)[Group::SpeedMode] == Function::CuttingSpeedOn;
     speed_by = block.source;
     lost &= ~sema::kSpeedBit;
-    if (block.skip < 0) restate &= ~sema::kSpeedBit;
+    if (block.skip_level < 0) restate &= ~sema::kSpeedBit;
 }
 
 void ModalState::lose_spindle(SourceId source) {
@@ -524,7 +525,7 @@ void ModalState::take_words(const nc::Block& block) {
         is_feed_deleted = false;
         feed_by = block.source;
         lost &= ~sema::kFeedBit;
-        if (block.skip < 0) restate &= ~sema::kFeedBit;
+        if (block.skip_level < 0) restate &= ~sema::kFeedBit;
     }
     if (block.has(nc::Slot::Speed)) take_speed(block.at(nc::Slot::Speed), block);
     if ((block.given & nc::kTargetSlots) != 0) take_targets(block);
@@ -537,18 +538,19 @@ void ModalState::take_targets(const nc::Block& block) {
     if (block.has(nc::Slot::Z)) length.is_away = false;
     // The operator may leave the block out: then they have gone nowhere.
     const auto named = static_cast<AxisMask>(targets);
-    const auto said = static_cast<AxisMask>(targets & ~std::exchange(named_by_text, AxisMask{0}));
-    if (block.skip >= 0) {
-        drift.lose(drift.has & said);
+    const auto programmed =
+        static_cast<AxisMask>(targets & ~std::exchange(named_by_text, AxisMask{0}));
+    if (block.skip_level >= 0) {
+        drift.lose(drift.has & programmed);
         text_drift.lose(text_drift.has & named);
     } else if (adapts() != 0) {
-        drift.forget(said);
+        drift.forget(programmed);
         text_drift.forget(named);
         unplaced &= static_cast<AxisMask>(~named);
     }
     const PlaneIndices axes = indices_of(plane_of((*this)[Group::Plane]));
     if (((targets >> axes.first | targets >> axes.second) & 1u) != 0) {
-        const bool is_doubtful = block.skip >= 0 && is_compensation_due();
+        const bool is_doubtful = block.skip_level >= 0 && is_compensation_due();
         moved_under = is_doubtful ? Function::None : (*this)[Group::RadiusComp];
     }
     const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;

@@ -79,11 +79,12 @@ struct ModalState {
     bool is_stretched = false;          // the frame makes ellipses of the circles of some plane
     control::FrameSteps steps;          // of the program, that make the frame …
     control::FrameSteps written_steps;  // … and of its text
-    control::FrameFault frame_fault = control::FrameFault::None;  // no frame is what they make
+    control::FrameFormFault frame_fault =
+        control::FrameFormFault::None;  // no frame is what they make
     /// A tilted plane that acts: of the control, which has frames in it (Own) or none (Closed), or
     /// a frame that stands for it.
-    enum class Tilt : std::uint8_t { None, Own, Closed, Resolved };
-    Tilt tilt = Tilt::None;
+    enum class PlaneTilt : std::uint8_t { None, Own, Closed, Resolved };
+    PlaneTilt tilt = PlaneTilt::None;
     control::ProgramFrame tilted_plane_frame;  // Resolved: the frame that is the plane
     /// Tool centre point control: by functions of its own, or as a kind of tool length.
     enum class Tcp : std::uint8_t { Off, Own, Length };
@@ -115,7 +116,7 @@ struct ModalState {
     sema::ModalMask restate = 0;    // set by a block that may be left out: the output says it again
     bool spindle_in_doubt = false;  // likewise, but the operator's choice
     bool lacks_speed = true;        // no S was said, and no text of unknown meaning stood there
-    ReportedInProgram told;         // of this state; a change of it renews that
+    ReportedInProgram reported;     // of this state; a change of it renews that
     bool has_ended = false;         // behind M30
     SourceId ended_by;
 
@@ -175,7 +176,7 @@ struct ModalState {
     void join(const ModalState& without, SourceId block);
     void set_frame(const control::ProgramFrame& frame, SourceId source);
     /// The frame, as blocks have said it anew.
-    void say_frame(const control::ProgramFrame& frame, SourceId source);
+    void put_frame(const control::ProgramFrame& frame, SourceId source);
     /// Of the program and of its text alike.
     void forget_drift(AxisMask axes);
     void lose_drift(AxisMask axes);
@@ -213,7 +214,7 @@ struct ModalState {
     void note_rotary(const nc::Block& block);
     void join_group(nc::Group group, SourceId block);
     void lose_to_choice(sema::ModalMask what, SourceId block);
-    void choose_compensation(nc::Function side, int skip, SourceId source);
+    void choose_compensation(nc::Function side, int skip_level, SourceId source);
     void lose_corrected(double axis);
     void note_drift(std::size_t axis, bool is_known, double by);
 };

@@ -27,7 +27,7 @@ static bool turns_spindle(std::span<const sema::ParameterInfo> parameters, std::
 }
 
 /// Whether a cycle has its feed from this parameter: threads are cut with their pitch.
-static bool says_feed(const sema::ParameterInfo& parameter) {
+static bool has_feed(const sema::ParameterInfo& parameter) {
     return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
 }
 
@@ -49,8 +49,8 @@ static Function standing_behind(const sema::Code& code, const sema::FunctionCode
         const Instruction& instruction = code.instructions[i];
         if (instruction.op != Op::Emit) continue;
         const auto plan = static_cast<std::size_t>(instruction.immediate.pair.first);
-        for (const nc::Invocation& said : code.plans[plan].functions)
-            if (nc::info(said.function).group == Group::Spindle) last = said.function;
+        for (const nc::Invocation& invocation : code.plans[plan].functions)
+            if (nc::info(invocation.function).group == Group::Spindle) last = invocation.function;
     }
     const bool stands = last == Function::SpindleStop || last == Function::SpindleOrient;
     return stands ? last : Function::None;
@@ -73,8 +73,8 @@ void Expander::State::go_back(std::span<const sema::ParameterInfo> parameters, s
 /// Whether the call is that of a source whose control spares strokes and shifts from a scaling.
 static bool is_spared_by_source(const ActiveCycle& cycle, const sema::Code& code,
                                 const CallFrame& call) {
-    return cycle.is_running && !cycle.said->rules.cycle_distances_scaled &&
-           call.function == &code.functions[cycle.said->function];
+    return cycle.is_running && !cycle.source->rules.cycle_distances_scaled &&
+           call.function == &code.functions[cycle.source->function];
 }
 
 /// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own
@@ -105,7 +105,7 @@ void Expander::State::warn_of_tap() {
     const bool is_called = frames.size() > 1 && frame.return_to > 0;
     if (!is_called || !target.rules().modal_cycles) return;
     const std::uint32_t at = frame.return_to - 1;
-    if (!told_at.first_time(NoticeAt::Tap, at)) return;
+    if (!reported_at.first_time(NoticeAt::Tap, at)) return;
     fault_in(diag::TapByMoves, at, frames.size() - 1).arg(frame.function->name);
 }
 
@@ -128,7 +128,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         return failed(refuse_beside_cycle("another cycle", frame.return_to - 1));
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
-    const bool is_as_said =
+    const bool is_as_given =
         !target.rules().cycle_distances_scaled && is_spared_by_source(active_cycle, code, frame);
     std::uint32_t given = 0;
     std::array<double, nc::kMaxArguments> values{};
@@ -142,7 +142,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         if (!is_given) continue;
         given |= 1u << i;
         values[i] = is_number ? slot.number : static_cast<double>(slot.integer);
-        if (kind == Kind::Number && is_as_said && (active_cycle.given >> i & 1u) != 0)
+        if (kind == Kind::Number && is_as_given && (active_cycle.given >> i & 1u) != 0)
             values[i] = active_cycle.arguments[i];
         if (kind != Kind::Feed && kind != Kind::Speed) continue;
         // Cycles of controls know feeds per minute and speeds in turns only.
@@ -154,8 +154,8 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
     if (!target.has_native_cycle(cycle, given, arguments, options.refusals)) {
         // A call in the control's own words: what it does not say, the control has by itself.
         given &= frame.given;
-        const bool is_said = active_cycle.is_running;
-        if (!is_said || !target.has_native_cycle(cycle, given, arguments, options.refusals)) {
+        const bool is_programmed = active_cycle.is_running;
+        if (!is_programmed || !target.has_native_cycle(cycle, given, arguments, options.refusals)) {
             if (turns_spindle(parameters, given, values)) warn_of_tap();
             return CycleOutcome::Moves;
         }
@@ -166,7 +166,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
     if (modal.lost != 0 && !require_state_for_cycle(*frame.function, given, at))
         return CycleOutcome::Failed;
-    const bool needs_feed = std::ranges::none_of(parameters, says_feed);
+    const bool needs_feed = std::ranges::none_of(parameters, has_feed);
     if (needs_feed && modal.is_feed_lost) return failed(refuse_lost_feed(at, frames.size() - 1));
     if (options.warns_of_cuts && is_cut_doubtful() && !turns_spindle(parameters, given, values))
         warn_of_cut(at, needs_feed);
@@ -181,7 +181,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         return CycleOutcome::Failed;
     if (modal.restate != 0) say_again_alone(source, at, frames.size() - 1);
     if (modal.spindle_in_doubt && !turns_spindle(parameters, given, values) &&
-        modal.told.first_time(Once::SpindleInDoubt))
+        modal.reported.first_time(ProgramNotice::SpindleInDoubt))
         warn_of_choice(fault_in(diag::SpindleInDoubt, at, frames.size() - 1));
     Block& block = next_block(source);
     nc::Invocation* invocation = block.add(Function::Cycle, parameters.size());

@@ -42,7 +42,7 @@ bool names_rotary(const sema::Plan& plan) {
     };
     return (plan.given & kRotary) != 0 ||
            std::ranges::any_of(plan.fillings, [&](const sema::Filling& filling) {
-               return !filling.is_argument && is_rotary(filling.place);
+               return !filling.is_argument && is_rotary(filling.index);
            });
 }
 
@@ -60,13 +60,14 @@ int digits_of(const nc::DialectTables& tables) {
 
 /// The direction in numbers that the control writes without loss: as it was said if they are, else
 /// of a length that shows enough digits.
-Vec3 written(const Vec3& said, int digits) {
+Vec3 written(const Vec3& programmed, int digits) {
     const double unit = std::pow(10.0, digits);
     const auto is_whole = [&](double value) {
         return round_to(value, digits) == value && std::fabs(value) * unit < kMostDigits;
     };
-    if (is_whole(said.x()) && is_whole(said.y()) && is_whole(said.z())) return said;
-    Vec3 direction = said.normalized();
+    if (is_whole(programmed.x()) && is_whole(programmed.y()) && is_whole(programmed.z()))
+        return programmed;
+    Vec3 direction = programmed.normalized();
     for (Eigen::Index i = 0; i < 3; ++i)
         if (std::fabs(direction[i]) < kRounding) direction[i] = 0;
     return direction * std::pow(10.0, std::max(0, kDirectionDigits - digits));
@@ -102,7 +103,7 @@ Expander::State::ToolTaken Expander::State::take_tool(const sema::Plan& plan,
             case Function::OrientGreatCircle:
             case Function::OrientAxes:
                 if (target.can_write(function) || !target.can_write(Function::TcpVector)) break;
-                return tool_taken(choose_turning(function, source, at, instruction.c));
+                return tool_taken(choose_orient_interpolation(function, source, at, instruction.c));
             case Function::ToolVector:
                 if (!require_leading_tool(at)) return ToolTaken::Failed;
                 break;
@@ -132,7 +133,7 @@ Done Expander::State::refuse_under_tcp(std::string_view what, std::uint32_t at) 
 
 /// Why tool centre point control cannot begin here; empty: it can.
 std::string Expander::State::tcp_hindrance() const {
-    if (modal.tilt != ModalState::Tilt::None) return "inside of a tilted plane";
+    if (modal.tilt != ModalState::PlaneTilt::None) return "inside of a tilted plane";
     if (nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide))
         return "under cutter radius compensation";
     if (target.can_write(Function::TcpOn)) return "";
@@ -156,8 +157,8 @@ std::optional<double> Expander::State::length_number() const {
     return std::nullopt;
 }
 
-/// said         functions of the block; those beside TcpOn say ways and systems
-Done Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId source,
+/// call         functions of the block; those beside TcpOn say ways and systems
+Done Expander::State::begin_tcp(std::span<const nc::Invocation> call, SourceId source,
                                 std::uint32_t at, unsigned depth) {
     const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
     if (modal.tcp != Tcp::Off && !is_lost) return kDone;
@@ -173,14 +174,15 @@ Done Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
             builder.fix("bring the rotary axes to 0 before: `G0 A=0 C=0`");
         return kFailed;
     }
-    Function turning = modal[Group::Turning];
-    for (const nc::Invocation& invocation : said)
-        if (nc::info(invocation.function).group == Group::Turning) turning = invocation.function;
+    Function orientation = modal[Group::OrientInterpolation];
+    for (const nc::Invocation& invocation : call)
+        if (nc::info(invocation.function).group == Group::OrientInterpolation)
+            orientation = invocation.function;
     if (has_own) {
         put_function(Function::TcpOn, {}, source, at, depth);
         say_offset_again(source, at, depth);
-        if (target.rules().transformation_wants_offset) say_frame_again(source, at, depth);
-        for (const nc::Invocation& invocation : said) {
+        if (target.rules().transformation_wants_offset) put_frame_again(source, at, depth);
+        for (const nc::Invocation& invocation : call) {
             if (invocation.function != Function::TcpOn && target.can_write(invocation.function))
                 put_function(invocation.function, {}, source, at, depth);
         }
@@ -191,7 +193,7 @@ Done Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
     modal.tcp = Tcp::Length;
     modal.is_inclined = false;
     modal.assume(Group::Transformation, Function::TcpOn, source);
-    return choose_turning(turning, source, at, depth);
+    return choose_orient_interpolation(orientation, source, at, depth);
 }
 
 /// Whether the switch takes the work offset off is a matter of the machine: said behind it, it acts
@@ -207,11 +209,11 @@ void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsign
 }
 
 /// Great circles or the rotary axes in proportion, on a control that says so with the length.
-Done Expander::State::choose_turning(Function turning, SourceId source, std::uint32_t at,
-                                     unsigned depth) {
-    modal.assume(Group::Turning, turning);
+Done Expander::State::choose_orient_interpolation(Function orientation, SourceId source,
+                                                  std::uint32_t at, unsigned depth) {
+    modal.assume(Group::OrientInterpolation, orientation);
     if (modal.tcp != Tcp::Length) return kDone;
-    const double plane = turning == Function::OrientAxes ? 0 : 1;
+    const double plane = orientation == Function::OrientAxes ? 0 : 1;
     constexpr std::size_t kOffset = nc::parameter_of<Function::TcpVector>("offset");
     constexpr std::size_t kPlane = nc::parameter_of<Function::TcpVector>("plane");
     put_function(Function::TcpVector, {{kOffset, modal.tcp_offset}, {kPlane, plane}}, source, at,
@@ -277,15 +279,15 @@ Done Expander::State::settle_direction(Block& block, std::uint32_t at) {
             if (component >= 0 && component <= 2) act(part, static_cast<Eigen::Index>(component));
         }
     };
-    Vec3 said = Vec3::Zero();
+    Vec3 programmed = Vec3::Zero();
     each([&](const nc::Invocation& part, Eigen::Index i) {
-        said[i] = block.argument(part, kValue);
+        programmed[i] = block.argument(part, kValue);
     });
-    if (said.norm() < kRounding) {
+    if (programmed.norm() < kRounding) {
         fault(diag::OrientZero, at);
         return kFailed;
     }
-    const Vec3 direction = written(said, digits_of(target.tables()));
+    const Vec3 direction = written(programmed, digits_of(target.tables()));
     each([&](nc::Invocation& part, Eigen::Index i) {
         block.set_argument(part, kValue, direction[i]);
     });

@@ -11,7 +11,7 @@
 namespace kadr::expand {
 
 /// What is told once, or once more when it is renewed.
-enum class Once : std::uint8_t {
+enum class ProgramNotice : std::uint8_t {
     AfterEnd,  // blocks behind M30; anew behind another one
     Diameter,  // a lathe's X is not said to be one
     Feed,      // none was ever set
@@ -22,12 +22,12 @@ enum class Once : std::uint8_t {
     SpindleStopped,
 };
 
-class ReportedInProgram : public ReportedOnce<Once> {
+class ReportedInProgram : public ReportedOnce<ProgramNotice> {
   public:
     /// The spindle was switched: what was said of it is said anew.
     void renew_spindle() {
-        renew(Once::SpindleStopped);
-        renew(Once::Rapid);
+        renew(ProgramNotice::SpindleStopped);
+        renew(ProgramNotice::Rapid);
     }
 };
 

@@ -176,7 +176,7 @@ Done Expander::State::check_needs(std::uint32_t at) {
     // The cutter that the call says is the one that the machine has; where only the text is made,
     // another one is a warning.
     if (!modal.has_tool_in || frames.size() < 2 || frame.return_to == 0 || !options.machine ||
-        !options.checks_cutters || !says_cutter(*frame.function))
+        !options.checks_cutters || !has_cutter(*frame.function))
         return kDone;
     const machine::Machine* machine = options.machine();
     if (machine == nullptr) return kDone;

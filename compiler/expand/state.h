@@ -94,7 +94,7 @@ inline constexpr std::array<HeldWord, 4> kHeldWords = {
 
 /// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
 struct ActiveCycle {
-    const sema::SourceCycle* said = nullptr;
+    const sema::SourceCycle* source = nullptr;
     bool is_active = false;   // further blocks are places of it
     bool is_due = false;      // RunCycle calls it
     bool is_running = false;  // its blocks are being made
@@ -166,7 +166,7 @@ struct Expander::State {
     bool collect_in_time(const Slot* registers);
     /// Looks whether somebody wants the evaluation to end, and at the clock. True: it is to end.
     bool look_for_end();
-    void tell_end(std::uint32_t at);
+    void report_end(std::uint32_t at);
     void offset_fault(path::OffsetFault why, double distance, std::uint32_t at);
 
     // ---- blocks.cpp
@@ -222,7 +222,8 @@ struct Expander::State {
     void say_offset_again(SourceId source, std::uint32_t at, unsigned depth);
     Done begin_tcp(std::span<const nc::Invocation> said, SourceId source, std::uint32_t at,
                    unsigned depth);
-    Done choose_turning(nc::Function turning, SourceId source, std::uint32_t at, unsigned depth);
+    Done choose_orient_interpolation(nc::Function orientation, SourceId source, std::uint32_t at,
+                                     unsigned depth);
     Done end_tcp(SourceId source, std::uint32_t at, unsigned depth);
     Done set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at, unsigned depth);
     Done require_leading_tool(std::uint32_t at);
@@ -259,7 +260,7 @@ struct Expander::State {
     Done write_positions(SourceId source, std::uint32_t at, unsigned depth);
     void return_to_increments(nc::Block& block);
     void say_reference(nc::Block& block);
-    void go_over_place(SourceId source);
+    void go_over_position(SourceId source);
     Done take_station(nc::Block& block, nc::Invocation& select, std::uint32_t at);
     Done take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     Done take_edges_as_offsets(nc::Block& block, std::uint32_t at);
@@ -281,7 +282,7 @@ struct Expander::State {
     Done take_cycle_words(const nc::Block& block, const nc::Invocation& invocation,
                           std::uint32_t at);
     Done say_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    void take_said_levels(std::uint32_t said);
+    void take_given_levels(std::uint32_t said);
     Done complete_levels(const sema::FunctionCode& function, std::uint32_t at);
     std::optional<double> initial_level(std::uint32_t at);
     /// Completes the arguments and calls the library's cycle.
@@ -312,17 +313,19 @@ struct Expander::State {
     nc::Changer changer() const;
     bool changes_tool(const nc::Block& block) const;
     Done check_tool_change(const nc::Block& block, std::uint32_t at);
-    Done check_lead(const nc::Block& block, std::uint32_t at);
+    Done check_pitch(const nc::Block& block, std::uint32_t at);
     /// The block may cut: a feed that belonged to another feed mode does not count.
     Done check_cut(const nc::Block& block, std::uint32_t at);
     void warn_of_cut(std::uint32_t at, bool needs_feed = true);
     void warn_of_spindle(std::uint32_t at);
     /// Whether a comment in the source silences the warning there: it is not said then.
     bool is_allowed(const DiagnosticRow& row, std::uint32_t at) const {
-        return options.is_allowed && options.is_allowed(row, code.places[at]);
+        return options.is_allowed && options.is_allowed(row, code.locations[at]);
     }
     /// Whether no tool was called, and that has not been told yet.
-    bool misses_tool() const { return modal.lacks_tool && !modal.told.has_reported(Once::NoTool); }
+    bool misses_tool() const {
+        return modal.lacks_tool && !modal.reported.has_reported(ProgramNotice::NoTool);
+    }
     bool is_cut_doubtful() const {
         return !modal.has_feed ||
                (options.warns_of_cuts && (misses_tool() || !modal.is_spindle_turning()));
@@ -352,10 +355,10 @@ struct Expander::State {
     void write_position(const sema::Plan& plan, const sema::Instruction& instruction,
                         std::uint32_t at);
     void scale_frame_x(nc::Block& block, double factor) const;
-    Done refuse_frame(control::FrameFault why, std::uint32_t at);
+    Done refuse_frame(control::FrameFormFault why, std::uint32_t at);
     void write_frame(const control::ProgramFrame& next, SourceId source, std::uint32_t at,
                      unsigned depth);
-    void say_frame_again(SourceId source, std::uint32_t at, unsigned depth);
+    void put_frame_again(SourceId source, std::uint32_t at, unsigned depth);
 
     // ---- scopes.cpp
     Done set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);
@@ -376,7 +379,7 @@ struct Expander::State {
     Done require_feed_mode(std::uint32_t at);
     Done require_speed_mode(std::uint32_t at);
     Done refuse_lost_state(std::string_view what, std::string_view fix, std::uint32_t at);
-    void tell_lost_position(DiagnosticBuilder& builder, std::size_t axis) const;
+    void report_lost_position(DiagnosticBuilder& builder, std::size_t axis) const;
     void report_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
     void say_again(nc::Block& block);
     void say_again_alone(SourceId source, std::uint32_t at, std::size_t depth);
@@ -497,8 +500,8 @@ struct Expander::State {
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
     ActiveCycle active_cycle;
-    ReportedInProgram told;  // of the whole program; see also ModalState::told
-    ReportedAt told_at;
+    ReportedInProgram reported;  // of the whole program; see also ModalState::told
+    ReportedAt reported_at;
 
     /// A contour whose blocks are being kept.
     struct Recording {

@@ -87,7 +87,7 @@ Done Expander::State::test_call(const Instruction& instruction, Slot* registers,
     call.options = first;
     call.arguments = first + sema::kTestOptions;
     call.heap = &heap;
-    call.range = code.places[at];
+    call.range = code.locations[at];
     const Slot text = first[sema::kTestOptions - 1];
     if (text.integer != sema::kNotGivenInteger) call.text = heap.text(text.integer);
     const auto give_up = [&] {
@@ -193,7 +193,7 @@ void Expander::State::report_expectation(const Instruction& instruction, const S
         const auto why = static_cast<sema::Expectation>(instruction.c & (sema::kHasReason - 1));
         const bool is_compared = why == sema::Expectation::Compared;
         DiagnosticBuilder builder =
-            sink.report(is_compared ? diag::ExpectFailed : diag::ExpectUntrue, code.places[at]);
+            sink.report(is_compared ? diag::ExpectFailed : diag::ExpectUntrue, code.locations[at]);
         builder.arg(what);
         if (is_compared) {
             std::string wanted =

@@ -71,7 +71,7 @@ void keep_motion(ModalState& modal, const SaidMotion& said) {
 bool Expander::State::is_about_tilted_plane(const sema::Plan& plan) const {
     for (const nc::Invocation& invocation : plan.functions) {
         if (nc::has_fact(invocation.function, nc::Fact::BeginsOrEndsTiltedPlane)) return true;
-        if (modal.tilt != ModalState::Tilt::None &&
+        if (modal.tilt != ModalState::PlaneTilt::None &&
             nc::has_fact(invocation.function, nc::Fact::MovesSystem))
             return true;
     }
@@ -82,13 +82,13 @@ Done Expander::State::emit_tilted_plane(const sema::Plan& plan, const Instructio
                                         const Slot* registers, std::uint32_t at) {
     const Function function = plan.functions.front().function;
     if (!nc::has_fact(function, nc::Fact::BeginsOrEndsTiltedPlane)) {
-        const bool may_change = modal.tilt == ModalState::Tilt::Own;
+        const bool may_change = modal.tilt == ModalState::PlaneTilt::Own;
         if (may_change && function != Function::WorkOffset && function != Function::SetPosition)
             return emit_plan_of_frame(plan, instruction, registers, at);
         return refuse_in_tilted_plane(nc::info(function).name, at);
     }
     if (!recordings.empty()) return refuse_in_contour("a tilted plane", at);
-    const bool is_outermost = modal.tilt == ModalState::Tilt::Resolved
+    const bool is_outermost = modal.tilt == ModalState::PlaneTilt::Resolved
                                   ? modal.frame == modal.tilted_plane_frame
                                   : modal.frame.is_identity();
     if (!is_outermost) {
@@ -97,11 +97,11 @@ Done Expander::State::emit_tilted_plane(const sema::Plan& plan, const Instructio
     }
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     if (function == Function::TiltedPlaneOff) {
-        if (modal.tilt == ModalState::Tilt::None) return kDone;
-        if (modal.tilt != ModalState::Tilt::Resolved)
+        if (modal.tilt == ModalState::PlaneTilt::None) return kDone;
+        if (modal.tilt != ModalState::PlaneTilt::Resolved)
             return emit_block(plan, instruction, registers, at);
         write_frame({}, source, at, instruction.c);
-        modal.tilt = ModalState::Tilt::None;
+        modal.tilt = ModalState::PlaneTilt::None;
         return Done(!has_failed);
     }
     if (target.can_write(Function::Tilt)) return emit_block(plan, instruction, registers, at);
@@ -165,7 +165,7 @@ Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     block.motion = Function::Rapid;
     modal.take_block(block, target.rules());
     if (options.trace) keep_trace(at, depth, source);
-    if (modal.tilt != ModalState::Tilt::None) add(Function::TiltedPlaneOff, {});
+    if (modal.tilt != ModalState::PlaneTilt::None) add(Function::TiltedPlaneOff, {});
     add(Function::TiltedPlaneEuler, said);
     add(Function::AlignTool, std::array{Argument{nc::parameter_of<Function::AlignTool>("way"), 0}});
     keep_motion(modal, motion);
@@ -232,7 +232,7 @@ Done Expander::State::resolve_tilted_plane(const std::array<double, 6>& values, 
     next.angle_deg = neat_angle(deg_from_rad(std::atan2(whole.linear(1, 0), whole.linear(0, 0))));
     if (!say_joints(chain, *joints, source, at, depth)) return kFailed;
     write_frame(next, source, at, depth);
-    modal.tilt = ModalState::Tilt::Resolved;
+    modal.tilt = ModalState::PlaneTilt::Resolved;
     modal.tilted_plane_frame = modal.frame;
     return Done(!has_failed);
 }

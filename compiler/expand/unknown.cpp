@@ -153,7 +153,7 @@ void ModalState::join_group(Group group, SourceId block) {
             lose_to_choice(group_bit(group), block);
             if (group != Group::Spindle) break;
             spindle_in_doubt = true;
-            told.renew(Once::SpindleInDoubt);
+            reported.renew(ProgramNotice::SpindleInDoubt);
             break;
         case Group::Diameter: diameter_due = (*this)[group]; break;
         default: break;  // said again by the writer
@@ -169,7 +169,7 @@ void ModalState::lose_to_choice(sema::ModalMask what, SourceId block) {
 // ---------------------------------------------------------------- what needs it
 
 /// Which statement has made the position of an axis unknown, if one did.
-void Expander::State::tell_lost_position(DiagnosticBuilder& builder, std::size_t axis) const {
+void Expander::State::report_lost_position(DiagnosticBuilder& builder, std::size_t axis) const {
     const LostBy& lost = modal.position_lost_by[axis];
     if (lost.statement.is_valid() && lost.statement.index < code.statements.size())
         builder.note(code.statements[lost.statement.index], words_of(lost.how));
@@ -249,7 +249,7 @@ Done Expander::State::require_sure_compensation(const Block& block, std::uint32_
     const bool needs = (block.given & (plane | nc::kCenterSlots)) != 0 ||
                        has_group(block, Group::Plane) ||  // an alarm beside a contour
                        (block.function_count != 0 && changes_tool(block));
-    if (!needs || block.skip == modal.comp_choice) return kDone;
+    if (!needs || block.skip_level == modal.comp_choice) return kDone;
     compensation_chosen(fault(diag::CompensationInDoubt, at));
     return kFailed;
 }
@@ -288,7 +288,7 @@ void Expander::State::say_again(Block& block) {
         block.set(nc::Slot::Feed, modal.feed);
     if ((modal.restate & kSpeed) != 0 && modal.has_speed && !block.has(nc::Slot::Speed))
         block.set(nc::Slot::Speed, modal.speed);
-    if (block.skip < 0) modal.restate = 0;
+    if (block.skip_level < 0) modal.restate = 0;
 }
 
 /// … in a block of its own, before a cycle that the control has itself.
@@ -303,8 +303,8 @@ void Expander::State::say_again_alone(SourceId source, std::uint32_t at, std::si
 void Expander::State::say_diameter(Block& block) {
     bool acts = block.motion != Function::None || (block.given & nc::kTargetSlots) != 0;
     for (std::size_t i = 0; i < block.function_count; ++i)
-        acts = acts || nc::info(block.functions[i].function).group != Group::Once;
-    if (!acts || block.skip >= 0 || !block.add(modal.diameter_due)) return;
+        acts = acts || nc::info(block.functions[i].function).group != Group::NonModal;
+    if (!acts || block.skip_level >= 0 || !block.add(modal.diameter_due)) return;
     modal.diameter_due = Function::None;
 }
 
@@ -320,7 +320,7 @@ void Expander::State::warn_of_radius(const Block& block, std::uint32_t at) {
         block.find(Function::CuttingSpeedOn) != nullptr || block.motion == Function::Thread;
     const auto on = static_cast<std::size_t>(Function::DiameterOn);
     if (!turns || target.tables().forms_of[on].empty()) return;
-    if (told.first_time(Once::Diameter)) fault(diag::DiameterNotSaid, at);
+    if (reported.first_time(ProgramNotice::Diameter)) fault(diag::DiameterNotSaid, at);
 }
 
 Done Expander::State::settle_unknown(Block& block, std::uint32_t at) {
@@ -328,7 +328,7 @@ Done Expander::State::settle_unknown(Block& block, std::uint32_t at) {
     if (!recordings.empty() || !moves(block) || !nc::has_fact(modal[Group::Motion], nc::Fact::Cut))
         return kDone;
     if (modal.restate != 0) say_again(block);
-    if (modal.spindle_in_doubt && modal.told.first_time(Once::SpindleInDoubt))
+    if (modal.spindle_in_doubt && modal.reported.first_time(ProgramNotice::SpindleInDoubt))
         warn_of_choice(fault(diag::SpindleInDoubt, at));
     return kDone;
 }
@@ -354,7 +354,7 @@ Done Expander::State::keep_promise(const OpenWith& promise, std::uint32_t at) {
 }
 
 void Expander::State::warn_after_end(std::uint32_t at) {
-    if (!modal.told.first_time(Once::AfterEnd)) return;
+    if (!modal.reported.first_time(ProgramNotice::AfterEnd)) return;
     DiagnosticBuilder builder = fault(diag::BlockAfterEnd, at);
     if (modal.ended_by.is_valid() && modal.ended_by.index < code.statements.size())
         builder.note(code.statements[modal.ended_by.index], "the program ends here");

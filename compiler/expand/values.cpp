@@ -87,7 +87,7 @@ void Expander::State::make_image(const sema::PictureSource& source, const sema::
 Done Expander::State::read_image(const sema::PictureSource& source, Slot path, std::uint32_t at,
                                  Slot* image) {
     const std::optional<sema::Picture> picture = sema::read_picture(
-        source.folder, heap.text(path.integer), code.places[at], options.files, sink);
+        source.folder, heap.text(path.integer), code.locations[at], options.files, sink);
     if (!picture) {
         has_failed = true;
         is_running = false;
@@ -100,7 +100,7 @@ Done Expander::State::read_image(const sema::PictureSource& source, Slot path, s
 Done Expander::State::read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at,
                                  Slot& table) {
     const std::optional<sema::TableRows> rows = sema::read_table(
-        schema, code.enums, heap.text(path.integer), code.places[at], options.files, sink);
+        schema, code.enums, heap.text(path.integer), code.locations[at], options.files, sink);
     if (!rows) {
         has_failed = true;
         is_running = false;

@@ -61,7 +61,7 @@ bool Expander::State::look_for_end() {
 }
 
 /// Says why the evaluation ends before the program does.
-void Expander::State::tell_end(std::uint32_t at) {
+void Expander::State::report_end(std::uint32_t at) {
     if (was_stopped) {
         fault(diag::EvaluationStopped, at);
         return;
@@ -194,7 +194,7 @@ text_too_long:
     goto stop;
 too_many_turns:
     if (was_stopped || is_late) {
-        tell_end(AT);
+        report_end(AT);
         goto stop;
     }
     fault(diag::LoopLimit, AT).arg(static_cast<std::int64_t>(options.limits.loop_turns));

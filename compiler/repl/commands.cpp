@@ -40,14 +40,14 @@ std::string kept(const Prompt& prompt, const std::string& path) {
 
 /// Writes a file whole or not at all; the messages say why not.
 std::string write_whole(const std::string& path, std::string_view text) {
-    std::string said;
+    std::string words;
     Sources sources;
-    driver::Messages messages(sources, {}, [&](std::string_view line) { said += line; });
+    driver::Messages messages(sources, {}, [&](std::string_view line) { words += line; });
     const auto output = driver::Output::open(path, messages);
-    if (output == nullptr) return said;
+    if (output == nullptr) return words;
     output->write(text);
     (void)output->commit(messages);  // `said` is empty if it is written
-    return said;
+    return words;
 }
 
 std::string stock_machine(const driver::Options& options, const driver::Share& share) {
@@ -98,13 +98,13 @@ Transcript moved(const Transcript& transcript, const std::filesystem::path& fold
 /// What is wrong with the program as a file of this name; empty if it can be run.
 std::string faults_of(const driver::Options& options, const driver::Share& share,
                       const std::string& file, const std::string& program) {
-    std::string said;
+    std::string words;
     Sources sources;
-    driver::Messages messages(sources, {}, [&](std::string_view text) { said += text; });
+    driver::Messages messages(sources, {}, [&](std::string_view text) { words += text; });
     driver::Session session(options, share, sources, messages);
     const bool can_run = driver::load_program(session, sources.add(file, program)).has_value();
     messages.finish();
-    return can_run ? std::string() : said;
+    return can_run ? std::string() : words;
 }
 
 /// Names of the variables that statements declare at their outermost level.
@@ -227,9 +227,9 @@ struct Commands {
             text.subtitle = prompt.now_.plot_subtitle;
             const std::string path(file);
             if (const std::string left = kept(prompt, path); !left.empty()) return wrong(left);
-            const std::string said =
+            const std::string words =
                 write_whole(path, plot_svg(prompt.now_.scene, text, driver::PlotColor::Feed));
-            if (!said.empty()) return prompt.write(said);
+            if (!words.empty()) return prompt.write(words);
             prompt.note_written(path);
         }
         prompt.write(sketch(prompt.now_.scene, prompt.surroundings_.columns));
@@ -270,9 +270,9 @@ struct Commands {
             return prompt.write(faults);
         }
         if (const std::string left = kept(prompt, path); !left.empty()) return wrong(left);
-        const std::string said = write_whole(path, program);
-        if (said.empty()) prompt.note_written(path);
-        prompt.write(said.empty() ? "saved in " + path + '\n' : said);
+        const std::string words = write_whole(path, program);
+        if (words.empty()) prompt.note_written(path);
+        prompt.write(words.empty() ? "saved in " + path + '\n' : words);
     }
 
     void time(std::string_view) {

@@ -136,7 +136,7 @@ Outcome Prompt::evaluate(const Transcript& transcript) {
     if (is_inside) request.shown_from = transcript.last_statement(request.program);
     driver::Options options = options_;
     options.allow_read.insert(options.allow_read.end(), allowed_.begin(), allowed_.end());
-    return replay(options, share_, request, now_.said);
+    return replay(options, share_, request, now_.reported);
 }
 
 void Prompt::undo(std::size_t count) {

@@ -26,14 +26,14 @@ std::string without_lines(std::string_view message) {
         const std::size_t end = std::min(message.find('\n', begin), message.size());
         const std::string_view line = message.substr(begin, end - begin);
         const std::size_t gutter = line.find_first_not_of(" 0123456789");
-        const std::size_t place = line.find(':');
+        const std::size_t index = line.find(':');
         const bool is_source =
             line.starts_with(' ') && gutter != std::string_view::npos && line[gutter] == '|';
         if (is_source) {
             out += line.substr(gutter);
-        } else if (place != std::string_view::npos) {
-            out += line.substr(0, place);
-            out += line.substr(std::min(line.find_first_not_of(kDigits, place + 1), line.size()));
+        } else if (index != std::string_view::npos) {
+            out += line.substr(0, index);
+            out += line.substr(std::min(line.find_first_not_of(kDigits, index + 1), line.size()));
         } else {
             out += line;
         }
@@ -46,22 +46,22 @@ std::string without_lines(std::string_view message) {
 /// What a person reads of the messages of one evaluation.
 class Hearing {
   public:
-    Hearing(Outcome& outcome, std::vector<std::string> said)
-        : outcome_(outcome), said_(std::move(said)) {}
+    Hearing(Outcome& outcome, std::vector<std::string> words)
+        : outcome_(outcome), messages_(std::move(words)) {}
 
     void take(std::string_view rendered) {
         const std::string text(rendered);
         // What is declared at a prompt is read by inputs to come.
         if (text.find("[K2501]") != std::string::npos) return;
-        outcome_.said.push_back(without_lines(text));
-        const auto known = std::find(said_.begin(), said_.end(), outcome_.said.back());
-        if (known == said_.end()) outcome_.messages += text;
-        else said_.erase(known);  // two inputs with the same mistake are two messages
+        outcome_.reported.push_back(without_lines(text));
+        const auto known = std::find(messages_.begin(), messages_.end(), outcome_.reported.back());
+        if (known == messages_.end()) outcome_.messages += text;
+        else messages_.erase(known);  // two inputs with the same mistake are two messages
     }
 
   private:
     Outcome& outcome_;
-    std::vector<std::string> said_;
+    std::vector<std::string> messages_;
 };
 
 /// Cuts the text into lines and keeps those that are wanted.
@@ -206,9 +206,9 @@ void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper)
 }  // namespace
 
 Outcome replay(const driver::Options& options, const driver::Share& share,
-               const ReplayRequest& request, std::vector<std::string> said) {
+               const ReplayRequest& request, std::vector<std::string> words) {
     Outcome outcome;
-    Hearing hearing(outcome, std::move(said));
+    Hearing hearing(outcome, std::move(words));
     Sources sources;
     driver::Messages messages(sources, {}, [&](std::string_view text) { hearing.take(text); });
     driver::Options chosen = options;

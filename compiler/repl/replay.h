@@ -34,9 +34,9 @@ struct Outcome {
     motion::Totals totals;
     driver::PlotScene scene;
     std::string plot_subtitle;
-    std::vector<std::string> said;    // all messages, without their lines
-    std::vector<std::string> values;  // of the expressions that were to be shown, as texts
-    std::vector<std::string> names;   // functions and cycles that can be called, for completion
+    std::vector<std::string> reported;  // all messages, without their lines
+    std::vector<std::string> values;    // of the expressions that were to be shown, as texts
+    std::vector<std::string> names;     // functions and cycles that can be called, for completion
     std::map<std::string, std::vector<std::string>> parameters;  // of each of them
 };
 
@@ -51,8 +51,8 @@ inline constexpr std::size_t kFirstLines = 200;
 inline constexpr std::size_t kLastLines = 5;
 
 /// Evaluates the whole program. Nothing of it outlives the call but the outcome. What has been
-/// `said` of it before is not said again.
+/// `text` of it before is not said again.
 Outcome replay(const driver::Options& options, const driver::Share& share,
-               const ReplayRequest& request, std::vector<std::string> said);
+               const ReplayRequest& request, std::vector<std::string> text);
 
 }  // namespace kadr::repl

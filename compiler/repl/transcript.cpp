@@ -132,13 +132,13 @@ std::string with_end(std::string text, std::string_view end) {
 std::string ended(const std::string& text) { return with_end(text, ";"); }
 
 /// Whether the statement at this place of the file is all that a condition or a loop does.
-bool is_lone_body(const Ast& ast, std::size_t place) {
+bool is_lone_body(const Ast& ast, std::size_t index) {
     return std::ranges::any_of(ast.statements, [&](const syntax::Stmt& head) {
         const bool is_head = head.kind == StmtKind::If || head.kind == StmtKind::While ||
                              head.kind == StmtKind::For || head.kind == StmtKind::ForEach;
         return is_head && std::ranges::any_of(head.statement, [&](const syntax::StmtId id) {
                    return id.is_valid() && ast[id].kind == StmtKind::Empty &&
-                          ast[id].range.begin == place;
+                          ast[id].range.begin == index;
                });
     });
 }

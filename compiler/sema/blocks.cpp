@@ -81,9 +81,9 @@ std::optional<nc::BlockPlan> Checker::plan_words(std::span<const Word> words) {
 /// The plan of a block; what the cycle of another control is here, is said beside what is wrong.
 std::optional<nc::BlockPlan> Checker::plan_source(const nc::Dialect& dialect,
                                                   std::span<const nc::SourceWord> source) {
-    DiagnosticList said;
-    std::optional<nc::BlockPlan> plan = nc::plan_block(dialect, source, said);
-    for (Diagnostic diagnostic : said.all()) {
+    DiagnosticList messages;
+    std::optional<nc::BlockPlan> plan = nc::plan_block(dialect, source, messages);
+    for (Diagnostic diagnostic : messages.all()) {
         std::string hint;
         if (diagnostic.row == &diag::BlockWordCodeUnknown) {
             hint = hint_of_cycle(diagnostic.arguments[0]);
@@ -145,7 +145,7 @@ Done Checker::check_cycle_words(const nc::BlockPlan& plan, std::span<const Word>
     });
     const bool moves = (plan.block.given & (nc::kTargetSlots | nc::kArcSlots)) != 0 ||
                        std::ranges::any_of(plan.holes, [](const nc::Hole& hole) {
-                           return !hole.is_argument && hole.place < kAxes;
+                           return !hole.is_argument && hole.index < kAxes;
                        });
     if (!has_words || !has_code || moves) return kDone;
     for (const Word& word : words) {
@@ -443,8 +443,8 @@ Filling Checker::fill_literal(const Word& word, const nc::Hole& hole, Reg reg) {
     const UnitInfo unit = unit_info(word.unit);
     const bool has_unit = word.unit != syntax::Unit::None;
     const bool is_slot = !hole.is_argument;
-    if (has_unit || (is_slot && (hole.place == static_cast<std::uint8_t>(nc::Slot::Feed) ||
-                                 hole.place == static_cast<std::uint8_t>(nc::Slot::Speed)))) {
+    if (has_unit || (is_slot && (hole.index == static_cast<std::uint8_t>(nc::Slot::Feed) ||
+                                 hole.index == static_cast<std::uint8_t>(nc::Slot::Speed)))) {
         const Value value =
             has_unit ? constant_number(word.number * unit.factor, types_.real(unit.quantity))
                      : constant_number(word.number, types::kReal);
@@ -482,13 +482,13 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
     const Value value = require_given(source, value_range, {});
     if (is_error(value)) return filling;
     const std::string_view what = text(word.address);
-    if (!hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::Feed)) {
+    if (!hole.is_argument && hole.index == static_cast<std::uint8_t>(nc::Slot::Feed)) {
         return fill_feed(value, word, reg);
     }
-    if (!hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::Speed)) {
+    if (!hole.is_argument && hole.index == static_cast<std::uint8_t>(nc::Slot::Speed)) {
         return fill_speed(value, word, reg);
     }
-    const bool is_x = !hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::X);
+    const bool is_x = !hole.is_argument && hole.index == static_cast<std::uint8_t>(nc::Slot::X);
     if (!is_x && !require_no_diameter(value, value_range, what)) return filling;
     const TypeInfo info = type_info(value.type);
     if (info.kind == Kind::Bool) {
@@ -565,7 +565,7 @@ Filling Checker::fill_word(const Word& word, const nc::Hole& hole, Reg reg) {
         emit_.release_to(mark);
     }
     filling.is_argument = hole.is_argument;
-    filling.place = hole.place;
+    filling.index = hole.index;
     filling.invocation = hole.invocation;
     filling.parameter = hole.parameter;
     return filling;
@@ -585,9 +585,9 @@ std::string key_of(const Plan& plan) {
     std::string key;
     for (const std::int64_t part :
          {std::int64_t(plan.motion), std::int64_t(plan.given), std::int64_t(plan.incremental),
-          std::int64_t(plan.absolute), std::int64_t(plan.argument_count), std::int64_t(plan.skip),
-          std::int64_t(plan.cycle), std::int64_t(plan.number), std::int64_t(plan.customs),
-          std::int64_t(plan.planes)}) {
+          std::int64_t(plan.absolute), std::int64_t(plan.argument_count),
+          std::int64_t(plan.skip_level), std::int64_t(plan.cycle), std::int64_t(plan.number),
+          std::int64_t(plan.customs), std::int64_t(plan.planes)}) {
         append_key(key, part);
     }
     for (const nc::Invocation& invocation : plan.functions) {
@@ -609,7 +609,7 @@ std::string key_of(const Plan& plan) {
     for (const Filling& filling : plan.fillings) {
         append_key(key, static_cast<std::int64_t>(filling.form));
         append_key(key, filling.is_argument);
-        append_key(key, filling.place);
+        append_key(key, filling.index);
         append_key(key, filling.invocation);
         append_key(key, filling.parameter);
         append_shortest(key, filling.factor);
@@ -625,20 +625,20 @@ Plan compact(const nc::BlockPlan& source) {
     plan.incremental = block.incremental;
     plan.absolute = block.absolute;
     plan.argument_count = block.argument_count;
-    plan.skip = block.skip;
+    plan.skip_level = block.skip_level;
     plan.cycle = block.cycle;
     plan.number = block.number;
     plan.planes = source.planes;
     plan.functions.assign(block.functions.begin(), block.functions.begin() + block.function_count);
     nc::SlotMask holes = 0;
     for (const nc::Hole& hole : source.holes) {
-        if (!hole.is_argument) holes |= nc::SlotMask{1} << hole.place;
+        if (!hole.is_argument) holes |= nc::SlotMask{1} << hole.index;
     }
     for (const nc::Invocation& invocation : plan.functions) {
         for (unsigned i = 0; i < 32; ++i) {
             if ((invocation.given >> i & 1u) == 0) continue;
-            const auto place = static_cast<std::uint8_t>(invocation.first + i);
-            plan.arguments.emplace_back(place, block.arguments[place]);
+            const auto index = static_cast<std::uint8_t>(invocation.first + i);
+            plan.arguments.emplace_back(index, block.arguments[index]);
         }
     }
     for (unsigned slot = 0; slot < nc::kSlots; ++slot) {
@@ -665,7 +665,7 @@ bool deletes_frame(const Plan& plan, const nc::Invocation& invocation) {
 template <typename Asked>
 Plan take_functions(Plan& plan, Asked is_asked) {
     Plan taken;
-    taken.skip = plan.skip;
+    taken.skip_level = plan.skip_level;
     taken.customs = plan.customs;
     for (std::size_t i = 0; i < plan.functions.size();) {
         if (!is_asked(plan.functions[i])) {
@@ -717,7 +717,7 @@ Value Checker::target_value(ExprId point, std::span<const Word> words) {
 }
 
 void Checker::emit_words(std::span<const Word> words, const Behind& behind,
-                         const SourceRange& range, std::int8_t skip, std::uint32_t customs) {
+                         const SourceRange& range, std::int8_t skip_level, std::uint32_t customs) {
     const ExprId point = behind.point;
     const Reg mark = emit_.mark();
     std::optional<nc::BlockPlan> planned;
@@ -741,8 +741,8 @@ void Checker::emit_words(std::span<const Word> words, const Behind& behind,
             [&](const nc::Hole& hole) { return !is_of_cycle(planned->block, hole); });
         plan = compact(*planned);
         plan.customs = customs_of(plan, words) | customs;
-        plan.skip = skip;
-        if (skip >= 0) check_passed_text(plan, words);
+        plan.skip_level = skip_level;
+        if (skip_level >= 0) check_passed_text(plan, words);
     }
     const std::size_t holes = planned ? planned->holes.size() : 0;
     constexpr std::size_t kDirection = 3;
@@ -751,7 +751,7 @@ void Checker::emit_words(std::span<const Word> words, const Behind& behind,
     for (std::size_t i = 0; i < holes; ++i) {
         const nc::Hole& hole = planned->holes[i];
         const Word& word = words[hole.word];
-        emit_.set_place(word.range);
+        emit_.set_location(word.range);
         plan.fillings.push_back(fill_word(word, hole, static_cast<Reg>(first + i)));
     }
     unsigned point_register = 0;
@@ -760,7 +760,7 @@ void Checker::emit_words(std::span<const Word> words, const Behind& behind,
         const Value value = target_value(point, words);
         if (!is_error(value)) {
             point_register = in_register(value) + 1u;
-            const auto is_linear = [](const Filling& f) { return !f.is_argument && f.place <= 2; };
+            const auto is_linear = [](const Filling& f) { return !f.is_argument && f.index <= 2; };
             if (std::any_of(plan.fillings.begin(), plan.fillings.end(), is_linear)) {
                 report(diag::TargetTwice, point_range);
             }
@@ -768,15 +768,15 @@ void Checker::emit_words(std::span<const Word> words, const Behind& behind,
     }
     if (behind.orient.is_valid()) {
         const Expr& orient = ast()[behind.orient];
-        emit_.set_place(orient.range);
+        emit_.set_location(orient.range);
         // A block without its direction is written as well: it deserves its own messages.
         const auto reg = static_cast<Reg>(first + holes);
         if (take_direction(orient, reg)) (void)add_direction(plan, orient.range);
     }
-    emit_.set_place(range);
+    emit_.set_location(range);
     const std::optional<SourceCycle> cycle =
         planned ? take_cycle(plan, *planned, words) : std::nullopt;
-    const auto is_target = [](const Filling& f) { return !f.is_argument && f.place < kAxes; };
+    const auto is_target = [](const Filling& f) { return !f.is_argument && f.index < kAxes; };
     const bool moves = point_register != 0 || (plan.given & nc::kTargetSlots) != 0 ||
                        std::any_of(plan.fillings.begin(), plan.fillings.end(), is_target);
     const Plan deletion = take_functions(
@@ -813,7 +813,7 @@ void Checker::words_statement(const Stmt& stmt) {
     if (is_modal_call(ast().word_run(stmt.words))) return modal_call(stmt);
     if (const Word* times = repeats_of(ast().word_run(stmt.words)))
         return repeat_places(stmt, *times);
-    emit_words(ast().word_run(stmt.words), behind_words(stmt), stmt.range, stmt.skip);
+    emit_words(ast().word_run(stmt.words), behind_words(stmt), stmt.range, stmt.skip_level);
 }
 
 }  // namespace kadr::sema

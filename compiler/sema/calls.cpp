@@ -192,7 +192,7 @@ void Checker::pass_argument(const ParameterDecl& parameter, ExprId argument, Reg
         return;
     }
     const Reg mark = emit_.mark();
-    const std::optional<Place> found = place(argument);
+    const std::optional<Lvalue> found = lvalue(argument);
     if (!found) return;
     if (found->is_temporary) {
         report(diag::ReferenceArgument, range).arg(parameter.name);
@@ -245,7 +245,7 @@ Value Checker::call_function(std::uint32_t index, const Expr& expr) {
                 .note(parameter.range, "it is declared here");
         }
     }
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     emit_.emit_pair(Op::Call, first, index + 1, static_cast<unsigned>(loop_depth_),
                     statement_id(expr.range), static_cast<std::int32_t>(given));
     Value value = in_registers(function.result, first);
@@ -318,7 +318,7 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
             emit_.release_to(inner);
         }
         filling.is_argument = true;
-        filling.place = static_cast<std::uint8_t>(i);
+        filling.index = static_cast<std::uint8_t>(i);
         filling.invocation = 0;
         filling.parameter = static_cast<std::uint8_t>(i);
         plan.fillings.push_back(filling);
@@ -328,7 +328,7 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
     if (info.function == nc::Function::Inch || info.function == nc::Function::Metric) {
         check_units_function(info.function, expr.range);
     }
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     emit_plan(std::move(plan), first, 0, expr.range);
     emit_.release_to(mark);
     return in_registers(types::kVoid, 0);
@@ -336,7 +336,7 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
 
 // ---------------------------------------------------------------- methods
 
-std::optional<Value> Checker::property_value(const Place& whole, const Expr& expr) {
+std::optional<Value> Checker::property_value(const Lvalue& whole, const Expr& expr) {
     const Kind k = kind(whole.type);
     const std::string_view name = text(expr.text);
     if (k == Kind::Execution) return figure(whole, expr, nullptr);
@@ -362,7 +362,7 @@ std::optional<Value> Checker::property_value(const Place& whole, const Expr& exp
 Value Checker::call_method(ExprId id, const Expr& callee, Reg hint) {
     const Expr& expr = ast()[id];
     (void)hint;
-    const std::optional<Place> owner = owner_place(callee.child[0]);
+    const std::optional<Lvalue> owner = owner_lvalue(callee.child[0]);
     if (!owner) return error_value();
     if (kind(owner->type) == Kind::Array) return array_method(*owner, callee, expr);
     if (kind(owner->type) == Kind::Execution) return figure(*owner, callee, &expr);
@@ -371,7 +371,7 @@ Value Checker::call_method(ExprId id, const Expr& callee, Reg hint) {
     return error_value();
 }
 
-Value Checker::array_method(const Place& array, const Expr& callee, const Expr& expr) {
+Value Checker::array_method(const Lvalue& array, const Expr& callee, const Expr& expr) {
     const std::string_view name = text(callee.text);
     const TypeInfo info = type_info(array.type);
     const Type element = info.element;
@@ -429,7 +429,7 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
         if (inserts) at = expression_in(value_of(0), types::kInt, kNoReg, "the index");
         const Reg reg = emit_.take(slots);
         expression_in(value_of(inserts ? 1 : 0), element, reg, "the element");
-        emit_.set_place(expr.range);
+        emit_.set_location(expr.range);
         if (inserts) emit_.emit(Op::InsertAt, handle.reg, reg, at);
         else emit_.emit(Op::Append, handle.reg, reg);
         return in_registers(types::kVoid, 0);
@@ -443,12 +443,12 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
         at = expression_in(value_of(0), types::kInt, kNoReg, "the index");
     } else {
         at = emit_.take(1);
-        emit_.set_place(expr.range);
+        emit_.set_location(expr.range);
         emit_.emit(Op::CountArray, at, handle.reg);
         emit_.emit(Op::CheckFilled, at);
         emit_.emit_integer(Op::AddIK, at, at, -1);
     }
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     const Reg result = emit_.take(slots);
     if (slots == 1) emit_.emit(Op::LoadElement, result, handle.reg, at);
     else emit_.emit_pair(Op::LoadElementN, result, handle.reg, at, 0, slots);
@@ -458,7 +458,7 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
     return value;
 }
 
-Value Checker::string_method(const Place& string, const Expr& callee, const Expr& expr) {
+Value Checker::string_method(const Lvalue& string, const Expr& callee, const Expr& expr) {
     const std::string_view name = text(callee.text);
     const bool is_part = name == "part";
     if (name == "count") {
@@ -496,7 +496,7 @@ Value Checker::string_method(const Place& string, const Expr& callee, const Expr
         else emit_unset(types_.optional(types::kInt), count);
     }
     const Reg reg = emit_.take(1);
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     emit_.emit(is_part ? Op::PartOfText : Op::FindText, reg, from, first);
     return in_registers(is_part ? types::kString : types::kInt, reg);
 }

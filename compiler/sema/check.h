@@ -26,9 +26,9 @@ class ModuleLoader {
     };
     virtual ~ModuleLoader() = default;
     /// `cycles.drilling` (or a file name, if is_file) as seen from the file `from`. Null ast: not
-    /// found or not parsed; the loader has reported it at `place`. The same file is loaded once.
+    /// found or not parsed; the loader has reported it at `location`. The same file is loaded once.
     virtual Module load(std::string_view import, bool is_file, FileId from,
-                        const SourceRange& place) = 0;
+                        const SourceRange& location) = 0;
     /// The module of the library that declares this function or cycle, as an import names it; for
     /// messages. Nothing: none does, or there is no library.
     virtual std::optional<std::string> library_module_of(std::string_view /*function*/) {

@@ -28,7 +28,7 @@
 namespace kadr::sema {
 
 /// Something that can be read, assigned, referred to: a variable, a member, an element.
-struct Place {
+struct Lvalue {
     enum class Storage : std::uint8_t { Local, Global, Reference, Element };
     Storage storage = Storage::Local;
     Type type;
@@ -198,7 +198,7 @@ class Checker {
     /// What a condition says about optionals: inside `if (given b)`, b is given.
     void assume_given(syntax::ExprId condition, bool sense);
     /// `list.count` and the like; nothing if it is a member of a struct.
-    std::optional<Value> property_value(const Place& whole, const syntax::Expr& expr);
+    std::optional<Value> property_value(const Lvalue& whole, const syntax::Expr& expr);
     Value constant_number(double value, Type type) const;
     Value constant_integer(std::int64_t value, Type type) const;
     Value constant_text(std::string_view text);
@@ -243,24 +243,24 @@ class Checker {
         Value left;
         Value right;
     };
-    struct Comparison {
+    struct ComparedSides {
         syntax::Operator op = syntax::Operator::Equal;
         bool is_real = false;
         Value left;
         Value right;
     };
-    std::optional<Comparison> comparison(const syntax::Expr& expr);
+    std::optional<ComparedSides> comparison(const syntax::Expr& expr);
     bool is_as_given(syntax::ExprId id) const;
     void warn_equality(const syntax::Expr& expr, const Value& left, const Value& right);
     std::optional<Sides> compared_sides(const syntax::Expr& expr);
-    std::optional<Comparison> compare(const syntax::Expr& expr, Value left, Value right);
+    std::optional<ComparedSides> compare(const syntax::Expr& expr, Value left, Value right);
     /// Makes two numbers comparable and addable: the same quantity.
     Done match_quantities(Value& left, Value& right, const syntax::Expr& expr);
     Value to_real(const Value& value);
     Value plain_form(const Value& value, int form);
     /// Jumps to the label if the condition has this truth. `depth` ≥ 0: a loop's backward jump.
     void jump_if(syntax::ExprId id, bool sense, Label& label, int depth = -1);
-    void jump_compare(const Comparison& comparison, bool sense, Label& label, int depth);
+    void jump_compare(const ComparedSides& comparison, bool sense, Label& label, int depth);
     void check_condition(const Value& value, const SourceRange& range);
 
     // origins.cpp
@@ -268,21 +268,21 @@ class Checker {
     Origin origin_of_result(syntax::Operator op, const Value& left, const Value& right) const;
     void warn_of_origin(const Value& value, Type target, const SourceRange& range);
     // lvalues.cpp
-    std::optional<Place> place(syntax::ExprId id);
+    std::optional<Lvalue> lvalue(syntax::ExprId id);
     bool is_read(syntax::ExprId id) const;
-    std::optional<Place> name_place(syntax::ExprId id);
-    std::optional<Place> member_place(syntax::ExprId id);
-    std::optional<Place> element_place(syntax::ExprId id);
-    std::optional<Place> character_place(const Place& whole, const syntax::Expr& expr);
+    std::optional<Lvalue> name_lvalue(syntax::ExprId id);
+    std::optional<Lvalue> member_lvalue(syntax::ExprId id);
+    std::optional<Lvalue> element_lvalue(syntax::ExprId id);
+    std::optional<Lvalue> character_lvalue(const Lvalue& whole, const syntax::Expr& expr);
     /// A place, or the temporary that an expression leaves.
-    std::optional<Place> owner_place(syntax::ExprId id);
+    std::optional<Lvalue> owner_lvalue(syntax::ExprId id);
     /// The member `expr.text` of a struct that stands somewhere.
-    std::optional<Place> part_place(const Place& whole, const syntax::Expr& expr);
-    void note_assignment(const Place& place);
-    Value load(const Place& place, const SourceRange& range, bool checked, Reg hint);
-    void store(const Place& place, const Value& value, const SourceRange& range);
-    Reg reference_to(const Place& place);
-    Done require_assignable(const Place& place, const SourceRange& range);
+    std::optional<Lvalue> part_lvalue(const Lvalue& whole, const syntax::Expr& expr);
+    void note_assignment(const Lvalue& lvalue);
+    Value load(const Lvalue& lvalue, const SourceRange& range, bool checked, Reg hint);
+    void store(const Lvalue& lvalue, const Value& value, const SourceRange& range);
+    Reg reference_to(const Lvalue& lvalue);
+    Done require_assignable(const Lvalue& lvalue, const SourceRange& range);
 
     // calls.cpp
     Value call(syntax::ExprId id, Reg hint);
@@ -292,8 +292,8 @@ class Checker {
                                     const Value& value, const SourceRange& range);
     Value call_vocabulary(const nc::FunctionInfo& info, const syntax::Expr& expr);
     Value call_method(syntax::ExprId id, const syntax::Expr& callee, Reg hint);
-    Value array_method(const Place& array, const syntax::Expr& callee, const syntax::Expr& expr);
-    Value string_method(const Place& string, const syntax::Expr& callee, const syntax::Expr& expr);
+    Value array_method(const Lvalue& array, const syntax::Expr& callee, const syntax::Expr& expr);
+    Value string_method(const Lvalue& string, const syntax::Expr& callee, const syntax::Expr& expr);
     Value table(const syntax::Expr& expr);
     Value image_call(const syntax::Expr& expr);
     bool is_picture(Type type, PictureSource& source) const;
@@ -404,7 +404,8 @@ class Checker {
     };
     Behind behind_words(const syntax::Stmt& stmt);
     void emit_words(std::span<const syntax::Word> words, const Behind& behind,
-                    const SourceRange& range, std::int8_t skip = -1, std::uint32_t customs = 0);
+                    const SourceRange& range, std::int8_t skip_level = -1,
+                    std::uint32_t customs = 0);
     void check_passed_text(const Plan& plan, std::span<const syntax::Word> words);
     std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
     void check_units_function(nc::Function function, const SourceRange& range);
@@ -475,7 +476,7 @@ class Checker {
     Value test_call(TestCall::Purpose purpose, std::string_view name, const syntax::Expr& expr);
     std::optional<std::uint32_t> test_subject(std::string_view name, syntax::ExprId id);
     /// A figure of an execution; `call` is null where it is not called.
-    Value figure(const Place& execution, const syntax::Expr& member, const syntax::Expr* call);
+    Value figure(const Lvalue& execution, const syntax::Expr& member, const syntax::Expr* call);
     Done take_figure_arguments(const FigureInfo& info, const syntax::Expr& call, Reg first);
     void expect_statement(const syntax::Stmt& stmt);
     void assume_statement(const syntax::Stmt& stmt);

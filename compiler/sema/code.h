@@ -211,8 +211,8 @@ struct Filling {
         SpeedCutting,  // mm/s
     };
     Form form = Form::Plain;
-    bool is_argument = false;  // `place`: index into Block::arguments; else a Slot
-    std::uint8_t place = 0;
+    bool is_argument = false;  // `index`: index into Block::arguments; else a Slot
+    std::uint8_t index = 0;
     std::uint8_t invocation = 0;
     std::uint8_t parameter = 0;
     double factor = 1;  // FeedBare: mm per length unit of the file
@@ -260,8 +260,8 @@ struct Plan {
     nc::SlotMask incremental = 0;
     nc::SlotMask absolute = 0;
     std::uint8_t argument_count = 0;
-    std::int8_t skip = -1;  // level of a block that may be left out; syntax::kDefaultSkipLevel: the
-                            // target's own default
+    std::int8_t skip_level = -1;  // level of a block that may be left out;
+                                  // syntax::kDefaultSkipLevel: the target's own default
     nc::CycleId cycle = 0;
     std::int32_t number = -1;
     std::uint32_t customs = 0;              // bits of `custom`
@@ -492,7 +492,7 @@ struct FunctionCode {
 
 struct Code {
     std::vector<Instruction> instructions;
-    std::vector<SourceRange> places;      // of the instructions, for messages
+    std::vector<SourceRange> locations;   // of the instructions, for messages
     std::vector<FunctionCode> functions;  // 0 sets the globals
     std::uint32_t globals = 0;            // registers of file-level variables
     std::vector<std::string> texts;

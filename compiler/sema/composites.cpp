@@ -42,10 +42,10 @@ Value Checker::brace_array(ExprId id, Type type) {
             continue;
         }
         expression_in(item, info.element, element, "the element");
-        emit_.set_place(ast()[item].range);
+        emit_.set_location(ast()[item].range);
         emit_.emit(Op::Append, array, element);
     }
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     emit_.release_to(mark);
     Value value = in_registers(type, array);
     value.is_fresh = true;
@@ -188,14 +188,14 @@ Value Checker::member(ExprId id) {
         const bool is_state = asked.kind == ExprKind::Name && find(text(asked.text)).symbol < 0 &&
                               (text(asked.text) == "position" || text(asked.text) == "state");
         if (is_state) return is_given(position_member(expr, text(asked.text) == "position"));
-        const std::optional<Place> whole = place(owner.child[0]);
-        const std::optional<Place> part = whole ? part_place(*whole, expr) : std::nullopt;
+        const std::optional<Lvalue> whole = lvalue(owner.child[0]);
+        const std::optional<Lvalue> part = whole ? part_lvalue(*whole, expr) : std::nullopt;
         return part ? is_given(load(*part, expr.range, false, kNoReg)) : error_value();
     }
-    const std::optional<Place> whole = owner_place(expr.child[0]);
+    const std::optional<Lvalue> whole = owner_lvalue(expr.child[0]);
     if (!whole) return error_value();
     if (const std::optional<Value> property = property_value(*whole, expr)) return *property;
-    const std::optional<Place> part = part_place(*whole, expr);
+    const std::optional<Lvalue> part = part_lvalue(*whole, expr);
     return part ? load(*part, expr.range, true, kNoReg) : error_value();
 }
 

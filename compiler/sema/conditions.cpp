@@ -61,11 +61,11 @@ void Checker::warn_equality(const Expr& expr, const Value& left, const Value& ri
                  : "compare with a tolerance: `abs(a - b) > 0.001mm`, or with `<` or `>`");
 }
 
-std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
+std::optional<Checker::ComparedSides> Checker::comparison(const Expr& expr) {
     const std::optional<Sides> sides = compared_sides(expr);
     if (!sides) return std::nullopt;
     const bool is_equality = expr.op == Operator::Equal || expr.op == Operator::NotEqual;
-    std::optional<Comparison> found = compare(expr, sides->left, sides->right);
+    std::optional<ComparedSides> found = compare(expr, sides->left, sides->right);
     if (found && is_equality) warn_equality(expr, sides->left, sides->right);
     return found;
 }
@@ -104,8 +104,8 @@ void Checker::emit_equality(Type type, Reg left, Reg right, Reg all) {
     }
 }
 
-std::optional<Checker::Comparison> Checker::compare(const Expr& expr, Value left, Value right) {
-    Comparison result;
+std::optional<Checker::ComparedSides> Checker::compare(const Expr& expr, Value left, Value right) {
+    ComparedSides result;
     result.op = expr.op;
     const bool is_equality = expr.op == Operator::Equal || expr.op == Operator::NotEqual;
     const Kind a = kind(left.type);
@@ -173,7 +173,7 @@ std::optional<Checker::Comparison> Checker::compare(const Expr& expr, Value left
     return std::nullopt;
 }
 
-void Checker::jump_compare(const Comparison& comparison, bool sense, Label& label, int depth) {
+void Checker::jump_compare(const ComparedSides& comparison, bool sense, Label& label, int depth) {
     Operator op = comparison.op;
     Value left = comparison.left;
     Value right = comparison.right;
@@ -295,8 +295,8 @@ void Checker::check_condition(const Value& value, const SourceRange& range) {
 
 void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
     const Expr& expr = ast()[id];
-    const SourceRange before = emit_.place();
-    emit_.set_place(expr.range);
+    const SourceRange before = emit_.location();
+    emit_.set_location(expr.range);
     const Reg mark = emit_.mark();
     const bool is_loop = depth >= 0;
     const int second = is_loop ? depth : 0;
@@ -323,7 +323,7 @@ void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
         }
         set_givenness(states);
     } else if (expr.kind == ExprKind::Binary && is_comparison(expr.op)) {
-        if (const std::optional<Comparison> found = comparison(expr)) {
+        if (const std::optional<ComparedSides> found = comparison(expr)) {
             if (found->left.is_constant() && found->right.is_constant()) {
                 jump_constant(found->is_real ? holds(expr.op, found->left.constant.number,
                                                      found->right.constant.number)
@@ -348,7 +348,7 @@ void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
         }
     }
     emit_.release_to(mark);
-    emit_.set_place(before);
+    emit_.set_location(before);
 }
 
 /// A condition as a value: `bool b = x < y && z;`.
@@ -366,7 +366,7 @@ Value Checker::truth(ExprId id, Reg hint) {
     }
     if (is_comparison(expr.op)) {
         const std::size_t errors = sink_.errors;
-        const std::optional<Comparison> found = comparison(expr);
+        const std::optional<ComparedSides> found = comparison(expr);
         if (!found) return errors == sink_.errors ? error_value() : error_value();
         if (found->left.is_constant() && found->right.is_constant()) {
             const bool answer =

@@ -39,7 +39,7 @@ constexpr Quantity kArea{2, 0, 0, 0};
 
 /// The statements run with the blocks being kept; loops around cannot be left from here.
 void Checker::contour_body(const Decl& decl, Reg target) {
-    emit_.set_place(decl.name_range);
+    emit_.set_location(decl.name_range);
     emit_.emit(Op::BeginContour);
     std::vector<LoopScope> loops;
     std::swap(loops, loops_);
@@ -47,7 +47,7 @@ void Checker::contour_body(const Decl& decl, Reg target) {
     statement(decl.body);
     --contour_depth_;
     std::swap(loops, loops_);
-    emit_.set_place(decl.name_range);
+    emit_.set_location(decl.name_range);
     emit_.emit_pair(Op::EndContour, target, 0, 0, layout_constant(types::kElement));
 }
 
@@ -68,7 +68,7 @@ Value Checker::contour_value(ContourFunction function, Type result, Reg argument
     const Reg reg = emit_.take(type_info(result).slots);
     const TypeInfo info = type_info(result);
     const std::uint32_t layout = info.kind == Kind::Array ? layout_constant(info.element) : 0;
-    emit_.set_place(range);
+    emit_.set_location(range);
     emit_.emit_pair(Op::ContourValue, reg, arguments, 0, static_cast<std::int64_t>(function),
                     layout);
     Value value = in_registers(result, reg);
@@ -283,7 +283,7 @@ Value Checker::follow_call(const Expr& expr, std::string_view name) {
         }
         emit_.release_to(mark);
     }
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     if (!is_start) {
         emit_.emit_pair(Op::FollowContour, first, 0, static_cast<unsigned>(loop_depth_), 0,
                         statement_id(expr.range));

@@ -73,9 +73,9 @@ class TableReader {
     }
 
     std::optional<TableRows> read(const std::string& file, std::string_view text,
-                                  const SourceRange& place) {
+                                  const SourceRange& location) {
         file_ = file;
-        place_ = place;
+        location_ = location;
         if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
         bool has_header = false;
         while (!text.empty()) {
@@ -90,7 +90,7 @@ class TableReader {
                 continue;
             }
             if (rows_.slots.size() > kMostSlots) {
-                sink_.report(diag::TableTooLarge, place_).arg(file_).arg(kMostSlots);
+                sink_.report(diag::TableTooLarge, location_).arg(file_).arg(kMostSlots);
                 return std::nullopt;
             }
             row();
@@ -122,7 +122,7 @@ class TableReader {
         at.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, length));
         at.text = line_text_;
         DiagnosticBuilder builder = sink_.report(row, std::move(at));
-        builder.note(place_, "the table is read here");
+        builder.note(location_, "the table is read here");
         return builder;
     }
 
@@ -207,7 +207,7 @@ class TableReader {
     /// mistake, or by somebody who wants to see it in messages: nothing of it is shown.
     Done require_table(const std::vector<UnknownColumn>& unknown) {
         if (unknown.size() != columns_.size() || upper_ascii(file_).ends_with(".CSV")) return kDone;
-        sink_.report(diag::TableElse, place_).arg(file_).arg(schema_.type_name);
+        sink_.report(diag::TableElse, location_).arg(file_).arg(schema_.type_name);
         failed_ = true;
         return kFailed;
     }
@@ -371,7 +371,7 @@ class TableReader {
     std::span<const EnumNames> enums_;
     DiagnosticSink& sink_;
     std::string file_;
-    SourceRange place_;
+    SourceRange location_;
     std::string_view line_text_;
     std::uint32_t line_ = 0;
     char separator_ = ',';
@@ -385,18 +385,18 @@ class TableReader {
 }  // namespace
 
 std::optional<TableRows> read_table(const TableSchema& schema, std::span<const EnumNames> enums,
-                                    const std::string& path, const SourceRange& place, Files* files,
-                                    DiagnosticSink& sink) {
+                                    const std::string& path, const SourceRange& location,
+                                    Files* files, DiagnosticSink& sink) {
     const bool is_absolute = !path.empty() && (path[0] == '/' || path[0] == '\\');
     const std::string file = is_absolute ? path : schema.folder + path;
     Files anything;
     const auto text = files != nullptr ? files->read_named(file) : anything.read(file);
     if (!text) {
-        report_unread(sink, diag::TableUnreadable, place, file, text.error(),
+        report_unread(sink, diag::TableUnreadable, location, file, text.error(),
                       files != nullptr ? *files : anything);
         return std::nullopt;
     }
-    return TableReader(schema, enums, sink).read(file, *text, place);
+    return TableReader(schema, enums, sink).read(file, *text, location);
 }
 
 }  // namespace kadr::sema

@@ -21,7 +21,7 @@ void Checker::curve_body(const FunctionDecl& function, const Decl& decl) {
         const Reg first = emit_.take(2);
         const std::array<ExprId, 2> ends = {decl.value, decl.value_to};
         for (std::size_t i = 0; i < 2; ++i) {
-            emit_.set_place(ast()[ends[i]].range);
+            emit_.set_location(ast()[ends[i]].range);
             expression_in(ends[i], type, static_cast<Reg>(first + i), text(running.name));
         }
         emit_.emit(Op::Return, first, 0, 2);
@@ -55,7 +55,7 @@ void Checker::curve_body(const FunctionDecl& function, const Decl& decl) {
     for (std::size_t i = 0; i < 3; ++i)
         is_empty = is_empty && symbols_[symbols + i].givenness == Givenness::NotGiven;
     if (is_empty) report(diag::CurveEmpty, decl.name_range).arg(text(decl.name));
-    emit_.set_place(decl.name_range);
+    emit_.set_location(decl.name_range);
     emit_.emit(Op::Return, point, 0, 3);
 }
 
@@ -132,7 +132,7 @@ Value Checker::follow_curve(const Expr& expr, std::string_view name, ExprId curv
         emit_.emit_integer(Op::LoadI, reg_of(CurveSlot::Nurbs), 0, 0);
 
     // The limits; the window of a call is overwritten, so the arguments are copied into it.
-    emit_.set_place(call.range);
+    emit_.set_location(call.range);
     const auto statement = static_cast<std::int32_t>(statement_id(expr.range));
     const Reg window = emit_.take(std::max(3u, slots + 1u));
     if (slots > 0) emit_.emit(Op::MoveN, window, values, slots);

@@ -21,10 +21,10 @@ void Checker::load_cycles(std::uint32_t module) {
     const syntax::Ast& tree = *modules_[module].ast;
     const nc::Dialect& dialect = *modules_[module].dialect;
     if (dialect.is_core()) return;
-    const auto load = [&](nc::CycleId cycle, const SourceRange& place) {
+    const auto load = [&](nc::CycleId cycle, const SourceRange& location) {
         if (cycle_modules_.contains(cycle) || !nc::can_be_source(dialect, cycle)) return;
         const ModuleLoader::Module found =
-            loader_.load(dialect.cycles()[cycle].module, false, tree.file, place);
+            loader_.load(dialect.cycles()[cycle].module, false, tree.file, location);
         if (found.ast == nullptr) {
             ++sink_.errors;  // the loader has said why
             return;
@@ -166,7 +166,7 @@ std::string_view repeats_address(const nc::DialectTables& tables) {
 }
 
 /// `G2` and its like: what stands beside it are words of a path.
-bool says_motion(const nc::DialectTables& tables, std::string_view address, double number) {
+bool gives_motion(const nc::DialectTables& tables, std::string_view address, double number) {
     const nc::AddressId id = tables.find_address(address);
     if (id == nc::kNoAddress || tables.addresses[id].kind != nc::Address::Kind::Code) return false;
     const nc::Code* code = tables.find_code(id, number);
@@ -189,7 +189,7 @@ const Word* Checker::repeats_of(std::span<const Word> words) const {
         if (word.form != Word::Form::Literal) continue;
         if (text(word.address) == address && !has_point(word)) times = &word;
         has_cycle |= nc::cycle_of(dialect, text(word.address), word.number).has_value();
-        has_motion |= says_motion(dialect.tables(), text(word.address), word.number);
+        has_motion |= gives_motion(dialect.tables(), text(word.address), word.number);
     }
     return has_cycle || !has_motion ? times : nullptr;
 }
@@ -213,9 +213,9 @@ void Checker::repeat_places(const Stmt& stmt, const Word& times) {
         return;
     }
     const std::size_t errors = sink_.errors;
-    emit_words(words, behind_words(stmt), stmt.range, stmt.skip, custom::kRepeats);
+    emit_words(words, behind_words(stmt), stmt.range, stmt.skip_level, custom::kRepeats);
     for (int i = 1; i < static_cast<int>(times.number) && errors == sink_.errors; ++i)
-        emit_words(place, {}, stmt.range, stmt.skip, custom::kRepeats);
+        emit_words(place, {}, stmt.range, stmt.skip_level, custom::kRepeats);
 }
 
 // ---------------------------------------------------------------- calls: `CYCLE81(50,2,,-10)`
@@ -223,7 +223,7 @@ void Checker::repeat_places(const Stmt& stmt, const Word& times) {
 /// What the arguments say as far as the form of the call depends on it; their values beside them.
 std::vector<nc::SourceArgument> Checker::source_arguments(std::span<const ExprId> items,
                                                           std::vector<Value>& values) {
-    using Said = nc::SourceArgument::Kind;
+    using ArgumentKind = nc::SourceArgument::Kind;
     std::vector<nc::SourceArgument> arguments(items.size());
     values.resize(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -235,14 +235,14 @@ std::vector<nc::SourceArgument> Checker::source_arguments(std::span<const ExprId
         const TypeInfo type = type_info(values[i].type);
         const bool is_number = type.kind == Kind::Int || type.kind == Kind::Real;
         if (type.kind == Kind::String) {
-            arguments[i].kind = Said::Text;
+            arguments[i].kind = ArgumentKind::Text;
         } else if (is_number && values[i].is_constant()) {
-            arguments[i].kind = Said::Number;
+            arguments[i].kind = ArgumentKind::Number;
             arguments[i].number = type.kind == Kind::Int
                                       ? static_cast<double>(values[i].constant.integer)
                                       : values[i].constant.number;
         } else {
-            arguments[i].kind = Said::Computed;
+            arguments[i].kind = ArgumentKind::Computed;
         }
     }
     return arguments;
@@ -259,7 +259,7 @@ void Checker::fill_cycle(const nc::BlockPlan& plan, std::span<const Value> value
         const auto place = static_cast<Reg>(first + (known - cycle.arguments.begin()));
         const bool adds = hole.adds && known != cycle.arguments.end();
         const Reg reg = adds ? emit_.take(1) : place;
-        emit_.set_place(range);
+        emit_.set_location(range);
         const Filling filling =
             fill_value(values[hole.word], hole.dimension, range, sources_.text(range), reg);
         // A sign of the pattern holds for values with units as well (`{-pitch}`).
@@ -300,7 +300,7 @@ Value Checker::cycle_call(const Expr& expr, SourceCycle::Kind kind) {
     }
     const Reg first = emit_.take(std::max<unsigned>(1, static_cast<unsigned>(plan->holes.size())));
     fill_cycle(*plan, values, items, first, cycle);
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     emit_cycle(std::move(cycle), first, expr.range);
     emit_.release_to(mark);
     return nothing;
@@ -323,13 +323,13 @@ void Checker::modal_call(const Stmt& stmt) {
         report(diag::BlockWordAlone, word.range).arg(name);
         return;
     }
-    if (stmt.skip >= 0) {
+    if (stmt.skip_level >= 0) {
         report(diag::SkipState, words[0].range).arg(name);
         return;
     }
     const ExprId id = stmt.expression[0];
     if (!id.is_valid()) {
-        emit_.set_place(stmt.range);
+        emit_.set_location(stmt.range);
         emit_.emit(Op::EndCycle);
         return;
     }

@@ -467,8 +467,8 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
     global.state = GlobalVariable::State::Checking;
     const std::uint32_t module = std::exchange(module_, global.module);
     const Units units = std::exchange(units_, modules_[global.module].units);
-    const SourceRange place = emit_.place();
-    emit_.set_place(decl.range);
+    const SourceRange location = emit_.location();
+    emit_.set_location(decl.range);
 
     Symbol symbol;
     symbol.name = tree.text(decl.name);
@@ -529,7 +529,7 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
     }
     report_overflow(symbol.name, symbol.range);
     emit_.release_to(mark);
-    emit_.set_place(place);
+    emit_.set_location(location);
     module_ = module;
     units_ = units;
     globals_[index].symbol = symbol;
@@ -570,13 +570,13 @@ void Checker::check_defaults(const FunctionDecl& function) {
         }
         defaults_from_ = i;
         Label skip;
-        emit_.set_place(parameter.range);
+        emit_.set_location(parameter.range);
         emit_.jump(Op::SkipIfGiven, skip, 0, 0, static_cast<unsigned>(i));
         const Reg mark = emit_.mark();
         if (!parameter.initial.is_valid()) {
             emit_unset(parameter.type, parameter.reg);
         } else {
-            emit_.set_place(ast()[parameter.initial].range);
+            emit_.set_location(ast()[parameter.initial].range);
             Value value = expression(parameter.initial, parameter.type);
             // `length initial = position.z`: a default that is not given itself leaves the
             // parameter not given; reading it is the mistake.
@@ -635,7 +635,7 @@ void Checker::check_function(std::uint32_t index) {
     }
     has_preserves_ = decl.preserves.count > 0;
     if (has_preserves_) {
-        emit_.set_place(decl.range);
+        emit_.set_location(decl.range);
         ModalMask mask = words_mask(ast().word_run(decl.preserves), true);
         emit_.emit_pair(Op::EnterPreserves, 0, 0, 0, mask);
         code_->functions[index + 1].needs = preserved_members(decl);
@@ -649,7 +649,7 @@ void Checker::check_function(std::uint32_t index) {
     emit_native_cycle();
     const SourceRange end{decl.range.file, decl.range.end > 0 ? decl.range.end - 1 : 0,
                           decl.range.end};
-    emit_.set_place(end);
+    emit_.set_location(end);
     if (completion == Completion::Normal) {
         if (function.result != types::kVoid && kind(function.result) != Kind::Error)
             report_missing_return(function, decl, end);

@@ -14,7 +14,7 @@ Instruction& Emitter::emit(Op op, unsigned a, unsigned b, unsigned c) {
     instruction.b = static_cast<std::uint16_t>(b);
     instruction.c = static_cast<std::uint16_t>(c);
     code_.instructions.push_back(instruction);
-    code_.places.push_back(place_);
+    code_.locations.push_back(location_);
     return code_.instructions.back();
 }
 

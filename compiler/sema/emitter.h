@@ -19,8 +19,8 @@ class Emitter {
     explicit Emitter(Code& code) : code_(code) {}
 
     std::uint32_t here() const { return static_cast<std::uint32_t>(code_.instructions.size()); }
-    void set_place(const SourceRange& range) { place_ = range; }
-    const SourceRange& place() const { return place_; }
+    void set_location(const SourceRange& range) { location_ = range; }
+    const SourceRange& location() const { return location_; }
 
     Instruction& emit(Op op, unsigned a = 0, unsigned b = 0, unsigned c = 0);
     void emit_integer(Op op, unsigned a, unsigned b, std::int64_t value);
@@ -46,7 +46,7 @@ class Emitter {
 
   private:
     Code& code_;
-    SourceRange place_;
+    SourceRange location_;
     Reg next_ = 0;
     std::uint32_t most_ = 0;
     bool overflowed_ = false;

@@ -13,10 +13,10 @@ using syntax::Operator;
 
 Value Checker::expression(ExprId id, Type expected, Reg hint) {
     if (!id.is_valid()) return error_value();
-    const SourceRange before = emit_.place();
-    emit_.set_place(ast()[id].range);
+    const SourceRange before = emit_.location();
+    emit_.set_location(ast()[id].range);
     const Value value = expression_kind(id, expected, hint);
-    emit_.set_place(before);
+    emit_.set_location(before);
     return value;
 }
 
@@ -42,7 +42,7 @@ Value Checker::expression_kind(ExprId id, Type expected, Reg hint) {
         case ExprKind::Call: return call(id, hint);
         case ExprKind::Argument: return expression(expr.child[0], expected, hint);
         case ExprKind::Index: {
-            const std::optional<Place> found = place(id);
+            const std::optional<Lvalue> found = lvalue(id);
             return found ? load(*found, expr.range, true, hint) : error_value();
         }
         case ExprKind::Member: return member(id);
@@ -140,8 +140,8 @@ Value Checker::name_value(ExprId id, Reg hint) {
         for (unsigned i = 0; i < 3; ++i) emit_.emit(Op::Position, reg + i, 0, i);
         return in_registers(types::kPoint, reg);
     }
-    const std::optional<Place> place = name_place(id);
-    return place ? load(*place, expr.range, true, hint) : error_value();
+    const std::optional<Lvalue> lvalue = name_lvalue(id);
+    return lvalue ? load(*lvalue, expr.range, true, hint) : error_value();
 }
 
 Value Checker::conditional(ExprId id, Type expected, Reg hint) {
@@ -156,7 +156,7 @@ Value Checker::conditional(ExprId id, Type expected, Reg hint) {
         const std::size_t instructions = code_->instructions.size();
         const Value ignored = expression(other, expected);
         code_->instructions.resize(instructions);
-        code_->places.resize(instructions);
+        code_->locations.resize(instructions);
         emit_.release_to(mark);
         const Value chosen = expression(expr.child[first ? 1 : 2], expected, hint);
         if (is_error(ignored) || is_error(chosen)) return error_value();
@@ -243,7 +243,7 @@ Type Checker::type_of(ExprId id) {
     const Value value = expression(id);
     emit_.release_to(mark);
     code_->instructions.resize(instructions);
-    code_->places.resize(instructions);
+    code_->locations.resize(instructions);
     set_givenness(before);
     sink_.is_quiet = was_quiet;
     known_types_[key] = value.type;

@@ -146,7 +146,7 @@ bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
                   : compare.op == Operator::LessEqual ? Op::ForLeI
                   : compare.op == Operator::Greater   ? Op::ForGtI
                                                       : Op::ForGeI;
-    emit_.set_place(step_expr.range);
+    emit_.set_location(step_expr.range);
     emit_.jump(op, top, counter->reg, limit,
                static_cast<std::uint16_t>(static_cast<std::int16_t>(step)), depth);
     return true;
@@ -190,7 +190,7 @@ Checker::Completion Checker::for_statement(const Stmt& stmt) {
         if (stmt.expression[1].is_valid()) {
             const Expr& step_expr = ast()[stmt.expression[1]];
             const Reg above = emit_.mark();
-            emit_.set_place(step_expr.range);
+            emit_.set_location(step_expr.range);
             if (step_expr.kind == ExprKind::Assign) assign(stmt.expression[1], false);
             else if (step_expr.kind == ExprKind::Unary && step_expr.op >= Operator::PreIncrement &&
                      step_expr.op <= Operator::PostDecrement) {
@@ -314,7 +314,7 @@ Value Checker::characters(const Value& string, bool is_reference, const Decl& de
     }
     const Reg from = in_register(string);
     const Reg reg = emit_.take(1);
-    emit_.set_place(range);
+    emit_.set_location(range);
     emit_.emit_pair(Op::SplitText, reg, from, 0, layout_constant(types::kString));
     return in_registers(types_.array(types::kString, -1), reg);
 }
@@ -339,7 +339,8 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     const Type written = decl.type.is_valid() ? resolve_type(decl.type) : types::kError;
     const Type wanted = kind(written) != Kind::Error ? types_.array(written, -1) : types::kError;
     const bool is_braces = ast()[stmt.expression[0]].kind == ExprKind::Braces;
-    const std::optional<Place> source = is_braces ? std::nullopt : owner_place(stmt.expression[0]);
+    const std::optional<Lvalue> source =
+        is_braces ? std::nullopt : owner_lvalue(stmt.expression[0]);
     Value list = is_braces ? expression(stmt.expression[0], wanted)
                  : source  ? load(*source, range, true, kNoReg)
                            : error_value();
@@ -396,8 +397,8 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     emit_.emit(Op::CountArray, static_cast<Reg>(hidden + 1), handle);
     emit_.jump(Op::JumpLeI, done, static_cast<Reg>(hidden + 1), hidden);
     emit_.bind(top);
-    Place at;
-    at.storage = Place::Storage::Element;
+    Lvalue at;
+    at.storage = Lvalue::Storage::Element;
     at.type = element;
     at.reg = handle;
     at.index = hidden;

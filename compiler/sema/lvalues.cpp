@@ -12,12 +12,12 @@ using syntax::ExprId;
 using syntax::ExprKind;
 using syntax::Operator;
 
-std::optional<Place> Checker::place(ExprId id) {
+std::optional<Lvalue> Checker::lvalue(ExprId id) {
     const Expr& expr = ast()[id];
     switch (expr.kind) {
-        case ExprKind::Name: return name_place(id);
-        case ExprKind::Member: return member_place(id);
-        case ExprKind::Index: return element_place(id);
+        case ExprKind::Name: return name_lvalue(id);
+        case ExprKind::Member: return member_lvalue(id);
+        case ExprKind::Index: return element_lvalue(id);
         case ExprKind::Invalid: return std::nullopt;
         default: report(diag::NotAPlace, expr.range); return std::nullopt;
     }
@@ -33,28 +33,28 @@ bool Checker::is_read(ExprId id) const {
     return symbol.is_read || symbol.storage == Symbol::Storage::Reference;
 }
 
-std::optional<Place> Checker::name_place(ExprId id) {
+std::optional<Lvalue> Checker::name_lvalue(ExprId id) {
     const Expr& expr = ast()[id];
     const std::string_view name = text(expr.text);
     if (name.empty()) return std::nullopt;
     const Found found = find(name);
-    Place place;
-    place.root = name;
+    Lvalue lvalue;
+    lvalue.root = name;
     const Symbol* symbol = nullptr;
     if (found.symbol >= 0) {
         Symbol& local = symbols_[static_cast<std::size_t>(found.symbol)];
         local.is_read = true;
         symbol = &local;
-        place.symbol = found.symbol;
-        place.storage = local.storage == Symbol::Storage::Reference ? Place::Storage::Reference
-                                                                    : Place::Storage::Local;
-        place.reg = local.reg;
+        lvalue.symbol = found.symbol;
+        lvalue.storage = local.storage == Symbol::Storage::Reference ? Lvalue::Storage::Reference
+                                                                     : Lvalue::Storage::Local;
+        lvalue.reg = local.reg;
     } else if (found.name != nullptr && found.name->what == Name::What::Variable) {
         check_unambiguous(name, expr.range);
         check_global(found.name->index, is_startup_);
         symbol = &globals_[found.name->index].symbol;
-        place.storage = Place::Storage::Global;
-        place.offset = symbol->global;
+        lvalue.storage = Lvalue::Storage::Global;
+        lvalue.offset = symbol->global;
     } else if (found.name != nullptr) {
         report(diag::NotAPlace, expr.range);
         return std::nullopt;
@@ -67,41 +67,41 @@ std::optional<Place> Checker::name_place(ExprId id) {
         return std::nullopt;
     }
     if (kind(symbol->type) == Kind::Error) return std::nullopt;
-    place.type = symbol->type;
-    place.is_const = symbol->is_const;
-    place.is_loop_variable = symbol->is_loop_variable;
-    place.may_be_unset = symbol->may_be_unset && symbol->givenness != Givenness::Given;
-    if (found.symbol < 0) place.may_be_unset = symbol->may_be_unset;
-    place.root_range = symbol->range;
+    lvalue.type = symbol->type;
+    lvalue.is_const = symbol->is_const;
+    lvalue.is_loop_variable = symbol->is_loop_variable;
+    lvalue.may_be_unset = symbol->may_be_unset && symbol->givenness != Givenness::Given;
+    if (found.symbol < 0) lvalue.may_be_unset = symbol->may_be_unset;
+    lvalue.root_range = symbol->range;
     if (symbol->storage == Symbol::Storage::Constant) {
         // A folded constant has no registers; give it some for what reads parts of it.
-        place.storage = Place::Storage::Local;
-        place.reg = in_register(symbol->constant);
-        place.symbol = -1;
-        place.is_const = true;
+        lvalue.storage = Lvalue::Storage::Local;
+        lvalue.reg = in_register(symbol->constant);
+        lvalue.symbol = -1;
+        lvalue.is_const = true;
     }
-    return place;
+    return lvalue;
 }
 
-std::optional<Place> Checker::owner_place(ExprId id) {
+std::optional<Lvalue> Checker::owner_lvalue(ExprId id) {
     const Expr& expr = ast()[id];
     const bool is_path = expr.kind == ExprKind::Name || expr.kind == ExprKind::Index ||
                          expr.kind == ExprKind::Member;
-    if (is_path) return place(id);
+    if (is_path) return lvalue(id);
     const Value value = expression(id);
     if (is_error(value)) return std::nullopt;
     if (kind(value.type) == Kind::Void) {
         report(diag::VoidValue, expr.range);
         return std::nullopt;
     }
-    Place place;
-    place.type = value.type;
-    place.reg = in_register(value);
-    place.is_temporary = true;
-    return place;
+    Lvalue lvalue;
+    lvalue.type = value.type;
+    lvalue.reg = in_register(value);
+    lvalue.is_temporary = true;
+    return lvalue;
 }
 
-std::optional<Place> Checker::part_place(const Place& whole, const Expr& expr) {
+std::optional<Lvalue> Checker::part_lvalue(const Lvalue& whole, const Expr& expr) {
     const std::string_view name = text(expr.text);
     if (name.empty()) return std::nullopt;
     if (kind(whole.type) != Kind::Struct) {
@@ -123,10 +123,10 @@ std::optional<Place> Checker::part_place(const Place& whole, const Expr& expr) {
         }
         return std::nullopt;
     }
-    Place part = whole;
+    Lvalue part = whole;
     part.symbol = -1;
     part.type = found->type;
-    if (whole.storage == Place::Storage::Local) {
+    if (whole.storage == Lvalue::Storage::Local) {
         part.reg = static_cast<Reg>(whole.reg + found->offset);
     } else {
         part.offset += found->offset;
@@ -135,7 +135,7 @@ std::optional<Place> Checker::part_place(const Place& whole, const Expr& expr) {
     return part;
 }
 
-std::optional<Place> Checker::member_place(ExprId id) {
+std::optional<Lvalue> Checker::member_lvalue(ExprId id) {
     const Expr& expr = ast()[id];
     const Expr& owner = ast()[expr.child[0]];
     if (owner.kind == ExprKind::Name && find(text(owner.text)).symbol < 0 &&
@@ -143,33 +143,33 @@ std::optional<Place> Checker::member_place(ExprId id) {
         (text(owner.text) == "position" || text(owner.text) == "state")) {
         const Value value = member(id);
         if (is_error(value)) return std::nullopt;
-        Place place;
-        place.type = value.type;
-        place.reg = value.reg;
-        place.is_temporary = true;
-        return place;
+        Lvalue lvalue;
+        lvalue.type = value.type;
+        lvalue.reg = value.reg;
+        lvalue.is_temporary = true;
+        return lvalue;
     }
-    const std::optional<Place> whole = owner_place(expr.child[0]);
+    const std::optional<Lvalue> whole = owner_lvalue(expr.child[0]);
     if (!whole) return std::nullopt;
     if (const std::optional<Value> property = property_value(*whole, expr)) {
         if (is_error(*property)) return std::nullopt;
-        Place place;
-        place.type = property->type;
-        place.reg = in_register(*property);
-        place.is_temporary = true;
-        return place;
+        Lvalue lvalue;
+        lvalue.type = property->type;
+        lvalue.reg = in_register(*property);
+        lvalue.is_temporary = true;
+        return lvalue;
     }
-    return part_place(*whole, expr);
+    return part_lvalue(*whole, expr);
 }
 
-std::optional<Place> Checker::element_place(ExprId id) {
+std::optional<Lvalue> Checker::element_lvalue(ExprId id) {
     const Expr& expr = ast()[id];
-    const std::optional<Place> array = owner_place(expr.child[0]);
+    const std::optional<Lvalue> array = owner_lvalue(expr.child[0]);
     if (!array) {
         expression(expr.child[1], types::kInt);
         return std::nullopt;
     }
-    if (kind(array->type) == Kind::String) return character_place(*array, expr);
+    if (kind(array->type) == Kind::String) return character_lvalue(*array, expr);
     if (kind(array->type) != Kind::Array) {
         if (kind(array->type) != Kind::Error) {
             report(diag::NotAnArray, ast()[expr.child[0]].range).arg(type_name(array->type));
@@ -193,24 +193,24 @@ std::optional<Place> Checker::element_place(ExprId id) {
             return std::nullopt;
         }
     }
-    Place place;
-    place.storage = Place::Storage::Element;
-    place.type = info.element;
-    place.reg = handle.reg;
-    place.index = in_register(index);
-    place.stride = type_info(info.element).slots;
-    place.is_const = array->is_const;
-    place.is_temporary = array->is_temporary;
-    place.is_contour_part = array->is_contour_part || info.is_contour;
-    place.may_be_unset = info.count >= 0;
-    place.root = array->root;
-    place.root_range = array->root_range;
-    if (kind(place.type) == Kind::Error) return std::nullopt;
-    return place;
+    Lvalue lvalue;
+    lvalue.storage = Lvalue::Storage::Element;
+    lvalue.type = info.element;
+    lvalue.reg = handle.reg;
+    lvalue.index = in_register(index);
+    lvalue.stride = type_info(info.element).slots;
+    lvalue.is_const = array->is_const;
+    lvalue.is_temporary = array->is_temporary;
+    lvalue.is_contour_part = array->is_contour_part || info.is_contour;
+    lvalue.may_be_unset = info.count >= 0;
+    lvalue.root = array->root;
+    lvalue.root_range = array->root_range;
+    if (kind(lvalue.type) == Kind::Error) return std::nullopt;
+    return lvalue;
 }
 
 /// A character of a string: a string of its own, which cannot be assigned.
-std::optional<Place> Checker::character_place(const Place& whole, const Expr& expr) {
+std::optional<Lvalue> Checker::character_lvalue(const Lvalue& whole, const Expr& expr) {
     Value string = load(whole, ast()[expr.child[0]].range, true, kNoReg);
     string = require_given(string, ast()[expr.child[0]].range, {});
     const SourceRange index_range = ast()[expr.child[1]].range;
@@ -221,79 +221,80 @@ std::optional<Place> Checker::character_place(const Place& whole, const Expr& ex
         report(diag::IndexRange, index_range).arg(index.constant.integer).arg("0 and more");
         return std::nullopt;
     }
-    Place place;
-    place.type = types::kString;
+    Lvalue lvalue;
+    lvalue.type = types::kString;
     const Reg from = in_register(string);
     const Reg at = in_register(index);
-    place.reg = emit_.take(1);
-    place.is_temporary = true;
-    emit_.set_place(expr.range);
-    emit_.emit(Op::CharacterOf, place.reg, from, at);
-    return place;
+    lvalue.reg = emit_.take(1);
+    lvalue.is_temporary = true;
+    emit_.set_location(expr.range);
+    emit_.emit(Op::CharacterOf, lvalue.reg, from, at);
+    return lvalue;
 }
 
-Value Checker::load(const Place& place, const SourceRange& range, bool checked, Reg hint) {
-    if (place.symbol >= 0 && place.storage == Place::Storage::Local) {
-        return symbol_value(place.symbol, range, checked);
+Value Checker::load(const Lvalue& lvalue, const SourceRange& range, bool checked, Reg hint) {
+    if (lvalue.symbol >= 0 && lvalue.storage == Lvalue::Storage::Local) {
+        return symbol_value(lvalue.symbol, range, checked);
     }
-    const std::uint16_t slots = type_info(place.type).slots;
-    Value value = in_registers(place.type, place.reg);
+    const std::uint16_t slots = type_info(lvalue.type).slots;
+    Value value = in_registers(lvalue.type, lvalue.reg);
     const auto target = [&] { return hint != kNoReg && slots == 1 ? hint : emit_.take(slots); };
-    switch (place.storage) {
-        case Place::Storage::Local: break;
-        case Place::Storage::Global:
+    switch (lvalue.storage) {
+        case Lvalue::Storage::Local: break;
+        case Lvalue::Storage::Global:
             value.reg = target();
-            emit_.emit_pair(Op::LoadGlobal, value.reg, 0, slots, place.offset);
+            emit_.emit_pair(Op::LoadGlobal, value.reg, 0, slots, lvalue.offset);
             break;
-        case Place::Storage::Reference:
+        case Lvalue::Storage::Reference:
             value.reg = target();
-            emit_.emit_pair(Op::LoadRef, value.reg, place.reg, slots, place.offset);
+            emit_.emit_pair(Op::LoadRef, value.reg, lvalue.reg, slots, lvalue.offset);
             break;
-        case Place::Storage::Element:
+        case Lvalue::Storage::Element:
             value.reg = target();
-            if (place.stride == 1) emit_.emit(Op::LoadElement, value.reg, place.reg, place.index);
+            if (lvalue.stride == 1)
+                emit_.emit(Op::LoadElement, value.reg, lvalue.reg, lvalue.index);
             else {
-                emit_.emit_pair(Op::LoadElementN, value.reg, place.reg, place.index, place.offset,
-                                slots);
+                emit_.emit_pair(Op::LoadElementN, value.reg, lvalue.reg, lvalue.index,
+                                lvalue.offset, slots);
             }
             break;
     }
-    value.is_variable = !place.is_temporary;
-    value.is_fresh = place.is_temporary;
-    if (checked && place.may_be_unset) check_unset(value, sources_.text(range), range);
+    value.is_variable = !lvalue.is_temporary;
+    value.is_fresh = lvalue.is_temporary;
+    if (checked && lvalue.may_be_unset) check_unset(value, sources_.text(range), range);
     return value;
 }
 
-Done Checker::require_assignable(const Place& place, const SourceRange& range) {
-    if (place.is_contour_part) {
+Done Checker::require_assignable(const Lvalue& lvalue, const SourceRange& range) {
+    if (lvalue.is_contour_part) {
         report(diag::ContourPartAssigned, range);
         return kFailed;
     }
-    if (place.is_temporary) {
+    if (lvalue.is_temporary) {
         report(diag::NotAPlace, range);
         return kFailed;
     }
-    if (place.is_const) {
+    if (lvalue.is_const) {
         report(diag::ConstAssigned, range)
-            .arg(place.root)
-            .note(place.root_range, "it is declared `const` here");
+            .arg(lvalue.root)
+            .note(lvalue.root_range, "it is declared `const` here");
         return kFailed;
     }
     return kDone;
 }
 
-void Checker::note_assignment(const Place& place) {
-    if (place.symbol < 0) return;
-    Symbol& symbol = symbols_[static_cast<std::size_t>(place.symbol)];
+void Checker::note_assignment(const Lvalue& lvalue) {
+    if (lvalue.symbol < 0) return;
+    Symbol& symbol = symbols_[static_cast<std::size_t>(lvalue.symbol)];
     symbol.givenness = Givenness::Given;
     symbol.is_assigned = true;
 }
 
-void Checker::store(const Place& place, const Value& value, const SourceRange& range) {
-    if (!require_assignable(place, range)) return;
-    const std::uint16_t slots = type_info(place.type).slots;
-    if (place.storage == Place::Storage::Local) {
-        copy_value(value, place.reg);
+void Checker::store(const Lvalue& lvalue, const Value& value, const SourceRange& range) {
+    if (!require_assignable(lvalue, range)) return;
+    const std::uint16_t slots = type_info(lvalue.type).slots;
+    if (lvalue.storage == Lvalue::Storage::Local) {
+        copy_value(value, lvalue.reg);
         return;
     }
     Reg reg = 0;
@@ -304,34 +305,36 @@ void Checker::store(const Place& place, const Value& value, const SourceRange& r
         reg = emit_.take(slots);
         copy_value(value, reg);
     }
-    switch (place.storage) {
-        case Place::Storage::Local: break;
-        case Place::Storage::Global:
-            emit_.emit_pair(Op::StoreGlobal, reg, 0, slots, place.offset);
+    switch (lvalue.storage) {
+        case Lvalue::Storage::Local: break;
+        case Lvalue::Storage::Global:
+            emit_.emit_pair(Op::StoreGlobal, reg, 0, slots, lvalue.offset);
             break;
-        case Place::Storage::Reference:
-            emit_.emit_pair(Op::StoreRef, reg, place.reg, slots, place.offset);
+        case Lvalue::Storage::Reference:
+            emit_.emit_pair(Op::StoreRef, reg, lvalue.reg, slots, lvalue.offset);
             break;
-        case Place::Storage::Element:
-            if (place.stride == 1) emit_.emit(Op::StoreElement, reg, place.reg, place.index);
+        case Lvalue::Storage::Element:
+            if (lvalue.stride == 1) emit_.emit(Op::StoreElement, reg, lvalue.reg, lvalue.index);
             else {
-                emit_.emit_pair(Op::StoreElementN, reg, place.reg, place.index, place.offset,
+                emit_.emit_pair(Op::StoreElementN, reg, lvalue.reg, lvalue.index, lvalue.offset,
                                 slots);
             }
             break;
     }
 }
 
-Reg Checker::reference_to(const Place& place) {
+Reg Checker::reference_to(const Lvalue& lvalue) {
     const Reg reg = emit_.take(1);
-    switch (place.storage) {
-        case Place::Storage::Local: emit_.emit(Op::RefLocal, reg, place.reg); break;
-        case Place::Storage::Global: emit_.emit_pair(Op::RefGlobal, reg, 0, 0, place.offset); break;
-        case Place::Storage::Reference:
-            emit_.emit_pair(Op::RefOffset, reg, place.reg, 0, place.offset);
+    switch (lvalue.storage) {
+        case Lvalue::Storage::Local: emit_.emit(Op::RefLocal, reg, lvalue.reg); break;
+        case Lvalue::Storage::Global:
+            emit_.emit_pair(Op::RefGlobal, reg, 0, 0, lvalue.offset);
             break;
-        case Place::Storage::Element:
-            emit_.emit_pair(Op::RefElement, reg, place.reg, place.index, place.offset);
+        case Lvalue::Storage::Reference:
+            emit_.emit_pair(Op::RefOffset, reg, lvalue.reg, 0, lvalue.offset);
+            break;
+        case Lvalue::Storage::Element:
+            emit_.emit_pair(Op::RefElement, reg, lvalue.reg, lvalue.index, lvalue.offset);
             break;
     }
     return reg;
@@ -344,7 +347,7 @@ Value Checker::assign(ExprId id, bool is_value) {
     const SourceRange target_range = ast()[expr.child[0]].range;
     const SourceRange value_range = ast()[expr.child[1]].range;
     const bool was_read = is_read(expr.child[0]);
-    const std::optional<Place> target = place(expr.child[0]);
+    const std::optional<Lvalue> target = lvalue(expr.child[0]);
     if (target && target->symbol >= 0 && !is_value)
         symbols_[static_cast<std::size_t>(target->symbol)].is_read = was_read;
     if (!target) {
@@ -352,7 +355,7 @@ Value Checker::assign(ExprId id, bool is_value) {
         return error_value();
     }
     if (!require_assignable(*target, target_range)) return error_value();
-    const bool is_local = target->storage == Place::Storage::Local;
+    const bool is_local = target->storage == Lvalue::Storage::Local;
     const std::uint16_t slots = type_info(target->type).slots;
     const std::string_view what =
         target->symbol >= 0 || target->root.empty() ? target->root : sources_.text(target_range);
@@ -421,7 +424,7 @@ Value Checker::step(ExprId id, bool is_value) {
     const Expr& expr = ast()[id];
     const SourceRange range = ast()[expr.child[0]].range;
     const bool was_read = is_read(expr.child[0]);
-    const std::optional<Place> target = place(expr.child[0]);
+    const std::optional<Lvalue> target = lvalue(expr.child[0]);
     if (!target || !require_assignable(*target, range)) return error_value();
     const Value old = require_given(load(*target, range, true, kNoReg), range, {});
     if (target->symbol >= 0 && !is_value)
@@ -446,7 +449,7 @@ Value Checker::step(ExprId id, bool is_value) {
         kept = emit_.take(1);
         emit_.emit(Op::Move, kept, old.reg);
     }
-    const bool is_local = target->storage == Place::Storage::Local;
+    const bool is_local = target->storage == Lvalue::Storage::Local;
     const Reg reg = is_local ? target->reg : emit_.take(1);
     if (is_int) emit_.emit_integer(Op::AddIK, reg, old.reg, up ? 1 : -1);
     else emit_.emit_number(Op::AddFK, reg, old.reg, up ? 1 : -1);

@@ -122,10 +122,10 @@ Value Checker::binary(ExprId id, Type expected, Reg hint) {
     for (ExprId link = id; ast()[link].is_chain_link(); link = ast()[link].child[0]) {
         links.push_back(link);
     }
-    const SourceRange place = emit_.place();
+    const SourceRange location = emit_.location();
     const Reg mark = emit_.mark();
     const Expr& first = ast()[links.back()];
-    emit_.set_place(first.range);
+    emit_.set_location(first.range);
     Value value = expression(first.child[0], operand_type(first));
     if (value.is_constant() && kind(value.type) == Kind::String) {
         value = with_literals(value, links);
@@ -133,10 +133,10 @@ Value Checker::binary(ExprId id, Type expected, Reg hint) {
     while (!links.empty()) {
         const ExprId link = links.back();
         links.pop_back();
-        emit_.set_place(ast()[link].range);
+        emit_.set_location(ast()[link].range);
         value = chain_link(ast()[link], value, mark, links.empty() ? hint : kNoReg);
     }
-    emit_.set_place(place);
+    emit_.set_location(location);
     return value;
 }
 

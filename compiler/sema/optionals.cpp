@@ -21,17 +21,17 @@ Value Checker::require_given(const Value& value, const SourceRange& range, std::
         return error_value();
     }
     const std::vector<SlotKind> layout = types_.layout(given.type);
-    const SourceRange before = emit_.place();
-    emit_.set_place(range);
+    const SourceRange before = emit_.location();
+    emit_.set_location(range);
     emit_.emit_pair(Op::CheckGiven, value.reg, 0, static_cast<unsigned>(layout[0]),
                     text_constant(name.empty() ? sources_.text(range) : name));
-    emit_.set_place(before);
+    emit_.set_location(before);
     return given;
 }
 
 void Checker::check_unset(const Value& value, std::string_view name, const SourceRange& range) {
-    const SourceRange before = emit_.place();
-    emit_.set_place(range);
+    const SourceRange before = emit_.location();
+    emit_.set_location(range);
     const auto check = [&](auto&& self, Type type, Reg reg, const std::string& path) -> void {
         if (type_info(type).is_optional) return;
         if (kind(type) == Kind::Struct) {
@@ -47,7 +47,7 @@ void Checker::check_unset(const Value& value, std::string_view name, const Sourc
                         text_constant(path));
     };
     check(check, value.type, value.reg, std::string(name));
-    emit_.set_place(before);
+    emit_.set_location(before);
 }
 
 Value Checker::given(const Expr& expr) {
@@ -68,7 +68,7 @@ Value Checker::given(const Expr& expr) {
         }
     }
     if (value.form == Value::Form::None) {
-        const std::optional<Place> found = place(operand);
+        const std::optional<Lvalue> found = lvalue(operand);
         if (!found) return error_value();
         value = load(*found, inner.range, false, kNoReg);
     }
@@ -156,7 +156,7 @@ Value Checker::unchecked(ExprId id) {
             return member(id);
         }
     }
-    const std::optional<Place> found = place(id);
+    const std::optional<Lvalue> found = lvalue(id);
     if (!found) return error_value();
     last_unset_ = found->may_be_unset;
     return load(*found, expr.range, false, kNoReg);

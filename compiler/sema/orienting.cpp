@@ -78,9 +78,9 @@ Checker::Behind Checker::behind_words(const syntax::Stmt& stmt) {
 Done Checker::take_direction(const Expr& expr, Reg first) {
     const auto bound = bind_arguments(expr, "orient", kOrientNames, {});
     if (!bound) return kFailed;
-    const auto is_said = [&](std::size_t i) { return (*bound)[i].is_valid(); };
-    const bool by_parts = is_said(0) || is_said(1) || is_said(2);
-    const bool by_angles = is_said(3) || is_said(4);
+    const auto is_given = [&](std::size_t i) { return (*bound)[i].is_valid(); };
+    const bool by_parts = is_given(0) || is_given(1) || is_given(2);
+    const bool by_angles = is_given(3) || is_given(4);
     if (by_parts == by_angles) {
         report(diag::OrientArguments, expr.range)
             .arg(by_parts ? "components and angles" : "no direction")
@@ -166,8 +166,8 @@ Done Checker::add_direction(Plan& plan, const SourceRange& range) {
     const bool has_room =
         plan.functions.size() + kComponents <= nc::kMaxInvocations &&
         std::size_t{plan.argument_count} + 2 * kComponents <= nc::kMaxArguments &&
-        std::ranges::none_of(plan.functions, [](const nc::Invocation& said) {
-            return said.function == Function::Cycle || said.function == Function::ToolVector;
+        std::ranges::none_of(plan.functions, [](const nc::Invocation& call) {
+            return call.function == Function::Cycle || call.function == Function::ToolVector;
         });
     if (!has_room) {
         report(diag::OrientBlock, range);
@@ -184,7 +184,7 @@ Done Checker::add_direction(Plan& plan, const SourceRange& range) {
         plan.arguments.emplace_back(plan.argument_count + kComponent, static_cast<double>(i));
         Filling filling;
         filling.is_argument = true;
-        filling.place = static_cast<std::uint8_t>(plan.argument_count + kValue);
+        filling.index = static_cast<std::uint8_t>(plan.argument_count + kValue);
         filling.invocation = static_cast<std::uint8_t>(plan.functions.size());
         filling.parameter = kValue;
         plan.fillings.push_back(filling);
@@ -198,10 +198,10 @@ Done Checker::add_direction(Plan& plan, const SourceRange& range) {
 Value Checker::orient_call(const Expr& expr) {
     const Reg mark = emit_.mark();
     const Reg first = emit_.take(kComponents);
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     Plan plan;
     if (take_direction(expr, first) && add_direction(plan, expr.range)) {
-        emit_.set_place(expr.range);
+        emit_.set_location(expr.range);
         emit_plan(std::move(plan), first, 0, expr.range);
     }
     emit_.release_to(mark);
@@ -238,7 +238,7 @@ Value Checker::tcp_call(const Expr& expr) {
     }
     const Reg mark = emit_.mark();
     const Reg first = emit_.take(1);
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     emit_plan(std::move(plan), first, 0, expr.range);
     emit_.release_to(mark);
     return in_registers(types::kVoid, 0);

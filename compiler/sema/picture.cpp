@@ -21,14 +21,14 @@ bool is_blank(char c) {
 
 class PictureReader {
   public:
-    PictureReader(std::string file, std::string_view text, const SourceRange& place,
+    PictureReader(std::string file, std::string_view text, const SourceRange& location,
                   DiagnosticSink& sink)
-        : file_(std::move(file)), text_(text), place_(place), sink_(sink) {}
+        : file_(std::move(file)), text_(text), location_(location), sink_(sink) {}
 
     std::optional<Picture> read() {
         const bool is_text = text_.starts_with("P2");
         if (!is_text && !text_.starts_with("P5")) {
-            sink_.report(diag::ImageKind, place_).arg(file_);
+            sink_.report(diag::ImageKind, location_).arg(file_);
             return std::nullopt;
         }
         at_ = 2;
@@ -36,7 +36,7 @@ class PictureReader {
         if (!read_head("height", kMostDots, picture_.height)) return std::nullopt;
         if (!read_head("grey value of white", kMostWhite, white_)) return std::nullopt;
         if (picture_.width > kMostDots / picture_.height) {
-            sink_.report(diag::ImageTooLarge, place_).arg(picture_.width).arg(picture_.height);
+            sink_.report(diag::ImageTooLarge, location_).arg(picture_.width).arg(picture_.height);
             return std::nullopt;
         }
         // No more is reserved than the file can hold: its head may promise anything.
@@ -69,18 +69,20 @@ class PictureReader {
     }
 
     /// The place of a word that was just read; among bytes the line ends with it.
-    TextLocation place_of(std::string_view word) const {
+    TextLocation location_of(std::string_view word) const {
         const std::size_t begin = at_ - word.size();
-        TextLocation place;
-        place.file = file_;
+        TextLocation location;
+        location.file = file_;
         const std::string_view before = text_.substr(0, begin);
-        place.line = static_cast<std::uint32_t>(std::ranges::count(before, '\n')) + 1;
+        location.line = static_cast<std::uint32_t>(std::ranges::count(before, '\n')) + 1;
         const std::size_t line = before.find_last_of("\r\n");
         const std::size_t first = line == std::string_view::npos ? 0 : line + 1;
-        place.column = static_cast<std::uint32_t>(begin - first) + 1;
-        place.length = static_cast<std::uint32_t>(std::clamp<std::size_t>(word.size(), 1, kShown));
-        place.text = printable(text_.substr(first, begin - first + std::min(word.size(), kShown)));
-        return place;
+        location.column = static_cast<std::uint32_t>(begin - first) + 1;
+        location.length =
+            static_cast<std::uint32_t>(std::clamp<std::size_t>(word.size(), 1, kShown));
+        location.text =
+            printable(text_.substr(first, begin - first + std::min(word.size(), kShown)));
+        return location;
     }
 
     static std::string printable(std::string_view bytes) {
@@ -92,8 +94,8 @@ class PictureReader {
     }
 
     DiagnosticBuilder report(const DiagnosticRow& row, std::string_view word) {
-        DiagnosticBuilder builder = sink_.report(row, place_of(word));
-        builder.note(place_, "the picture is read here");
+        DiagnosticBuilder builder = sink_.report(row, location_of(word));
+        builder.note(location_, "the picture is read here");
         return builder;
     }
 
@@ -108,7 +110,7 @@ class PictureReader {
     std::size_t column() const { return picture_.brightness.size() % picture_.width + 1; }
 
     Done refuse_short() {
-        sink_.report(diag::ImageShort, place_)
+        sink_.report(diag::ImageShort, location_)
             .arg(file_)
             .arg(text_.size())
             .arg(row())
@@ -119,7 +121,7 @@ class PictureReader {
     }
 
     Done refuse_long() {
-        sink_.report(diag::ImageLong, place_).arg(file_).arg(at_);
+        sink_.report(diag::ImageLong, location_).arg(file_).arg(at_);
         return kFailed;
     }
 
@@ -158,7 +160,7 @@ class PictureReader {
             std::size_t grey = static_cast<unsigned char>(text_[at_]);
             if (size == 2) grey = grey * 256 + static_cast<unsigned char>(text_[at_ + 1]);
             if (grey > white_) {
-                sink_.report(diag::ImageGrey, place_)
+                sink_.report(diag::ImageGrey, location_)
                     .arg(grey)
                     .arg(row())
                     .arg(column())
@@ -177,7 +179,7 @@ class PictureReader {
 
     std::string file_;
     std::string_view text_;
-    SourceRange place_;
+    SourceRange location_;
     DiagnosticSink& sink_;
     std::size_t at_ = 0;  // byte
     std::size_t white_ = 0;
@@ -187,17 +189,18 @@ class PictureReader {
 }  // namespace
 
 std::optional<Picture> read_picture(const std::string& folder, const std::string& path,
-                                    const SourceRange& place, Files* files, DiagnosticSink& sink) {
+                                    const SourceRange& location, Files* files,
+                                    DiagnosticSink& sink) {
     const bool is_absolute = !path.empty() && (path[0] == '/' || path[0] == '\\');
     const std::string file = is_absolute ? path : folder + path;
     Files anything;
     const auto text = files != nullptr ? files->read_named(file) : anything.read(file);
     if (!text) {
-        report_unread(sink, diag::ImageUnreadable, place, file, text.error(),
+        report_unread(sink, diag::ImageUnreadable, location, file, text.error(),
                       files != nullptr ? *files : anything);
         return std::nullopt;
     }
-    return PictureReader(file, *text, place, sink).read();
+    return PictureReader(file, *text, location, sink).read();
 }
 
 }  // namespace kadr::sema

@@ -88,7 +88,7 @@ class PreservesCheck {
             return;
         }
         const nc::Group group = nc::info(function).group;
-        if (group != nc::Group::Once) set(flow, group_bit(group), {function, range});
+        if (group != nc::Group::NonModal) set(flow, group_bit(group), {function, range});
     }
 
     void words(const Stmt& stmt, Flow& flow) {

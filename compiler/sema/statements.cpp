@@ -48,8 +48,8 @@ Checker::Completion Checker::statement(StmtId id) {
     look_at_clock();
     if (is_late_) return Completion::Normal;
     const Stmt& stmt = ast()[id];
-    const SourceRange before = emit_.place();
-    emit_.set_place(stmt.range);
+    const SourceRange before = emit_.location();
+    emit_.set_location(stmt.range);
     const Reg mark = emit_.mark();
     Completion completion = Completion::Normal;
     bool keeps_registers = false;
@@ -106,7 +106,7 @@ Checker::Completion Checker::statement(StmtId id) {
         case StmtKind::Expect: expect_statement(stmt); break;
     }
     if (!keeps_registers) emit_.release_to(mark);
-    emit_.set_place(before);
+    emit_.set_location(before);
     return completion;
 }
 
@@ -357,14 +357,14 @@ Checker::Completion Checker::switch_statement(const Stmt& stmt) {
 }
 
 void Checker::leave_function(const SourceRange& range) {
-    const SourceRange before = emit_.place();
-    emit_.set_place(range);
+    const SourceRange before = emit_.location();
+    emit_.set_location(range);
     if (with_depth_ > 0) {
         emit_.emit_pair(Op::LeaveWith, 0, 0, static_cast<unsigned>(with_depth_), 0,
                         statement_id(range));
     }
     if (has_preserves_) emit_.emit(Op::CheckPreserves);
-    emit_.set_place(before);
+    emit_.set_location(before);
 }
 
 void Checker::return_statement(const Stmt& stmt) {
@@ -428,7 +428,7 @@ void Checker::check_statement(const Stmt& stmt, bool is_require) {
         value = text_of(value, ast()[stmt.expression[1]].range);
         if (!is_error(value)) copy_value(value, reg);
     }
-    emit_.set_place(stmt.range);
+    emit_.set_location(stmt.range);
     emit_.emit_pair(is_require ? Op::RequireFailed : Op::AssertFailed, reg, has_text ? 0 : 1, 0,
                     text_constant(sources_.text(ast()[stmt.expression[0]].range)));
     emit_.bind(good);
@@ -442,7 +442,7 @@ void Checker::text_statement(const Stmt& stmt, Op op, unsigned kind_of_text) {
         text_of(require_given(expression(stmt.expression[0], types::kString), range, {}), range);
     if (is_error(value)) return;
     const Reg reg = in_register(value);
-    emit_.set_place(stmt.range);
+    emit_.set_location(stmt.range);
     if (op == Op::EmitText && is_in_test()) report_test_block(stmt.range);
     if (op == Op::EmitText) {
         emit_.emit_pair(op, reg, kind_of_text, static_cast<unsigned>(loop_depth_), 0,

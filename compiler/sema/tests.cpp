@@ -289,8 +289,8 @@ Value Checker::test_call(TestCall::Purpose purpose, std::string_view name, const
     if (!arguments) return error_value();
 
     const Reg base = emit_.take(kTestOptions + std::max<unsigned>(1, function.parameter_slots));
-    const auto option = [&](std::string_view wanted, Type type, unsigned place) {
-        const auto reg = static_cast<Reg>(base + place);
+    const auto option = [&](std::string_view wanted, Type type, unsigned position) {
+        const auto reg = static_cast<Reg>(base + position);
         if (argument(wanted).is_valid()) expression_in(argument(wanted), type, reg, wanted);
         else if (type == types::kString) emit_.emit_integer(Op::LoadI, reg, 0, kNotGivenInteger);
         else {
@@ -319,7 +319,7 @@ Value Checker::test_call(TestCall::Purpose purpose, std::string_view name, const
                 .note(parameter.range, "it is declared here");
         }
     }
-    emit_.set_place(call.range);
+    emit_.set_location(call.range);
     emit_.emit_pair(Op::TestCall, base, 0, 0, statement_id(call.range),
                     static_cast<std::int64_t>(code_->test_calls.size()));
     emit_.emit(Op::Finish);
@@ -359,7 +359,7 @@ Done Checker::take_figure_arguments(const FigureInfo& info, const Expr& call, Re
     return taken;
 }
 
-Value Checker::figure(const Place& execution, const Expr& member, const Expr* call) {
+Value Checker::figure(const Lvalue& execution, const Expr& member, const Expr* call) {
     const std::string_view name = text(member.text);
     if (name.empty()) return error_value();
     const auto* info = std::find_if(std::begin(kFigures), std::end(kFigures),
@@ -393,7 +393,7 @@ Value Checker::figure(const Place& execution, const Expr& member, const Expr* ca
         ++asked_figures_;
         if (!take_figure_arguments(*info, *call, first)) return error_value();
     }
-    emit_.set_place(call != nullptr ? call->range : member.range);
+    emit_.set_location(call != nullptr ? call->range : member.range);
     Type type = types::kInt;
     std::int64_t layout = 0;
     switch (info->result) {
@@ -451,11 +451,11 @@ void Checker::expectation(ExprId id) {
         return;
     }
     const Reg mark = emit_.mark();
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     const std::uint32_t asked = asked_figures_;
     const auto reason = [&] { return asked_figures_ > asked ? kHasReason : std::uint16_t{0}; };
     const auto untrue = [&](Expectation why, Reg value) {
-        emit_.set_place(expr.range);
+        emit_.set_location(expr.range);
         emit_.emit_pair(Op::ExpectFailed, value, 0, static_cast<unsigned>(why) | reason(),
                         text_constant(quoted(one_line(sources_.text(expr.range)))));
     };
@@ -531,7 +531,7 @@ Done Checker::emit_agreement(const Expr& expr, const Value& left, const Value& r
         emit_.bind(differs);
         return kDone;
     }
-    const std::optional<Comparison> found = compare(expr, left, right);
+    const std::optional<ComparedSides> found = compare(expr, left, right);
     if (!found) return kFailed;
     const bool is_exact = op == Operator::Less || op == Operator::Greater;
     if (!found->is_real || !is_measured(found->left.type) || is_exact) {
@@ -587,7 +587,7 @@ void Checker::expect_comparison(const Expr& expr) {
     const bool is_written_out = is_literal || ast()[wanted].kind == ExprKind::Braces;
     if (!is_written_out && !is_swapped)
         words += " (" + quoted(one_line(sources_.text(ast()[wanted].range))) + ")";
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     const std::uint16_t reason = asked_figures_ > asked ? kHasReason : 0;
     emit_.emit_pair(
         Op::ExpectFailed, is, should, static_cast<unsigned>(Expectation::Compared) | reason,
@@ -616,7 +616,7 @@ void Checker::append_shown(const Value& value, FormatPattern& pattern) {
     }
     FormatPiece piece;
     if (info.kind == Kind::String) literal("\"");
-    if (!read_format(value, {}, emit_.place(), piece)) return;
+    if (!read_format(value, {}, emit_.location(), piece)) return;
     add_unit(value.type, "", piece);
     pattern.push_back(std::move(piece));
     if (info.kind == Kind::String) literal("\"");

@@ -186,7 +186,7 @@ Value Checker::string(ExprId id, Reg hint) {
         ++next;
     }
     if (!is_good) return error_value();
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     emit_.release_to(static_cast<Reg>(target + 1));
     const Reg reg = hint != kNoReg ? hint : target;
     if (hint != kNoReg) emit_.release_to(mark);
@@ -229,7 +229,7 @@ std::uint32_t Checker::shown_form(Type type, bool is_part) {
     } else if (info.kind == Kind::Array) {
         form.kind = ShownForm::Kind::List;
         form.parts.push_back({{}, 0, shown_form(info.element, true)});
-    } else if (read_format(in_registers(type, 0), {}, emit_.place(), form.piece)) {
+    } else if (read_format(in_registers(type, 0), {}, emit_.location(), form.piece)) {
         // Inside of braces as a program has it: `{x: 10mm}`.
         add_unit(type, is_part ? "" : " ", form.piece);
     }

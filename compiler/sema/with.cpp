@@ -24,7 +24,7 @@ ModalMask Checker::modal_mask(const nc::BlockPlan& plan, bool& is_modal) const {
     ModalMask mask = block.motion != nc::Function::None ? group_bit(nc::Group::Motion) : 0;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const nc::Group group = nc::info(block.functions[i].function).group;
-        if (group == nc::Group::Once) is_modal = false;
+        if (group == nc::Group::NonModal) is_modal = false;
         else mask |= group_bit(group);
     }
     const auto add_slot = [&](std::size_t slot) {
@@ -36,7 +36,7 @@ ModalMask Checker::modal_mask(const nc::BlockPlan& plan, bool& is_modal) const {
         if ((block.given >> slot & 1u) != 0) add_slot(slot);
     }
     for (const nc::Hole& hole : plan.holes) {
-        if (!hole.is_argument) add_slot(hole.place);
+        if (!hole.is_argument) add_slot(hole.index);
     }
     return mask;
 }
@@ -73,7 +73,7 @@ const nc::FunctionInfo* modal_function(std::string_view name) {
     if (!function || *function == nc::Function::None || nc::has_fact(*function, nc::Fact::ReadOnly))
         return nullptr;
     const nc::FunctionInfo& info = nc::info(*function);
-    return info.group == nc::Group::Once ? nullptr : &info;
+    return info.group == nc::Group::NonModal ? nullptr : &info;
 }
 
 /// The frames that `with` can undo.
@@ -153,7 +153,7 @@ void Checker::frame_call(ExprId id) {
         else fill_value(*named, info.parameters[i].dimension, range, names[i], reg);
         emit_.release_to(mark);
     }
-    emit_.set_place(expr.range);
+    emit_.set_location(expr.range);
     emit_.emit_pair(Op::ChangeFrame, first, static_cast<unsigned>(change->second),
                     static_cast<unsigned>(loop_depth_), 0, statement_id(expr.range));
 }
@@ -182,7 +182,7 @@ Checker::Completion Checker::with_statement(const Stmt& stmt) {
     if (stmt.statement[0].is_valid() && ast()[stmt.statement[0]].range.begin > head.begin) {
         head.end = ast()[stmt.statement[0]].range.begin;
     }
-    emit_.set_place(head);
+    emit_.set_location(head);
     emit_.emit_pair(Op::EnterWith, 0, 0, 0, mask, statement_id(head));
     ++with_depth_;
     if (!words.empty() && errors == sink_.errors) emit_words(words, {}, head);
@@ -195,7 +195,7 @@ Checker::Completion Checker::with_statement(const Stmt& stmt) {
     if (body == Completion::Normal) {
         const SourceRange end{stmt.range.file, stmt.range.end > 0 ? stmt.range.end - 1 : 0,
                               stmt.range.end};
-        emit_.set_place(end);
+        emit_.set_location(end);
         emit_.emit_pair(Op::LeaveWith, 0, 0, 1, 0, statement_id(end));
     }
     --with_depth_;

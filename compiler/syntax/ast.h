@@ -222,7 +222,7 @@ struct Stmt {
     List statements;   // in Ast::statement_lists
     List expressions;  // in Ast::expression_lists
     List words;        // in Ast::words
-    std::int8_t skip =
+    std::int8_t skip_level =
         -1;  // Words: level of `/G1 X5;`, 0…9; kDefaultSkipLevel: `/` alone; -1: none
 };
 

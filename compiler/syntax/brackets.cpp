@@ -77,9 +77,9 @@ void Brackets::close_blocks(const Lexeme& before) {
     if (stack_.empty()) return;
     has_broken_blocks_ = true;
     const Lexeme& culprit = has_suspect_ ? suspect_ : stack_.front().open;
-    const std::uint32_t place = out_.empty() ? 0 : out_.back().end;
+    const std::uint32_t index = out_.empty() ? 0 : out_.back().end;
     if (!before.is_repair) {
-        file_.sink.report(diag::BracketMissing, file_.range(place, place))
+        file_.sink.report(diag::BracketMissing, file_.range(index, index))
             .arg("}")
             .note(file_.range(culprit), "the brace was opened here");
     }
@@ -87,7 +87,7 @@ void Brackets::close_blocks(const Lexeme& before) {
         Lexeme brace;
         brace.token = Token::CloseBrace;
         brace.is_repair = true;
-        brace.begin = brace.end = place;
+        brace.begin = brace.end = index;
         out_.push_back(brace);
         pop();
     }

@@ -33,7 +33,7 @@ antlr4::Token* LexemeStream::get(std::size_t index) const { return &tokens_[inde
 
 // ---------------------------------------------------------------- what is wrong
 
-Complaints::Place Complaints::place_of(antlr4::Parser& parser, std::size_t index) {
+Complaints::ParserPosition Complaints::location_of(antlr4::Parser& parser, std::size_t index) {
     const Lexeme& offending = stream_.lexeme(index);
     const Lexeme& previous = stream_.lexeme(index > 0 ? index - 1 : 0);
     Token head = Token::EndOfFile;
@@ -71,53 +71,52 @@ std::string Complaints::quoted(const Lexeme& lexeme) const {
 void Complaints::complain(antlr4::Parser& parser, std::size_t index) {
     if (index == last_place_) return;
     last_place_ = index;
-    const Place place = place_of(parser, index);
+    const ParserPosition at = location_of(parser, index);
     // What was put in or left out around here is told already.
-    if (place.previous.is_repair || place.offending.is_repair) return;
-    explain(place);
-    lose_variable(place);
+    if (at.previous.is_repair || at.offending.is_repair) return;
+    explain(at);
+    lose_variable(at);
     if (limit_.is_full()) throw antlr4::ParseCancellationException();
 }
 
-bool Complaints::is_semicolon_forgotten(const Place& place) const {
-    if (!place.expects(Token::Semicolon)) return false;
-    const Token token = place.offending.token;
+bool Complaints::is_semicolon_forgotten(const ParserPosition& at) const {
+    if (!at.expects(Token::Semicolon)) return false;
+    const Token token = at.offending.token;
     // `return if;`: hardly two statements in one line.
-    if (place.previous.token == Token::Return && !place.is_new_line && begins_statement(token))
+    if (at.previous.token == Token::Return && !at.is_new_line && begins_statement(token))
         return false;
-    return place.is_new_line || token == Token::CloseBrace || token == Token::EndOfFile ||
+    return at.is_new_line || token == Token::CloseBrace || token == Token::EndOfFile ||
            begins_statement(token);
 }
 
-void Complaints::explain(const Place& place) {
-    if (!check_glued_words(place) || !check_number(place) || !check_capitals(place) ||
-        !check_program_number(place) || !check_habit(place) || !check_for(place) ||
-        !check_declaration(place) || !check_name(place) || !check_value(place) ||
-        !check_sign(place) || !check_closing(place)) {
+void Complaints::explain(const ParserPosition& at) {
+    if (!check_glued_words(at) || !check_number(at) || !check_capitals(at) ||
+        !check_program_number(at) || !check_habit(at) || !check_for(at) || !check_declaration(at) ||
+        !check_name(at) || !check_value(at) || !check_sign(at) || !check_closing(at)) {
         return;
     }
-    const SourceRange range = file_.range(place.offending);
-    if (place.offending.token == Token::Else && place.expects(Token::Semicolon)) {
-        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    const SourceRange range = file_.range(at.offending);
+    if (at.offending.token == Token::Else && at.expects(Token::Semicolon)) {
+        const SourceRange gap = file_.range(at.previous.end, at.previous.end);
         file_.sink.report(diag::SemicolonMissing, gap).arg("this block").fix(gap, ";", "end it");
-    } else if (place.expects(Token::OpenBrace) && place.rule == KadrParser::RuleBlock) {
-        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
-        file_.sink.report(diag::BodyMissing, gap).arg(quoted(place.previous));
-    } else if (place.offending.token == Token::OpenBrace && place.expects(Token::OpenParen) &&
-               place.previous.token == Token::Identifier && place.head_index + 2 == place.index &&
-               place.head == Token::TypeName) {
-        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    } else if (at.expects(Token::OpenBrace) && at.rule == KadrParser::RuleBlock) {
+        const SourceRange gap = file_.range(at.previous.end, at.previous.end);
+        file_.sink.report(diag::BodyMissing, gap).arg(quoted(at.previous));
+    } else if (at.offending.token == Token::OpenBrace && at.expects(Token::OpenParen) &&
+               at.previous.token == Token::Identifier && at.head_index + 2 == at.index &&
+               at.head == Token::TypeName) {
+        const SourceRange gap = file_.range(at.previous.end, at.previous.end);
         auto message = file_.sink.report(diag::SignMissing, gap);
-        message.arg("(").arg(quoted(place.previous));
-        fix_parentheses(place, message);
-    } else if (place.head == Token::Switch && place.expects_only(Token::CloseBrace)) {
-        file_.sink.report(diag::CaseMissing, range).arg(quoted(place.offending));
+        message.arg("(").arg(quoted(at.previous));
+        fix_parentheses(at, message);
+    } else if (at.head == Token::Switch && at.expects_only(Token::CloseBrace)) {
+        file_.sink.report(diag::CaseMissing, range).arg(quoted(at.offending));
     } else {
         auto report = file_.sink.report(diag::Unexpected, range);
-        report.arg(quoted(place.offending)).arg(quoted(place.previous));
-        if (!fix_sign(place, report)) {
-            fix_operator(place, report);
-            fix_call(place, report);
+        report.arg(quoted(at.offending)).arg(quoted(at.previous));
+        if (!fix_sign(at, report)) {
+            fix_operator(at, report);
+            fix_call(at, report);
         }
     }
 }
@@ -125,14 +124,14 @@ void Complaints::explain(const Place& place) {
 // Each of these knows a kind of mistake: if it is that one, it is told, and no other looks.
 
 /// `10,5` and `10 mm`.
-Done Complaints::check_number(const Place& place) {
-    const Lexeme& previous = place.previous;
-    const Lexeme& offending = place.offending;
+Done Complaints::check_number(const ParserPosition& at) {
+    const Lexeme& previous = at.previous;
+    const Lexeme& offending = at.offending;
     const bool is_number = previous.token == Token::Number || previous.token == Token::LiteralWord;
-    if (!is_number || place.is_new_line) return kDone;
+    if (!is_number || at.is_new_line) return kDone;
     if (previous.unit != Unit::None && offending.token == Token::Comma) return kDone;
     const std::string spelled(file_.spelling(previous));
-    const auto& next = stream_.lexeme(std::min(place.index + 1, stream_.size() - 1));
+    const auto& next = stream_.lexeme(std::min(at.index + 1, stream_.size() - 1));
     const bool is_whole = spelled.find('.') == std::string::npos;
     if (offending.token == Token::Comma && next.token == Token::Number && is_whole &&
         previous.end == offending.begin && next.begin == offending.end) {
@@ -156,7 +155,7 @@ Done Complaints::check_number(const Place& place) {
                  "write it right behind the number");
         return kFailed;
     }
-    const auto& per = stream_.lexeme(std::min(place.index + 2, stream_.size() - 1));
+    const auto& per = stream_.lexeme(std::min(at.index + 2, stream_.size() - 1));
     const bool is_quotient = next.token == Token::Slash && per.token == Token::Identifier &&
                              find_unit(name, file_.spelling(per)) != Unit::None;
     if (!is_quotient && find_unit(name, "") == Unit::None) return kDone;
@@ -170,60 +169,60 @@ Done Complaints::check_number(const Place& place) {
 }
 
 /// `IF (n > 3) M8;`: a call of `IF` to the parser.
-Done Complaints::check_capitals(const Place& place) {
+Done Complaints::check_capitals(const ParserPosition& at) {
     // `WHILE n<3 DO1;` begins like a declaration of `n`.
-    const bool is_name = place.head == Token::Identifier || place.head == Token::TypeName;
-    if (!is_name || place.head_index == place.index) return kDone;
-    const Lexeme& head = stream_.lexeme(place.head_index);
+    const bool is_name = at.head == Token::Identifier || at.head == Token::TypeName;
+    if (!is_name || at.head_index == at.index) return kDone;
+    const Lexeme& head = stream_.lexeme(at.head_index);
     const std::string_view spelled = file_.spelling(head);
     const std::string lower = lower_ascii(spelled);
     const Keyword* keyword = find_keyword(lower);
-    if (lower == spelled || keyword == nullptr || keyword->place != Keyword::Place::Anywhere)
+    if (lower == spelled || keyword == nullptr || keyword->context != Keyword::Context::Anywhere)
         return kDone;
     auto report = file_.sink.report(diag::KeywordCase, file_.range(head));
     report.arg(lower);
-    if (const std::string form = form_of_control(lower, place.head_index); !form.empty())
+    if (const std::string form = form_of_control(lower, at.head_index); !form.empty())
         report.fix(form);
     else report.fix(file_.range(head), lower, "write it in lower case");
     return kFailed;
 }
 
 /// A statement that begins with a word of another language: `foreach (x in list)`, `goto 5`.
-Done Complaints::check_habit(const Place& place) {
-    const Lexeme& head = stream_.lexeme(place.head_index);
+Done Complaints::check_habit(const ParserPosition& at) {
+    const Lexeme& head = stream_.lexeme(at.head_index);
     // `static int k = 3;`: a type to the parser, and `int` the name.
-    const bool is_type = head.token == Token::TypeName && place.index <= place.head_index + 2;
+    const bool is_type = head.token == Token::TypeName && at.index <= at.head_index + 2;
     if (head.token != Token::Identifier && !is_type) return kDone;
-    if (place.head_index >= place.index) return kDone;
+    if (at.head_index >= at.index) return kDone;
     const Habit* habit = habit_of(file_.spelling(head));
     if (habit == nullptr || !habit->is_statement) return kDone;
     // A name of the program may be spelled so: `end = 3`, `loop.count`.
-    switch (stream_.lexeme(place.head_index + 1).token) {
+    switch (stream_.lexeme(at.head_index + 1).token) {
         case Token::Assign:
         case Token::Dot:
         case Token::OpenBracket:
         case Token::Semicolon: return kDone;
         default: break;
     }
-    if (is_then(place.head_index)) {
+    if (is_then(at.head_index)) {
         file_.sink.report(diag::Unexpected, file_.range(head))
             .arg(quoted(head))
-            .arg(quoted(stream_.lexeme(place.head_index - 1)))
-            .fix(file_.range(head.begin, place.offending.begin), "", "there is no `then`");
+            .arg(quoted(stream_.lexeme(at.head_index - 1)))
+            .fix(file_.range(head.begin, at.offending.begin), "", "there is no `then`");
         return kFailed;
     }
-    file_.sink.report(diag::Unexpected, file_.range(place.offending))
-        .arg(quoted(place.offending))
-        .arg(quoted(place.previous))
+    file_.sink.report(diag::Unexpected, file_.range(at.offending))
+        .arg(quoted(at.offending))
+        .arg(quoted(at.previous))
         .fix(std::string(habit->hint));
     return kFailed;
 }
 
 /// A line `O1234` of a control's text above the program: a type to the parser, and `program` a
 /// name.
-Done Complaints::check_program_number(const Place& place) {
-    if (place.head_index + 2 != place.index) return kDone;
-    const Lexeme& head = stream_.lexeme(place.head_index);
+Done Complaints::check_program_number(const ParserPosition& at) {
+    if (at.head_index + 2 != at.index) return kDone;
+    const Lexeme& head = stream_.lexeme(at.head_index);
     if (!is_program_number(head)) return kDone;
     auto message = file_.sink.report(diag::StatementOutside, file_.range(head));
     message.arg(quoted(head));
@@ -243,27 +242,25 @@ void Complaints::fix_program_number(const Lexeme& lexeme, DiagnosticBuilder& rep
 }
 
 /// The head of a `for`: which of its two kinds it is shows only at its third token.
-Done Complaints::check_for(const Place& place) {
-    if (place.rule != KadrParser::RuleForHead) return kDone;
-    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+Done Complaints::check_for(const ParserPosition& at) {
+    if (at.rule != KadrParser::RuleForHead) return kDone;
+    const SourceRange gap = file_.range(at.previous.end, at.previous.end);
     const bool is_declared =
-        place.previous.token == Token::TypeName || place.previous.token == Token::Auto;
-    if (is_declared && is_word(place.offending.token)) {
-        explain_address_name(place.offending);
+        at.previous.token == Token::TypeName || at.previous.token == Token::Auto;
+    if (is_declared && is_word(at.offending.token)) {
+        explain_address_name(at.offending);
         return kFailed;
     }
-    if (place.offending.token == Token::Colon) {
-        file_.sink.report(diag::ForTypeMissing, file_.range(place.previous))
-            .arg(quoted(place.previous));
+    if (at.offending.token == Token::Colon) {
+        file_.sink.report(diag::ForTypeMissing, file_.range(at.previous)).arg(quoted(at.previous));
         return kFailed;
     }
-    if (place.previous.token != Token::Identifier || !place.expects(Token::Number)) return kDone;
-    const bool is_list =
-        place.offending.token == Token::Identifier || place.offending.token == Token::In;
+    if (at.previous.token != Token::Identifier || !at.expects(Token::Number)) return kDone;
+    const bool is_list = at.offending.token == Token::Identifier || at.offending.token == Token::In;
     auto message = file_.sink.report(diag::SignMissing, gap);
-    message.arg(is_list ? ":" : "=").arg(quoted(place.previous));
-    if (lower_ascii(file_.spelling(place.offending)) == "in")
-        message.fix(file_.range(place.offending), ":", "a loop over a list has a sign");
+    message.arg(is_list ? ":" : "=").arg(quoted(at.previous));
+    if (lower_ascii(file_.spelling(at.offending)) == "in")
+        message.fix(file_.range(at.offending), ":", "a loop over a list has a sign");
     return kFailed;
 }
 
@@ -283,63 +280,61 @@ Done Complaints::check_do(std::size_t index) {
 }
 
 /// Where nothing but one sign can stand.
-Done Complaints::check_sign(const Place& place) {
-    if (place.expects(Token::Text) && place.rule == KadrParser::RuleText) {
-        file_.sink.report(diag::TitleMissing, file_.range(place.offending))
-            .arg(quoted(place.previous));
+Done Complaints::check_sign(const ParserPosition& at) {
+    if (at.expects(Token::Text) && at.rule == KadrParser::RuleText) {
+        file_.sink.report(diag::TitleMissing, file_.range(at.offending)).arg(quoted(at.previous));
         return kFailed;
     }
     constexpr std::pair<Token, const char*> kSigns[] = {
         {Token::OpenParen, "("}, {Token::Colon, ":"}, {Token::While, "while"},
         {Token::Over, "over"},   {Token::In, "in"},
     };
-    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    const SourceRange gap = file_.range(at.previous.end, at.previous.end);
     for (const auto& [token, sign] : kSigns) {
-        if (!place.expects_only(token)) continue;
-        if (token == Token::While && !check_do(place.head_index)) return kFailed;
+        if (!at.expects_only(token)) continue;
+        if (token == Token::While && !check_do(at.head_index)) return kFailed;
         auto message = file_.sink.report(diag::SignMissing, gap);
-        message.arg(sign).arg(quoted(place.previous));
-        if (token == Token::OpenParen) fix_parentheses(place, message);
+        message.arg(sign).arg(quoted(at.previous));
+        if (token == Token::OpenParen) fix_parentheses(at, message);
         return kFailed;
     }
-    const bool is_for = place.rule == KadrParser::RuleForHead;
-    const bool is_field = place.rule == KadrParser::RuleField;
-    if (place.expects_only(Token::Semicolon) && (is_for || is_field) && !place.is_new_line) {
+    const bool is_for = at.rule == KadrParser::RuleForHead;
+    const bool is_field = at.rule == KadrParser::RuleField;
+    if (at.expects_only(Token::Semicolon) && (is_for || is_field) && !at.is_new_line) {
         auto message = file_.sink.report(diag::SignMissing, gap);
-        message.arg(";").arg(quoted(place.previous));
-        if (is_for && place.offending.token == Token::Comma) fix_comma_of_loop(place, message);
-        else if (is_for) fix_counting(place, message);
+        message.arg(";").arg(quoted(at.previous));
+        if (is_for && at.offending.token == Token::Comma) fix_comma_of_loop(at, message);
+        else if (is_for) fix_counting(at, message);
         return kFailed;
     }
-    const bool is_name_first = place.previous.token == Token::Identifier;
-    if (place.expects_only(Token::Assign) && is_name_first) {
-        file_.sink.report(diag::SignMissing, gap).arg("=").arg(quoted(place.previous));
+    const bool is_name_first = at.previous.token == Token::Identifier;
+    if (at.expects_only(Token::Assign) && is_name_first) {
+        file_.sink.report(diag::SignMissing, gap).arg("=").arg(quoted(at.previous));
         return kFailed;
     }
     return kDone;
 }
 
 /// A function inside of a function: `length f(length x) {`.
-Done Complaints::check_declaration(const Place& place) {
-    const bool is_variable = place.head == Token::TypeName && place.rule != KadrParser::RuleFile;
-    if (!is_variable || place.offending.token != Token::OpenParen ||
-        place.previous.token != Token::Identifier || !place.expects(Token::Semicolon)) {
+Done Complaints::check_declaration(const ParserPosition& at) {
+    const bool is_variable = at.head == Token::TypeName && at.rule != KadrParser::RuleFile;
+    if (!is_variable || at.offending.token != Token::OpenParen ||
+        at.previous.token != Token::Identifier || !at.expects(Token::Semicolon)) {
         return kDone;
     }
-    lost_names_.emplace_back(file_.spelling(place.previous));
-    file_.sink.report(diag::DeclarationInside, file_.range(place.previous))
-        .arg("the function " + quoted(place.previous));
+    lost_names_.emplace_back(file_.spelling(at.previous));
+    file_.sink.report(diag::DeclarationInside, file_.range(at.previous))
+        .arg("the function " + quoted(at.previous));
     return kFailed;
 }
 
 /// The variable or cycle whose declaration has this mistake: its name is no second one.
-void Complaints::lose_variable(const Place& place) {
-    if (place.head == Token::Cycle || place.head == Token::Curve)
-        return lose_names(place.head_index);
+void Complaints::lose_variable(const ParserPosition& at) {
+    if (at.head == Token::Cycle || at.head == Token::Curve) return lose_names(at.head_index);
     const bool is_variable =
-        place.head == Token::TypeName || place.head == Token::Const || place.head == Token::Auto;
+        at.head == Token::TypeName || at.head == Token::Const || at.head == Token::Auto;
     if (!is_variable) return;
-    for (std::size_t i = place.head_index; i < place.index; ++i) {
+    for (std::size_t i = at.head_index; i < at.index; ++i) {
         const Lexeme& lexeme = stream_.lexeme(i);
         if (lexeme.token == Token::Assign) return;
         if (lexeme.token == Token::Identifier) lost_names_.emplace_back(file_.spelling(lexeme));
@@ -368,33 +363,33 @@ void Complaints::explain_address_name(const Lexeme& lexeme) {
 }
 
 /// Where a name must stand.
-Done Complaints::check_name(const Place& place) {
-    if (!place.expects(Token::Identifier) || place.expected.size() > 3) return kDone;
-    const Lexeme& offending = place.offending;
+Done Complaints::check_name(const ParserPosition& at) {
+    if (!at.expects(Token::Identifier) || at.expected.size() > 3) return kDone;
+    const Lexeme& offending = at.offending;
     const SourceRange range = file_.range(offending);
     if (is_word(offending.token)) {
         explain_address_name(offending);
     } else if (is_keyword(offending.token)) {
         file_.sink.report(diag::KeywordAsName, range).arg(quoted(offending));
     } else {
-        file_.sink.report(diag::NameMissing, file_.range(place.previous.end, place.previous.end))
-            .arg(quoted(place.previous))
+        file_.sink.report(diag::NameMissing, file_.range(at.previous.end, at.previous.end))
+            .arg(quoted(at.previous))
             .arg(quoted(offending));
     }
     return kFailed;
 }
 
 /// Where a value must stand.
-Done Complaints::check_value(const Place& place) {
-    if (!place.expects(Token::Number) || place.expects(Token::If)) return kDone;
-    if (place.expects(Token::Semicolon) && place.offending.token != Token::Semicolon) {
+Done Complaints::check_value(const ParserPosition& at) {
+    if (!at.expects(Token::Number) || at.expects(Token::If)) return kDone;
+    if (at.expects(Token::Semicolon) && at.offending.token != Token::Semicolon) {
         return kDone;  // the value is not needed
     }
-    const Lexeme& offending = place.offending;
-    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
-    const bool is_text_meant = place.head == Token::Raw || place.head == Token::Note;
+    const Lexeme& offending = at.offending;
+    const SourceRange gap = file_.range(at.previous.end, at.previous.end);
+    const bool is_text_meant = at.head == Token::Raw || at.head == Token::Note;
     // In `X=a* Y5` a value was forgotten, in `X=a*R5` the word was meant as one.
-    const bool is_next_word = is_word(place.head) && place.previous.end != offending.begin;
+    const bool is_next_word = is_word(at.head) && at.previous.end != offending.begin;
     if (is_word(offending.token) && !is_text_meant && !is_next_word) {
         const std::string_view spelled = file_.spelling(offending);
         if (bad_names_.count(std::string(spelled)) > 0) return kFailed;
@@ -404,22 +399,22 @@ Done Complaints::check_value(const Place& place) {
         return kFailed;
     }
     auto message = file_.sink.report(diag::ValueMissing, gap);
-    message.arg(quoted(place.previous));
-    if (offending.token == Token::OpenBracket) fix_brackets(place, message);
-    else fix_sign(place, message);
+    message.arg(quoted(at.previous));
+    if (offending.token == Token::OpenBracket) fix_brackets(at, message);
+    else fix_sign(at, message);
     return kFailed;
 }
 
 /// `G1 Xd Yd Zd;`: words whose values are names without `=`. One or two of them are a point and
 /// another one to the grammar; of more the parser stops at the last.
-Done Complaints::check_glued_words(const Place& place) {
+Done Complaints::check_glued_words(const ParserPosition& at) {
     const auto is_glued = [&](std::size_t i) {
         const Lexeme& lexeme = stream_.lexeme(i);
         return lexeme.token == Token::Identifier &&
                glued_address(dialect_, file_.spelling(lexeme)) > 0;
     };
-    if (!is_word(place.head) || !is_glued(place.index)) return kDone;
-    for (std::size_t i = place.head_index; i <= place.index; ++i) {
+    if (!is_word(at.head) || !is_glued(at.index)) return kDone;
+    for (std::size_t i = at.head_index; i <= at.index; ++i) {
         const Token before = stream_.lexeme(i > 0 ? i - 1 : 0).token;
         const bool is_behind_value = is_word(before) || before == Token::Identifier ||
                                      before == Token::Number || closes(before);
@@ -435,119 +430,117 @@ Done Complaints::check_glued_words(const Place& place) {
 }
 
 /// Where something must end: a statement, brackets, a list.
-Done Complaints::check_closing(const Place& place) {
-    const Lexeme& offending = place.offending;
+Done Complaints::check_closing(const ParserPosition& at) {
+    const Lexeme& offending = at.offending;
     const SourceRange range = file_.range(offending);
-    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
-    if (place.expects(Token::If)) {
-        file_.sink.report(diag::StatementMissing, gap).arg(quoted(place.previous));
+    const SourceRange gap = file_.range(at.previous.end, at.previous.end);
+    if (at.expects(Token::If)) {
+        file_.sink.report(diag::StatementMissing, gap).arg(quoted(at.previous));
         return kFailed;
     }
-    if (place.previous.token == Token::Address && place.expects(Token::Assign)) {
-        auto report = file_.sink.report(diag::WordWithoutValue, file_.range(place.previous));
-        report.arg(quoted(place.previous));
-        fix_word_value(place, report);
+    if (at.previous.token == Token::Address && at.expects(Token::Assign)) {
+        auto report = file_.sink.report(diag::WordWithoutValue, file_.range(at.previous));
+        report.arg(quoted(at.previous));
+        fix_word_value(at, report);
         return kFailed;
     }
     const bool is_variable =
-        place.head == Token::TypeName || place.head == Token::Const || place.head == Token::Auto;
-    if (is_semicolon_forgotten(place)) {
-        const char* what =
-            is_word(place.head) ? "this block"
-            : is_variable || begins_declaration(place.head) || place.head == Token::Contour
-                ? "this declaration"
-                : "this statement";
+        at.head == Token::TypeName || at.head == Token::Const || at.head == Token::Auto;
+    if (is_semicolon_forgotten(at)) {
+        const char* what = is_word(at.head) ? "this block"
+                           : is_variable || begins_declaration(at.head) || at.head == Token::Contour
+                               ? "this declaration"
+                               : "this statement";
         file_.sink.report(diag::SemicolonMissing, gap).arg(what).fix(gap, ";", "end it");
         return kFailed;
     }
-    if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::OpenBracket) {
+    if (is_variable && at.expects(Token::Semicolon) && offending.token == Token::OpenBracket) {
         auto message = file_.sink.report(diag::ArrayBrackets, range);
-        message.arg(file_.spelling(place.previous));
-        std::size_t close = place.index;
+        message.arg(file_.spelling(at.previous));
+        std::size_t close = at.index;
         while (close + 1 < stream_.size() && stream_.lexeme(close).token != Token::CloseBracket &&
                stream_.lexeme(close).token != Token::Semicolon)
             ++close;
-        if (place.index >= 2 && stream_.lexeme(close).token == Token::CloseBracket) {
-            const std::uint32_t type_end = stream_.lexeme(place.index - 2).end;
+        if (at.index >= 2 && stream_.lexeme(close).token == Token::CloseBracket) {
+            const std::uint32_t type_end = stream_.lexeme(at.index - 2).end;
             const std::uint32_t end = stream_.lexeme(close).end;
             message.fix(file_.range(type_end, end),
                         std::string(file_.text.substr(offending.begin, end - offending.begin)) +
-                            ' ' + std::string(file_.spelling(place.previous)),
+                            ' ' + std::string(file_.spelling(at.previous)),
                         "put them behind the type");
         }
         return kFailed;
     }
-    if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::Comma) {
-        const std::uint32_t begin = stream_.lexeme(place.head_index).begin;
+    if (is_variable && at.expects(Token::Semicolon) && offending.token == Token::Comma) {
+        const std::uint32_t begin = stream_.lexeme(at.head_index).begin;
         std::uint32_t end = begin;  // of the type
-        std::size_t name = place.head_index;
-        for (; name < place.index && stream_.lexeme(name).token != Token::Identifier; ++name)
+        std::size_t name = at.head_index;
+        for (; name < at.index && stream_.lexeme(name).token != Token::Identifier; ++name)
             end = stream_.lexeme(name).end;
         auto message = file_.sink.report(diag::SeveralNames, range);
-        if (name < place.index) {
+        if (name < at.index) {
             message.fix(range, "; " + std::string(file_.text.substr(begin, end - begin)),
                         "end the declaration and begin another one");
         }
         return kFailed;
     }
-    if (!check_assignment(place)) return kFailed;
-    return check_comma(place);
+    if (!check_assignment(at)) return kFailed;
+    return check_comma(at);
 }
 
 /// `G1 X10 Q=5;`, `Q` being no address of the dialect.
-bool Complaints::is_foreign_word(const Place& place) const {
-    if (!is_word(place.head) || place.previous.token != Token::Identifier || place.index < 2)
-        return false;
-    const Token before = stream_.lexeme(place.index - 2).token;
+bool Complaints::is_foreign_word(const ParserPosition& at) const {
+    if (!is_word(at.head) || at.previous.token != Token::Identifier || at.index < 2) return false;
+    const Token before = stream_.lexeme(at.index - 2).token;
     const bool is_behind_value =
         is_word(before) || before == Token::Number || before == Token::Identifier || closes(before);
-    const std::string_view name = file_.spelling(place.previous);
+    const std::string_view name = file_.spelling(at.previous);
     return is_behind_value && upper_ascii(name) == name;
 }
 
 /// `=` where a value is over.
-Done Complaints::check_assignment(const Place& place) {
-    if (place.offending.token != Token::Assign) return kDone;
-    const SourceRange range = file_.range(place.offending);
-    if (is_word(place.previous.token)) {
-        auto message = file_.sink.report(diag::AddressAsName, file_.range(place.previous));
-        message.arg(quoted(place.previous));
-        const std::string name = lower_ascii(file_.spelling(place.previous));
+Done Complaints::check_assignment(const ParserPosition& position) {
+    if (position.offending.token != Token::Assign) return kDone;
+    const SourceRange range = file_.range(position.offending);
+    if (is_word(position.previous.token)) {
+        auto message = file_.sink.report(diag::AddressAsName, file_.range(position.previous));
+        message.arg(quoted(position.previous));
+        const std::string name = lower_ascii(file_.spelling(position.previous));
         if (is_declared(name))
-            message.fix(file_.range(place.previous), name, "write it in lower case");
-        else fix_control_variable(place.previous, message);
+            message.fix(file_.range(position.previous), name, "write it in lower case");
+        else fix_control_variable(position.previous, message);
         return kFailed;
     }
-    if (is_foreign_word(place)) {
-        file_.sink.report(diag::BlockWordUnknown, file_.range(place.previous))
-            .arg(file_.spelling(place.previous))
+    if (is_foreign_word(position)) {
+        file_.sink.report(diag::BlockWordUnknown, file_.range(position.previous))
+            .arg(file_.spelling(position.previous))
             .arg(dialect_.name())
             .fix(kForeignWord);
         return kFailed;
     }
-    if (place.previous.token == Token::Identifier && is_word(place.head)) {
+    if (position.previous.token == Token::Identifier && is_word(position.head)) {
         // `Y=dZ=5`: the next word right behind a name.
-        const std::string_view name = file_.spelling(place.previous);
+        const std::string_view name = file_.spelling(position.previous);
         const std::size_t end = name.find_last_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") + 1;
         const bool is_address = nc::word_kind(dialect_, name.substr(end)) == nc::WordKind::Address;
         if (end > 0 && end < name.size() && is_address && is_declared(name.substr(0, end))) {
-            const std::uint32_t at = place.previous.begin + static_cast<std::uint32_t>(end);
+            const std::uint32_t at = position.previous.begin + static_cast<std::uint32_t>(end);
             file_.sink.report(diag::AssignmentInValue, range)
                 .fix(file_.range(at, at), " ", "a blank ends the name in front of the next word");
             return kFailed;
         }
     }
-    if (!check_small_address(place)) return kFailed;
+    if (!check_small_address(position)) return kFailed;
     const auto token_before = [&](std::size_t distance) {
-        return place.index < distance ? Token::EndOfFile
-                                      : stream_.lexeme(place.index - distance).token;
+        return position.index < distance ? Token::EndOfFile
+                                         : stream_.lexeme(position.index - distance).token;
     };
     const bool is_first =
         token_before(2) == Token::OpenParen && token_before(3) == Token::Identifier;
-    if (place.previous.token == Token::Identifier && place.rule == KadrParser::RuleSuffix &&
+    if (position.previous.token == Token::Identifier && position.rule == KadrParser::RuleSuffix &&
         (is_first || token_before(2) == Token::Comma)) {
         file_.sink.report(diag::ArgumentAssigned, range)
-            .arg(quoted(place.previous))
+            .arg(quoted(position.previous))
             .fix(range, ":", "give the argument with `:`");
     } else {
         file_.sink.report(diag::AssignmentInValue, range).fix(range, "==", "to compare");
@@ -556,47 +549,47 @@ Done Complaints::check_assignment(const Place& place) {
 }
 
 /// `G1 x=10`: an address in small letters is a name, and no word.
-Done Complaints::check_small_address(const Place& place) {
-    if (place.previous.token != Token::Identifier || !is_word(place.head)) return kDone;
-    const std::string_view name = file_.spelling(place.previous);
+Done Complaints::check_small_address(const ParserPosition& at) {
+    if (at.previous.token != Token::Identifier || !is_word(at.head)) return kDone;
+    const std::string_view name = file_.spelling(at.previous);
     const std::string address = upper_ascii(name);
     if (address == name || is_declared(name) ||
         nc::word_kind(dialect_, address) != nc::WordKind::Address)
         return kDone;
-    const SourceRange word = file_.range(place.previous.begin, place.offending.end);
+    const SourceRange word = file_.range(at.previous.begin, at.offending.end);
     file_.sink.report(diag::AssignmentInValue, word)
         .fix(word, address + "=", "words of blocks are written in upper case");
     return kFailed;
 }
 
 /// Two values, parameters or words in a row.
-Done Complaints::check_comma(const Place& place) {
-    const Token token = place.offending.token;
-    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+Done Complaints::check_comma(const ParserPosition& at) {
+    const Token token = at.offending.token;
+    const SourceRange gap = file_.range(at.previous.end, at.previous.end);
     const bool closes_list =
-        (place.expects_only(Token::CloseParen) &&
-         (place.rule == KadrParser::RuleSuffix || place.rule == KadrParser::RuleParameters ||
-          place.rule == KadrParser::RuleModal)) ||
-        (place.expects_only(Token::CloseParen) &&
-         (place.head == Token::Require || place.head == Token::Assert)) ||
-        place.expects_only(Token::CloseBrace) || place.expects(Token::Comma);
+        (at.expects_only(Token::CloseParen) &&
+         (at.rule == KadrParser::RuleSuffix || at.rule == KadrParser::RuleParameters ||
+          at.rule == KadrParser::RuleModal)) ||
+        (at.expects_only(Token::CloseParen) &&
+         (at.head == Token::Require || at.head == Token::Assert)) ||
+        at.expects_only(Token::CloseBrace) || at.expects(Token::Comma);
     if (closes_list && token == Token::Comma) {
-        file_.sink.report(diag::ValueMissing, gap).arg(quoted(place.previous));
+        file_.sink.report(diag::ValueMissing, gap).arg(quoted(at.previous));
         return kFailed;
     }
-    if (place.head == Token::Enum && is_word(token)) {
-        file_.sink.report(diag::AddressAsName, file_.range(place.offending))
-            .arg(quoted(place.offending))
-            .fix(file_.range(place.offending), lower_ascii(file_.spelling(place.offending)),
+    if (at.head == Token::Enum && is_word(token)) {
+        file_.sink.report(diag::AddressAsName, file_.range(at.offending))
+            .arg(quoted(at.offending))
+            .fix(file_.range(at.offending), lower_ascii(file_.spelling(at.offending)),
                  "write it in lower case");
         return kFailed;
     }
-    if (place.rule == KadrParser::RuleParameters || place.rule == KadrParser::RuleType) {
+    if (at.rule == KadrParser::RuleParameters || at.rule == KadrParser::RuleType) {
         const bool is_first =
-            place.previous.token == Token::OpenParen || place.previous.token == Token::Comma;
+            at.previous.token == Token::OpenParen || at.previous.token == Token::Comma;
         if (is_first) {
-            file_.sink.report(diag::ParameterShape, file_.range(place.offending))
-                .arg(quoted(place.offending));
+            file_.sink.report(diag::ParameterShape, file_.range(at.offending))
+                .arg(quoted(at.offending));
             return kFailed;
         }
     }
@@ -604,33 +597,33 @@ Done Complaints::check_comma(const Place& place) {
                              token == Token::Text || token == Token::TextOpen ||
                              token == Token::TypeName || token == Token::ArgumentName ||
                              token == Token::OpenValue;
-    const bool is_preserved = place.expects(Token::OpenBrace) && is_word(token) &&
-                              is_word(place.previous.token) && begins_declaration(place.head);
-    if (!(closes_list && begins_item && place.head != Token::Switch) && !is_preserved) return kDone;
-    if (!check_name_in_list(place)) return kFailed;
+    const bool is_preserved = at.expects(Token::OpenBrace) && is_word(token) &&
+                              is_word(at.previous.token) && begins_declaration(at.head);
+    if (!(closes_list && begins_item && at.head != Token::Switch) && !is_preserved) return kDone;
+    if (!check_name_in_list(at)) return kFailed;
     file_.sink.report(diag::CommaMissing, gap)
-        .arg(quoted(place.previous))
-        .arg(quoted(place.offending))
+        .arg(quoted(at.previous))
+        .arg(quoted(at.offending))
         .fix(gap, ",", "separate them");
     return kFailed;
 }
 
 /// `drill(to: -5mm, dwell 0.2s)`, `int n 3` among parameters: a name and its value.
-Done Complaints::check_name_in_list(const Place& place) {
-    const Token token = place.offending.token;
+Done Complaints::check_name_in_list(const ParserPosition& at) {
+    const Token token = at.offending.token;
     const bool is_value = token == Token::Number || token == Token::Text || token == Token::True ||
                           token == Token::False;
-    if (place.previous.token != Token::Identifier || !is_value || place.index < 2) return kDone;
-    const Token before = stream_.lexeme(place.index - 2).token;
-    const bool is_argument = place.rule == KadrParser::RuleSuffix &&
+    if (at.previous.token != Token::Identifier || !is_value || at.index < 2) return kDone;
+    const Token before = stream_.lexeme(at.index - 2).token;
+    const bool is_argument = at.rule == KadrParser::RuleSuffix &&
                              (before == Token::Comma || before == Token::OpenParen) &&
-                             !is_declared(file_.spelling(place.previous));
-    const bool is_default = place.rule == KadrParser::RuleParameters;
+                             !is_declared(file_.spelling(at.previous));
+    const bool is_default = at.rule == KadrParser::RuleParameters;
     if (!is_argument && !is_default) return kDone;
-    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    const SourceRange gap = file_.range(at.previous.end, at.previous.end);
     file_.sink.report(diag::SignMissing, gap)
         .arg(is_argument ? ":" : "=")
-        .arg(quoted(place.previous))
+        .arg(quoted(at.previous))
         .fix(gap, is_argument ? ":" : " =",
              is_argument ? "between an argument's name and its value"
                          : "in front of the value of a parameter that is left out");

@@ -35,12 +35,12 @@ std::size_t Complaints::matching(std::size_t open) const {
 }
 
 /// Signs as other languages have them; false: it is none of those.
-bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
-    const Token before = place.previous.token;
-    const Lexeme& offending = place.offending;
-    const Lexeme& next = stream_.lexeme(std::min(place.index + 1, stream_.size() - 1));
-    const bool is_joined = place.previous.end == offending.begin;
-    const SourceRange both = file_.range(place.previous.begin, offending.end);
+bool Complaints::fix_sign(const ParserPosition& at, DiagnosticBuilder& report) const {
+    const Token before = at.previous.token;
+    const Lexeme& offending = at.offending;
+    const Lexeme& next = stream_.lexeme(std::min(at.index + 1, stream_.size() - 1));
+    const bool is_joined = at.previous.end == offending.begin;
+    const SourceRange both = file_.range(at.previous.begin, offending.end);
     const auto is = [&](Token first, Token second) {
         return is_joined && before == first && offending.token == second;
     };
@@ -54,9 +54,9 @@ bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
         report.fix("there are no pointers: a parameter `int& n` is the caller's own variable");
     } else if (offending.token == Token::Colon && next.token == Token::Assign) {
         report.fix(file_.range(offending.begin, next.end), "=", "assign");
-    } else if (offending.token == Token::Colon && place.head_index + 1 == place.index) {
+    } else if (offending.token == Token::Colon && at.head_index + 1 == at.index) {
         report.fix("there are no labels and no jumps: `while` and `for` repeat");
-    } else if (offending.token == Token::Comma && is_word(place.head)) {
+    } else if (offending.token == Token::Comma && is_word(at.head)) {
         const bool is_corner = !is_joined && next.begin == offending.end &&  // `G1 X5 ,R2`
                                next.token == Token::LiteralWord && next.end - next.begin > 1 &&
                                (file_.spelling(next)[0] == 'R' || file_.spelling(next)[0] == 'C');
@@ -69,7 +69,7 @@ bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
         const bool is_tight = is_joined && next.begin == offending.end;
         report.fix(file_.range(offending), is_tight ? " " : "",
                    "the words of a block have no commas between them");
-    } else if (is_cast(place)) {
+    } else if (is_cast(at)) {
         report.fix("a value becomes a number of another kind by a call: `int(x)`, `round(x)`");
     } else {
         return false;
@@ -78,16 +78,16 @@ bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
 }
 
 /// `and`, `OR`, `not`: words of other languages.
-void Complaints::fix_operator(const Place& place, DiagnosticBuilder& report) const {
+void Complaints::fix_operator(const ParserPosition& at, DiagnosticBuilder& report) const {
     constexpr std::pair<std::string_view, std::string_view> kWords[] = {
         {"and", "&&"}, {"or", "||"}, {"mod", "%"}, {"eq", "=="}, {"ne", "!="},
         {"lt", "<"},   {"le", "<="}, {"gt", ">"},  {"ge", ">="},
     };
-    if (lower_ascii(file_.spelling(place.previous)) == "not") {
+    if (lower_ascii(file_.spelling(at.previous)) == "not") {
         report.fix("the operator is `!`, in front of parentheses: `!(n > 3)`");
         return;
     }
-    for (const Lexeme* lexeme : {&place.offending, &place.previous}) {
+    for (const Lexeme* lexeme : {&at.offending, &at.previous}) {
         const std::string word = lower_ascii(file_.spelling(*lexeme));
         if (word == "div") return void(report.fix("a whole quotient is `trunc(a/b)`"));
         for (const auto& [name, sign] : kWords) {
@@ -99,19 +99,19 @@ void Complaints::fix_operator(const Place& place, DiagnosticBuilder& report) con
 }
 
 /// `message "hello";`, `tool 3;`: what is called without its parentheses.
-void Complaints::fix_call(const Place& place, DiagnosticBuilder& report) const {
-    const Token token = place.offending.token;
-    const bool is_call = place.head == Token::Identifier && place.index == place.head_index + 1 &&
-                         (token == Token::Number || token == Token::Text) && !place.is_new_line &&
-                         stream_.lexeme(place.index + 1).token == Token::Semicolon;
+void Complaints::fix_call(const ParserPosition& at, DiagnosticBuilder& report) const {
+    const Token token = at.offending.token;
+    const bool is_call = at.head == Token::Identifier && at.index == at.head_index + 1 &&
+                         (token == Token::Number || token == Token::Text) && !at.is_new_line &&
+                         stream_.lexeme(at.index + 1).token == Token::Semicolon;
     if (!is_call) return;
-    const std::string small = lower_ascii(file_.spelling(place.previous));
-    if (small != file_.spelling(place.previous) && find_keyword(small) != nullptr) {  // `NOTE "a";`
-        report.fix(file_.range(place.previous), small, "keywords are written in lower case");
+    const std::string small = lower_ascii(file_.spelling(at.previous));
+    if (small != file_.spelling(at.previous) && find_keyword(small) != nullptr) {  // `NOTE "a";`
+        report.fix(file_.range(at.previous), small, "keywords are written in lower case");
         return;
     }
-    report.fix(file_.range(place.previous.end, place.offending.end),
-               '(' + std::string(file_.spelling(place.offending)) + ')',
+    report.fix(file_.range(at.previous.end, at.offending.end),
+               '(' + std::string(file_.spelling(at.offending)) + ')',
                "the arguments of a call stand in parentheses");
 }
 
@@ -128,29 +128,29 @@ std::size_t Complaints::word_to(std::size_t first) const {
 }
 
 /// `for (int k = 1 to 5)`: `k : 1..5`.
-void Complaints::fix_counting(const Place& place, DiagnosticBuilder& report) const {
-    for (std::size_t i = place.index; i-- > place.head_index;) {
-        if (stream_.lexeme(i).token != Token::Assign || word_to(i - 1) != place.index) continue;
+void Complaints::fix_counting(const ParserPosition& at, DiagnosticBuilder& report) const {
+    for (std::size_t i = at.index; i-- > at.head_index;) {
+        if (stream_.lexeme(i).token != Token::Assign || word_to(i - 1) != at.index) continue;
         const std::uint32_t begin = stream_.lexeme(i + 1).begin;
-        const std::string first(file_.text.substr(begin, place.previous.end - begin));
-        const Lexeme& last = stream_.lexeme(place.index + 1);
+        const std::string first(file_.text.substr(begin, at.previous.end - begin));
+        const Lexeme& last = stream_.lexeme(at.index + 1);
         return void(report.fix(file_.range(stream_.lexeme(i).begin, last.begin),
                                ": " + first + "..", "a loop over a range counts"));
     }
 }
 
 /// `for (int i = 0, i < 5, i++)`, but `for (int i = 0, j = 1; …)`.
-void Complaints::fix_comma_of_loop(const Place& place, DiagnosticBuilder& report) const {
-    const std::string_view next = file_.spelling(stream_.lexeme(place.index + 1));
-    for (std::size_t i = place.index; i > 0 && stream_.lexeme(i).token != Token::OpenParen; --i) {
+void Complaints::fix_comma_of_loop(const ParserPosition& at, DiagnosticBuilder& report) const {
+    const std::string_view next = file_.spelling(stream_.lexeme(at.index + 1));
+    for (std::size_t i = at.index; i > 0 && stream_.lexeme(i).token != Token::OpenParen; --i) {
         const bool is_asked = stream_.lexeme(i).token == Token::Assign &&
                               file_.spelling(stream_.lexeme(i - 1)) == next;
         if (!is_asked) continue;
-        const std::size_t last = last_comma(place.index);
-        std::string parts(file_.text.substr(place.offending.begin,
-                                            stream_.lexeme(last).end - place.offending.begin));
+        const std::size_t last = last_comma(at.index);
+        std::string parts(
+            file_.text.substr(at.offending.begin, stream_.lexeme(last).end - at.offending.begin));
         std::ranges::replace(parts, ',', ';');
-        return void(report.fix(file_.range(place.offending.begin, stream_.lexeme(last).end), parts,
+        return void(report.fix(file_.range(at.offending.begin, stream_.lexeme(last).end), parts,
                                "semicolons stand between the parts of a loop"));
     }
     report.fix("a loop has one variable: declare the others before it");
@@ -163,60 +163,60 @@ bool Complaints::is_then(std::size_t index) const {
 }
 
 /// What a keyword is followed by, in parentheses: up to the body or the end of the statement.
-void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) const {
-    std::size_t end = place.index;
+void Complaints::fix_parentheses(const ParserPosition& at, DiagnosticBuilder& report) const {
+    std::size_t end = at.index;
     for (std::size_t depth = 0; end < stream_.size(); ++end) {
         const Token token = stream_.lexeme(end).token;
         const bool is_end = token == Token::OpenBrace || token == Token::OpenValue ||
                             token == Token::EndOfFile ||
-                            (token == Token::Semicolon && place.previous.token != Token::For);
+                            (token == Token::Semicolon && at.previous.token != Token::For);
         const bool is_word_of_others =
             token == Token::Identifier && habit_of(file_.spelling(stream_.lexeme(end))) != nullptr;
         const bool is_body = begins_statement(token) || is_word(token) || is_word_of_others;
-        if (depth == 0 && (is_end || (end > place.index && is_body))) break;
+        if (depth == 0 && (is_end || (end > at.index && is_body))) break;
         if (opens(token)) ++depth;
         if (closes(token) && depth > 0) --depth;
     }
-    if (end > place.index && is_closed_behind(end - 1)) {  // `for point p : ps) {`
-        const std::uint32_t begin = place.offending.begin;
+    if (end > at.index && is_closed_behind(end - 1)) {  // `for point p : ps) {`
+        const std::uint32_t begin = at.offending.begin;
         report.fix(file_.range(begin, begin), "(", "open it");
         return;
     }
-    if (end == place.index) {
-        const bool is_empty = place.previous.token == Token::Identifier;  // `program p {`
-        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    if (end == at.index) {
+        const bool is_empty = at.previous.token == Token::Identifier;  // `program p {`
+        const SourceRange gap = file_.range(at.previous.end, at.previous.end);
         if (is_empty) report.fix(gap, "()", "without parameters they are empty");
-        else report.fix(file_.range(place.offending.begin, place.offending.begin), "(", "open it");
+        else report.fix(file_.range(at.offending.begin, at.offending.begin), "(", "open it");
         return;
     }
-    SourceRange range = file_.range(place.offending.begin, stream_.lexeme(end - 1).end);
+    SourceRange range = file_.range(at.offending.begin, stream_.lexeme(end - 1).end);
     // `if n > 2:`
-    const bool has_colon = end > place.index + 1 && stream_.lexeme(end - 1).token == Token::Colon;
+    const bool has_colon = end > at.index + 1 && stream_.lexeme(end - 1).token == Token::Colon;
     const std::uint32_t inner_end = has_colon ? stream_.lexeme(end - 2).end : range.end;
     // `for i in 1..5`
-    const bool is_loop = place.previous.token == Token::For && end > place.index + 2 &&
-                         place.offending.token == Token::Identifier &&
-                         lower_ascii(file_.spelling(stream_.lexeme(place.index + 1))) == "in";
+    const bool is_loop = at.previous.token == Token::For && end > at.index + 2 &&
+                         at.offending.token == Token::Identifier &&
+                         lower_ascii(file_.spelling(stream_.lexeme(at.index + 1))) == "in";
     if (is_loop) {
-        const Lexeme& first = stream_.lexeme(place.index + 2);
+        const Lexeme& first = stream_.lexeme(at.index + 2);
         const std::string list(file_.text.substr(first.begin, inner_end - first.begin));
         if (list.starts_with("range("))
             return report.fix("a loop counts: `for (int i = 0; i < 5; i++)`"), void();
         const std::string type = list.find("..") != list.npos ? "int " : "auto ";
         report.fix(range,
-                   '(' + type + std::string(file_.spelling(place.offending)) + " : " + list + ')',
+                   '(' + type + std::string(file_.spelling(at.offending)) + " : " + list + ')',
                    "a loop over a list");
         return;
     }
-    if (const std::size_t to = word_to(place.index);
-        place.previous.token == Token::For && to > 0 && to + 1 < end) {
+    if (const std::size_t to = word_to(at.index);
+        at.previous.token == Token::For && to > 0 && to + 1 < end) {
         const auto part = [&](std::size_t from, std::size_t last) {
             const std::uint32_t begin = stream_.lexeme(from).begin;
             return std::string(file_.text.substr(begin, stream_.lexeme(last).end - begin));
         };
         report.fix(range,
-                   "(int " + part(place.index, place.index) + " : " +
-                       part(place.index + 2, to - 1) + ".." + part(to + 1, end - 1) + ')',
+                   "(int " + part(at.index, at.index) + " : " + part(at.index + 2, to - 1) + ".." +
+                       part(to + 1, end - 1) + ')',
                    "a loop over a range counts");
         return;
     }
@@ -323,33 +323,33 @@ static const nc::Form* form_of_address(const nc::Dialect& dialect, std::string_v
 }
 
 /// `X d`, `X-d`, `X(d)`, `X[d*2]`: the address with its value behind `=`.
-void Complaints::fix_word_value(const Place& place, DiagnosticBuilder& report) const {
-    const Token token = place.offending.token;
+void Complaints::fix_word_value(const ParserPosition& at, DiagnosticBuilder& report) const {
+    const Token token = at.offending.token;
     const bool is_bracket = token == Token::OpenBracket || token == Token::OpenParen;
     const bool begins_value =
         is_bracket || token == Token::Identifier || token == Token::Minus || token == Token::Plus;
-    if (place.is_new_line || !begins_value) return;
+    if (at.is_new_line || !begins_value) return;
     if (!is_bracket) {
-        report.fix(file_.range(place.previous.end, place.offending.begin), "=", kValueBehindSign);
+        report.fix(file_.range(at.previous.end, at.offending.begin), "=", kValueBehindSign);
         return;
     }
-    const std::size_t close = matching(place.index);
+    const std::size_t close = matching(at.index);
     // `R[1]=5`: a variable of a control; `SPOS[1]=90`: a word of it.
     if (stream_.lexeme(close + 1).token == Token::Assign) {
-        const std::string_view said = file_.text.substr(
-            place.previous.begin, stream_.lexeme(close).end - place.previous.begin);
-        const nc::Form* form = form_of_address(dialect_, said);
-        const std::string address(file_.spelling(place.previous));
+        const std::string_view text =
+            file_.text.substr(at.previous.begin, stream_.lexeme(close).end - at.previous.begin);
+        const nc::Form* form = form_of_address(dialect_, text);
+        const std::string address(file_.spelling(at.previous));
         if (form == nullptr && address.size() > 1 && form_of_address(dialect_, address) != nullptr)
             return static_cast<void>(report.fix(
                 "`" + address + "` takes no number in brackets here: `" + address + "=…`"));
-        if (form == nullptr) return fix_control_variable(place.previous, report);
+        if (form == nullptr) return fix_control_variable(at.previous, report);
         report.fix("a function says it: `" + std::string(nc::info(form->function).name) + "(…)`");
         return;
     }
     const bool is_whole = ends_value(stream_.lexeme(close + 1).token);
-    const std::string inside = round_brackets(place.index);
-    report.fix(file_.range(place.previous.end, stream_.lexeme(close).end),
+    const std::string inside = round_brackets(at.index);
+    report.fix(file_.range(at.previous.end, stream_.lexeme(close).end),
                is_whole ? '=' + inside : "=(" + inside + ')', kValueBehindSign);
 }
 
@@ -366,24 +366,24 @@ bool Complaints::is_list(std::size_t open, std::size_t close) const {
 }
 
 /// `X=[d*2]`, `a*[b+c]`: square brackets that group; `[1mm, 2mm]`: those of a list.
-void Complaints::fix_brackets(const Place& place, DiagnosticBuilder& report) const {
-    const std::size_t close = matching(place.index);
+void Complaints::fix_brackets(const ParserPosition& at, DiagnosticBuilder& report) const {
+    const std::size_t close = matching(at.index);
     if (stream_.lexeme(close).token != Token::CloseBracket) return;
     const bool is_whole =
-        place.previous.token == Token::Assign && ends_value(stream_.lexeme(close + 1).token);
-    const SourceRange range = file_.range(place.offending.begin, stream_.lexeme(close).end);
-    const std::string inside = round_brackets(place.index);
-    if (is_whole && is_list(place.index, close))
+        at.previous.token == Token::Assign && ends_value(stream_.lexeme(close + 1).token);
+    const SourceRange range = file_.range(at.offending.begin, stream_.lexeme(close).end);
+    const std::string inside = round_brackets(at.index);
+    if (is_whole && is_list(at.index, close))
         report.fix(range, '{' + inside + '}', "the values of a list stand in braces");
     else report.fix(range, is_whole ? inside : '(' + inside + ')', "parentheses are round");
 }
 
 /// `(int)x`.
-bool Complaints::is_cast(const Place& place) const {
-    if (place.previous.token != Token::CloseParen || place.index < 3) return false;
-    const std::string_view type = file_.spelling(stream_.lexeme(place.index - 2));
+bool Complaints::is_cast(const ParserPosition& at) const {
+    if (at.previous.token != Token::CloseParen || at.index < 3) return false;
+    const std::string_view type = file_.spelling(stream_.lexeme(at.index - 2));
     constexpr std::string_view kTypes[] = {"int", "real", "float", "double", "long", "bool"};
-    return stream_.lexeme(place.index - 3).token == Token::OpenParen &&
+    return stream_.lexeme(at.index - 3).token == Token::OpenParen &&
            std::ranges::find(kTypes, type) != std::end(kTypes);
 }
 

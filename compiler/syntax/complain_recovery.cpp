@@ -20,19 +20,19 @@ void Complaints::reportError(antlr4::Parser* parser, const antlr4::RecognitionEx
 /// everything else ends the statement.
 antlr4::Token* Complaints::recoverInline(antlr4::Parser* parser) {
     const std::size_t index = stream_.index();
-    const Place place = place_of(*parser, index);
-    const bool is_name = place.expects_only(Token::Identifier) && is_word(place.offending.token);
-    const bool is_semicolon = place.expects_only(Token::Semicolon) && is_semicolon_forgotten(place);
+    const ParserPosition at = location_of(*parser, index);
+    const bool is_name = at.expects_only(Token::Identifier) && is_word(at.offending.token);
+    const bool is_semicolon = at.expects_only(Token::Semicolon) && is_semicolon_forgotten(at);
     if (!is_name && !is_semicolon) throw antlr4::InputMismatchException(parser);
     complain(*parser, index);
-    Lexeme lexeme = place.offending;
+    Lexeme lexeme = at.offending;
     if (is_name) {
         lexeme.token = Token::Identifier;
         lexeme.text = file_.texts.intern(file_.spelling(lexeme));
         stream_.consume();
     } else {
         lexeme.token = Token::Semicolon;
-        lexeme.begin = lexeme.end = place.previous.end;
+        lexeme.begin = lexeme.end = at.previous.end;
     }
     // The parser hangs tokens without an index into the tree itself.
     conjured_.emplace_back(lexeme, INVALID_INDEX);

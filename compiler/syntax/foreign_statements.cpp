@@ -132,7 +132,7 @@ const Keyword* Statements::keyword_in_capitals() const {
     if (small == spelled || keywords_.canonical.contains(std::string(spelled))) return nullptr;
     const auto found = keywords_.canonical.find(small);
     const Keyword* keyword = found == keywords_.canonical.end() ? nullptr : find_keyword(small);
-    return keyword != nullptr && keyword->place == Keyword::Place::Anywhere ? keyword : nullptr;
+    return keyword != nullptr && keyword->context == Keyword::Context::Anywhere ? keyword : nullptr;
 }
 
 /// Whether what follows can follow the keyword and no name: of a function, a variable or a type.

@@ -26,12 +26,12 @@ struct OutLine {
 /// A recursive walk over statements; it trusts that the file was parsed without a mistake.
 class Formatting {
   public:
-    explicit Formatting(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
+    explicit Formatting(std::vector<LayoutPiece> pieces) : pieces_(std::move(pieces)) {}
 
     std::string run();
 
   private:
-    using Pieces = std::vector<Piece>;
+    using Pieces = std::vector<LayoutPiece>;
 
     void declarations();
     void statements(std::size_t level);
@@ -68,9 +68,9 @@ class Formatting {
     void blank_line();
     std::string joined() const;
 
-    const Piece& here() const { return pieces_[at_]; }
+    const LayoutPiece& here() const { return pieces_[at_]; }
     bool is(Token token) const { return here().token == token; }
-    Piece take() { return pieces_[at_++]; }
+    LayoutPiece take() { return pieces_[at_++]; }
     bool is_end() const { return is(Token::EndOfFile) || is(Token::CloseBrace); }
 
     Pieces pieces_;
@@ -220,7 +220,7 @@ void Formatting::controlled(Pieces head, std::size_t level) {
         if (!lines_.empty() && lines_.back().code == std::string(level * kIndent, ' ') + "}" &&
             lines_.back().comment.empty()) {
             lines_.pop_back();
-            Piece brace;
+            LayoutPiece brace;
             brace.token = Token::CloseBrace;
             brace.text = "}";
             head.insert(head.begin(), brace);
@@ -259,7 +259,7 @@ void Formatting::do_statement(std::size_t level) {
     if (lines_.back().code == std::string(level * kIndent, ' ') + "}" &&
         lines_.back().comment.empty()) {
         lines_.pop_back();
-        Piece brace;
+        LayoutPiece brace;
         brace.token = Token::CloseBrace;
         brace.text = "}";
         tail.push_back(brace);
@@ -280,7 +280,7 @@ bool Formatting::join_while(std::size_t level) {
     const bool fits =
         tail.size() == 1 &&
         count_code_points(line) + count_code_points(tail[0]) - level * kIndent < width_;
-    if (!fits || std::ranges::any_of(own, &Piece::is_comment)) {
+    if (!fits || std::ranges::any_of(own, &LayoutPiece::is_comment)) {
         at_ = mark;
         return false;
     }
@@ -626,8 +626,8 @@ std::string Formatting::joined() const {
 }
 
 /// The pieces of a text that was parsed without a mistake.
-std::vector<Piece> pieces_of(const Sources& sources, FileId id, const KeywordTable& keywords,
-                             const nc::Dialect& dialect) {
+std::vector<LayoutPiece> pieces_of(const Sources& sources, FileId id, const KeywordTable& keywords,
+                                   const nc::Dialect& dialect) {
     LimitedSink limit;
     const std::optional<std::string> clean = clean_text(id, sources.text(id), limit);
     std::vector<std::string> texts(1);

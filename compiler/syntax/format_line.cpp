@@ -33,7 +33,7 @@ bool is_word_start(Token token) {
 }
 
 /// Whether an operator is spelled with letters: `not`, `не`.
-bool is_word_operator(const Piece& piece) {
+bool is_word_operator(const LayoutPiece& piece) {
     const auto first = static_cast<unsigned char>(piece.text.empty() ? '-' : piece.text.front());
     return first >= 0x80 || (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
 }
@@ -111,7 +111,7 @@ struct Gap {
 /// Decides every gap in one pass from left to right.
 class Spacing {
   public:
-    explicit Spacing(std::span<const Piece> pieces) : pieces_(pieces) { find_tables(); }
+    explicit Spacing(std::span<const LayoutPiece> pieces) : pieces_(pieces) { find_tables(); }
     std::vector<Gap> run();
 
   private:
@@ -133,7 +133,7 @@ class Spacing {
     Token token(std::size_t i) const { return pieces_[i].token; }
     bool in_for() const { return !open_.empty() && open_.back().is_for; }
 
-    std::span<const Piece> pieces_;
+    std::span<const LayoutPiece> pieces_;
     std::vector<Open> open_;
     std::vector<bool> is_table_ = std::vector<bool>(pieces_.size());  // `{` whose rows stay
     std::vector<bool> is_unary_ = std::vector<bool>(pieces_.size());
@@ -290,7 +290,7 @@ bool Spacing::has_blank(std::size_t i) {
 }
 
 bool Spacing::is_forced(std::size_t i) const {
-    const Piece& piece = pieces_[i];
+    const LayoutPiece& piece = pieces_[i];
     if (pieces_[i - 1].token == Token::LineComment) return true;
     if (piece.is_comment() && piece.starts_line) return true;
     // The rows of a table stay as they are.
@@ -323,7 +323,7 @@ int Spacing::penalty(std::size_t i) const {
 /// Fills lines from left to right.
 class Breaking {
   public:
-    Breaking(std::span<const Piece> pieces, std::size_t indent, std::size_t continuation,
+    Breaking(std::span<const LayoutPiece> pieces, std::size_t indent, std::size_t continuation,
              std::size_t width)
         : pieces_(pieces),
           gaps_(Spacing(pieces).run()),
@@ -342,7 +342,7 @@ class Breaking {
     std::size_t line_end(std::size_t first, std::size_t column) const;
     void emit(std::size_t first, std::size_t end, std::size_t column);
 
-    std::span<const Piece> pieces_;
+    std::span<const LayoutPiece> pieces_;
     std::vector<Gap> gaps_;
     std::size_t indent_;
     std::size_t continuation_;
@@ -431,7 +431,7 @@ std::size_t text_width(std::string_view text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-std::vector<std::string> format_line(std::span<const Piece> pieces, std::size_t indent,
+std::vector<std::string> format_line(std::span<const LayoutPiece> pieces, std::size_t indent,
                                      std::size_t continuation, std::size_t width) {
     return Breaking(pieces, indent, continuation, width).run();
 }

@@ -18,7 +18,7 @@ inline constexpr std::size_t kIndent = 4;
 /// broken at the outermost place that makes a line fit. What goes on in brackets is aligned behind
 /// the bracket, anything else is indented by `continuation` more. Line comments end their line.
 /// They fit if they end in column `width`.
-std::vector<std::string> format_line(std::span<const Piece> pieces, std::size_t indent,
+std::vector<std::string> format_line(std::span<const LayoutPiece> pieces, std::size_t indent,
                                      std::size_t continuation, std::size_t width = kLineWidth);
 
 /// Columns that a text in UTF-8 takes.

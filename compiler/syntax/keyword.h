@@ -14,7 +14,7 @@
 namespace kadr::syntax {
 
 struct Keyword {
-    enum class Place : std::uint8_t {
+    enum class Context : std::uint8_t {
         Anywhere,   // never a name
         Statement,  // at the start of a statement or declaration, in front of one of `followers`
         Header,     // between `)` and `{` of a declaration
@@ -27,7 +27,7 @@ struct Keyword {
     };
     std::string_view name;
     Token token;
-    Place place;
+    Context context;
     std::string_view followers;  // n name, t text, and `(` `{` `;` themselves
     bool is_required = true;     // every language file must give a lexeme
 };

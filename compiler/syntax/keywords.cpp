@@ -42,7 +42,7 @@ class Loader {
     FileId file_;
     DiagnosticSink& sink_;
     KeywordTable table_;
-    std::unordered_map<std::string, SourceRange> places_;  // of the lexemes
+    std::unordered_map<std::string, SourceRange> locations_;  // of the lexemes
     bool is_good_ = true;
 };
 
@@ -80,13 +80,13 @@ void Loader::keyword(const XmlAttribute& name, const XmlAttribute& lexeme) {
     }
     const auto [entry, is_new] = table_.canonical.emplace(spelled, name.value);
     if (is_new) {
-        places_.emplace(spelled, lexeme.value_range);
+        locations_.emplace(spelled, lexeme.value_range);
         return;
     }
     report(diag::LanguageDouble, lexeme.value_range)
         .arg(spelled)
         .arg(entry->second)
-        .note(places_.at(spelled), "the first one");
+        .note(locations_.at(spelled), "the first one");
 }
 
 void Loader::require_all(const XmlElement& root) {

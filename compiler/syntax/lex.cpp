@@ -134,8 +134,8 @@ Done Lexing::run(std::uint32_t begin, std::uint32_t end) {
         if (limit_.is_full()) return kFailed;
         if (out_.size() % kSlice == kSlice - 1 && limit_.is_late()) return kFailed;
         if (out_.size() >= kMaxLexemes) {
-            const std::uint32_t place = cursor.byte_of(token->getStartIndex());
-            file_.sink.report(diag::FileTooLong, file_.range(place, place + 1));
+            const std::uint32_t index = cursor.byte_of(token->getStartIndex());
+            file_.sink.report(diag::FileTooLong, file_.range(index, index + 1));
             return kFailed;
         }
         const std::uint32_t first = cursor.byte_of(token->getStartIndex());
@@ -402,13 +402,13 @@ std::optional<std::string> clean_text(FileId file, std::string_view text, Diagno
         }
         clean[i] = ' ';
         if (i != bad_end) {
-            const SourceRange place{file, static_cast<std::uint32_t>(i),
-                                    static_cast<std::uint32_t>(i + 1)};
+            const SourceRange location{file, static_cast<std::uint32_t>(i),
+                                       static_cast<std::uint32_t>(i + 1)};
             if (++bad_runs > kMaxBadBytes) {
-                sink.report(diag::FileNotText, place);
+                sink.report(diag::FileNotText, location);
                 return std::nullopt;
             }
-            sink.report(diag::ByteNotText, place).arg(hex_byte(text[i]));
+            sink.report(diag::ByteNotText, location).arg(hex_byte(text[i]));
         }
         bad_end = ++i;
     }

@@ -14,9 +14,9 @@ Lines::Lines(std::string_view text) {
     }
 }
 
-const Lines::Line& Lines::line(std::uint32_t place) const {
+const Lines::Line& Lines::line(std::uint32_t index) const {
     const auto next = std::upper_bound(
-        lines_.begin(), lines_.end(), place,
+        lines_.begin(), lines_.end(), index,
         [](std::uint32_t wanted, const Line& line) { return wanted < line.start; });
     return *(next - 1);
 }

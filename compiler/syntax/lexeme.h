@@ -54,16 +54,16 @@ class Lines {
     explicit Lines(std::string_view text);
 
     /// Bytes between the start of the line and the place.
-    std::uint32_t indent(std::uint32_t place) const { return place - line(place).start; }
+    std::uint32_t indent(std::uint32_t index) const { return index - line(index).start; }
     /// Blanks at the start of the line that holds the place.
-    std::uint32_t line_indent(std::uint32_t place) const { return line(place).blanks; }
+    std::uint32_t line_indent(std::uint32_t index) const { return line(index).blanks; }
 
   private:
     struct Line {
         std::uint32_t start;
         std::uint32_t blanks;
     };
-    const Line& line(std::uint32_t place) const;
+    const Line& line(std::uint32_t index) const;
 
     std::vector<Line> lines_;
 };

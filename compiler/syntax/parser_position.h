@@ -6,7 +6,7 @@
 namespace kadr::syntax {
 
 /// Where the parser stands and what it could go on with.
-struct Complaints::Place {
+struct Complaints::ParserPosition {
     std::size_t index;
     const Lexeme& offending;
     const Lexeme& previous;

@@ -27,7 +27,7 @@ class Gathering {
               const std::vector<Comment>& comments)
         : file_(file), lexemes_(lexemes), comments_(comments) {}
 
-    std::vector<Piece> run();
+    std::vector<LayoutPiece> run();
 
   private:
     void add(Token token, std::uint32_t begin, std::uint32_t end);
@@ -37,12 +37,12 @@ class Gathering {
     const SourceFile& file_;
     const std::vector<Lexeme>& lexemes_;
     const std::vector<Comment>& comments_;
-    std::vector<Piece> out_;
+    std::vector<LayoutPiece> out_;
     std::uint32_t last_end_ = 0;
     std::size_t next_comment_ = 0;
 };
 
-std::vector<Piece> Gathering::run() {
+std::vector<LayoutPiece> Gathering::run() {
     for (std::size_t i = 0; i < lexemes_.size(); ++i) {
         const Lexeme& first = lexemes_[i];
         add_comments(first.begin);
@@ -76,7 +76,7 @@ void Gathering::add_comments(std::uint32_t before) {
 void Gathering::add(Token token, std::uint32_t begin, std::uint32_t end) {
     const std::string_view between = file_.text.substr(last_end_, begin - last_end_);
     const auto breaks = std::count(between.begin(), between.end(), '\n');
-    Piece piece;
+    LayoutPiece piece;
     piece.token = token;
     piece.text = spelling(token, begin, end);
     piece.starts_line = breaks > 0 || last_end_ == 0;
@@ -109,8 +109,8 @@ std::string Gathering::spelling(Token token, std::uint32_t begin, std::uint32_t 
 
 }  // namespace
 
-std::vector<Piece> pieces_of(const SourceFile& file, const std::vector<Lexeme>& lexemes,
-                             const std::vector<Comment>& comments) {
+std::vector<LayoutPiece> pieces_of(const SourceFile& file, const std::vector<Lexeme>& lexemes,
+                                   const std::vector<Comment>& comments) {
     return Gathering(file, lexemes, comments).run();
 }
 

@@ -11,7 +11,7 @@
 namespace kadr::syntax {
 
 /// A token, or a comment, that the formatter moves as a whole.
-struct Piece {
+struct LayoutPiece {
     Token token = Token::EndOfFile;  // LineComment and BlockComment, too
     std::string text;                // as it is written; words and numbers without inner blanks
     bool starts_line = false;        // in the source
@@ -26,7 +26,7 @@ struct Piece {
 
 /// The pieces of a file without mistakes. A text with `{…}` inside is one piece, as it stands: what
 /// is written into a text is its author's matter. Ends with EndOfFile.
-std::vector<Piece> pieces_of(const SourceFile& file, const std::vector<Lexeme>& lexemes,
-                             const std::vector<Comment>& comments);
+std::vector<LayoutPiece> pieces_of(const SourceFile& file, const std::vector<Lexeme>& lexemes,
+                                   const std::vector<Comment>& comments);
 
 }  // namespace kadr::syntax

@@ -224,8 +224,8 @@ void Printer::statement(StmtId id, int depth) {
         out_ += ' ';
         out_ += text(stmt.text);
     }
-    if (stmt.skip == kDefaultSkipLevel) out_ += " skip";
-    else if (stmt.skip >= 0) out_ += " skip" + std::to_string(stmt.skip);
+    if (stmt.skip_level == kDefaultSkipLevel) out_ += " skip";
+    else if (stmt.skip_level >= 0) out_ += " skip" + std::to_string(stmt.skip_level);
     for (const Word& one : ast_.word_run(stmt.words)) {
         out_ += ' ';
         word(one);

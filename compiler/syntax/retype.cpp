@@ -32,8 +32,8 @@ enum class Head : std::uint8_t {
 };
 
 /// Whether `//` stands right behind a place, and a value right behind it.
-bool is_quotient_comment(std::string_view text, std::size_t place) {
-    const std::string_view rest = text.substr(place);
+bool is_quotient_comment(std::string_view text, std::size_t index) {
+    const std::string_view rest = text.substr(index);
     return rest.size() > 2 && rest.starts_with("//") &&
            (rest[2] == '(' || std::isalnum(static_cast<unsigned char>(rest[2])) != 0);
 }
@@ -106,7 +106,7 @@ std::optional<Prepared> Retyping::run() {
     out_.reserve(in_.size() + 8);
     for (std::size_t i = 0; i < in_.size(); ++i) {  // words for brackets and operators
         const Keyword* keyword = keyword_of(in_[i]);
-        if (keyword == nullptr || keyword->place != Keyword::Place::Operator) continue;
+        if (keyword == nullptr || keyword->context != Keyword::Context::Operator) continue;
         if (declares_operator(i, *keyword)) {
             report_operator_name(i, *keyword);
             continue;
@@ -256,7 +256,7 @@ void Retyping::mend_before() {
         is_over = may_end_value(previous()) && (is_new_line || head_ == Head::Words);
     } else if (lexeme.token == Token::Identifier && is_new_line) {
         const Keyword* keyword = keyword_of(lexeme);
-        is_over = keyword != nullptr && keyword->place == Keyword::Place::Anywhere &&
+        is_over = keyword != nullptr && keyword->context == Keyword::Context::Anywhere &&
                   keyword->token != Token::True && keyword->token != Token::False;
     }
     if (is_over) brackets_.close_values(lexeme);
@@ -292,8 +292,8 @@ void Retyping::end_forgotten_statement() {
     const Bracket* top = brackets_.top();
     const bool is_enum = top != nullptr && top->role == Bracket::Role::Enumerators;
     const Keyword* keyword = keyword_of(lexeme);
-    const bool goes_on =
-        keyword != nullptr && is_keyword_here(*keyword) && keyword->place == Keyword::Place::Infix;
+    const bool goes_on = keyword != nullptr && is_keyword_here(*keyword) &&
+                         keyword->context == Keyword::Context::Infix;
     if (!ends_word || is_header || is_enum || goes_on || is_lone_type()) return;
     Lexeme semicolon;
     semicolon.token = Token::Semicolon;
@@ -304,8 +304,8 @@ void Retyping::end_forgotten_statement() {
     const bool is_stray =
         brackets_.is_file_level() && (first == Token::Identifier || is_word(first) ||
                                       first == Token::Percent || first == Token::Colon);
-    const bool is_told = is_stray || out_.back().is_repair;
-    if (!is_told) {
+    const bool is_reported = is_stray || out_.back().is_repair;
+    if (!is_reported) {
         auto message = file_.sink.report(diag::SemicolonMissing, file_.range(semicolon));
         message.arg(head_text());
         // `n//2`: with a semicolon in front the rest of the line would be lost.
@@ -322,9 +322,9 @@ void Retyping::end_forgotten_statement() {
 
 /// Two names, words or numbers in a row, as in a sentence: `FACE MILL`.
 bool Retyping::is_prose(std::size_t first, std::size_t last) const {
-    const auto is_said = [&](std::size_t i) { return is_name(i) || at(i).token == Token::Number; };
+    const auto is_given = [&](std::size_t i) { return is_name(i) || at(i).token == Token::Number; };
     for (std::size_t i = first; i < last; ++i) {
-        if (is_said(i) && is_said(i + 1)) return true;
+        if (is_given(i) && is_given(i + 1)) return true;
     }
     return false;
 }
@@ -348,8 +348,9 @@ std::optional<std::size_t> Retyping::line_comment() {
     const Lexeme& semicolon = at(i_ - 1);
     if (semicolon.token != Token::Semicolon || ends_line(i_ - 1)) return std::nullopt;
     const Keyword* keyword = keyword_of(at(i_));
-    const bool is_code_word = keyword != nullptr && (keyword->place == Keyword::Place::Anywhere ||
-                                                     keyword->place == Keyword::Place::Type);
+    const bool is_code_word =
+        keyword != nullptr && (keyword->context == Keyword::Context::Anywhere ||
+                               keyword->context == Keyword::Context::Type);
     bool is_of_names = at(i_).token == Token::Identifier && !is_code_word;
     std::size_t last = i_;
     for (; !ends_line(last); ++last) {
@@ -444,7 +445,7 @@ void Retyping::open_brace(Lexeme lexeme) {
 bool Retyping::declares_operator(std::size_t i, const Keyword& keyword) {
     if (keyword.token == Token::Not) return false;
     const Keyword* before = i > 0 ? keyword_of(in_[i - 1]) : nullptr;
-    const bool is_behind_type = before != nullptr && (before->place == Keyword::Place::Type ||
+    const bool is_behind_type = before != nullptr && (before->context == Keyword::Context::Type ||
                                                       before->token == Token::Auto);
     const Token after = at(i + 1).token;
     const bool ends_name = after == Token::Assign || after == Token::Semicolon ||
@@ -524,7 +525,7 @@ void Retyping::name() {
     if (is_type_place() && is_type_at(i_)) {
         Lexeme type = lexeme;
         if (keyword != nullptr &&
-            (keyword->place == Keyword::Place::Type || keyword->token == Token::Contour)) {
+            (keyword->context == Keyword::Context::Type || keyword->token == Token::Contour)) {
             type.text = file_.texts.intern(keyword->name);
         }
         if (at_start_) head_ = brackets_.is_file_level() ? Head::Header : Head::Declaration;
@@ -533,7 +534,7 @@ void Retyping::name() {
     }
     // `целое(x)` calls the function of that name.
     Lexeme plain = lexeme;
-    if (keyword != nullptr && keyword->place == Keyword::Place::Type &&
+    if (keyword != nullptr && keyword->context == Keyword::Context::Type &&
         next() == Token::OpenParen) {
         plain.text = file_.texts.intern(keyword->name);
     }
@@ -558,23 +559,23 @@ bool Retyping::argument_name() {
 
 bool Retyping::is_keyword_here(const Keyword& keyword) const {
     const Bracket* top = brackets_.top();
-    switch (keyword.place) {
-        case Keyword::Place::Anywhere: return true;
-        case Keyword::Place::Type:
-        case Keyword::Place::Operator: return false;
-        case Keyword::Place::Statement:
+    switch (keyword.context) {
+        case Keyword::Context::Anywhere: return true;
+        case Keyword::Context::Type:
+        case Keyword::Context::Operator: return false;
+        case Keyword::Context::Statement:
             if (keyword.token == Token::Contour && !opens_contour()) return false;
             // At file level there are no expressions that could begin with a name.
             return at_start_ && (brackets_.is_file_level() || follows(keyword.followers));
-        case Keyword::Place::Header:
+        case Keyword::Context::Header:
             return brackets_.is_file_level() && previous() == Token::CloseParen;
-        case Keyword::Place::Parameter:
+        case Keyword::Context::Parameter:
             return previous() == Token::Identifier && top != nullptr &&
                    top->role == Bracket::Role::Parameters;
-        case Keyword::Place::Infix:
+        case Keyword::Context::Infix:
             return may_end_value(previous()) && !at_start_ && head_ != Head::Words;
-        case Keyword::Place::Prefix: return next() == Token::Identifier;
-        case Keyword::Place::Preserved:
+        case Keyword::Context::Prefix: return next() == Token::Identifier;
+        case Keyword::Context::Preserved:
             return previous() == Token::Preserves || previous() == Token::Comma;
     }
     return false;
@@ -671,7 +672,7 @@ bool Retyping::is_type_at(std::size_t i) const {
         const auto known = keywords_.canonical.find(std::string(file_.texts.text(in_[i_].text)));
         const Keyword* keyword =
             known == keywords_.canonical.end() ? nullptr : find_keyword(known->second);
-        if (keyword == nullptr || keyword->place != Keyword::Place::Type) return false;
+        if (keyword == nullptr || keyword->context != Keyword::Context::Type) return false;
     }
     if (!is_optional) return true;
     const Token after = at(i + 1).token;
@@ -694,11 +695,11 @@ const Keyword* Retyping::foreign_keyword(const Lexeme& lexeme) {
     // `note` in front of a text and a contour of blocks can mean nothing else; what may be a type
     // or a function of the author's is the checker's matter.
     const bool is_text = next() == Token::Text || next() == Token::TextOpen;
-    const bool is_told =
-        english->place == Keyword::Place::Anywhere ||
-        (english->place == Keyword::Place::Statement && is_text) ||
+    const bool is_reported =
+        english->context == Keyword::Context::Anywhere ||
+        (english->context == Keyword::Context::Statement && is_text) ||
         (english->token == Token::Contour && opens_contour() && is_word(at(i_ + 4).token));
-    if (!is_told) return nullptr;
+    if (!is_reported) return nullptr;
     for (const auto& [lexeme_here, name] : keywords_.canonical) {
         if (name != english->name) continue;
         file_.sink.report(diag::ForeignKeyword, file_.range(lexeme))

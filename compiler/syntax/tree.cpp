@@ -320,7 +320,7 @@ TextId TreeBuilder::documentation(std::uint32_t begin) {
     const auto& comments = ast_.comments;
     auto last = std::upper_bound(
         comments.begin(), comments.end(), begin,
-        [](std::uint32_t place, const Comment& comment) { return place < comment.range.end; });
+        [](std::uint32_t index, const Comment& comment) { return index < comment.range.end; });
     const auto is_blank = [&](std::uint32_t from, std::uint32_t to) {
         return file_.text.substr(from, to - from).find_first_not_of(" \t\r\n") ==
                std::string_view::npos;

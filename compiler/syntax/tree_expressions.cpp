@@ -138,8 +138,9 @@ ExprId TreeBuilder::assignment(KadrParser::AssignmentContext& context) {
 ExprId TreeBuilder::condition(KadrParser::ConditionContext& context) {
     const ExprId first = expression(*context.expression(0));
     if (context.children.size() == 1) return first;
-    const SourceRange place = file_.range(lexeme(context.children[1]));
-    file_.sink.report(diag::AssignmentInCondition, place).fix(place, "==", "compare with `==`");
+    const SourceRange location = file_.range(lexeme(context.children[1]));
+    file_.sink.report(diag::AssignmentInCondition, location)
+        .fix(location, "==", "compare with `==`");
     return binary(Operator::Equal, first, expression(*context.expression(1)));
 }
 

@@ -231,7 +231,7 @@ std::int8_t TreeBuilder::skip_level(KadrParser::SkipContext& context) {
 
 void TreeBuilder::words_statement(Stmt& stmt, KadrParser::WordsStatementContext& context) {
     stmt.kind = StmtKind::Words;
-    if (context.skip() != nullptr) stmt.skip = skip_level(*context.skip());
+    if (context.skip() != nullptr) stmt.skip_level = skip_level(*context.skip());
     std::vector<Word> words;
     for (KadrParser::WordContext* one : context.word()) words.push_back(word(*one));
     stmt.words = list(words);

@@ -109,7 +109,7 @@ class Merging {
     nc::WordKind kind_of(std::string_view name);
     bool is_word(std::string_view identifier);
     void bracket(const Lexeme& lexeme);
-    void leave_out(std::uint32_t place, bool is_first);
+    void leave_out(std::uint32_t index, bool is_first);
 
     const Lexeme& at(std::size_t i) const { return in_[i < in_.size() ? i : in_.size() - 1]; }
     bool adjoins(std::size_t i, std::uint32_t end) const { return at(i).begin == end; }
@@ -195,11 +195,11 @@ void Merging::bracket(const Lexeme& lexeme) {
     }
 }
 
-void Merging::leave_out(std::uint32_t place, bool is_first) {
+void Merging::leave_out(std::uint32_t index, bool is_first) {
     if (!is_first && out_.back().token != Token::Comma) return;
     Lexeme left_out;
     left_out.token = Token::NoArgument;
-    left_out.begin = left_out.end = place;
+    left_out.begin = left_out.end = index;
     out_.push_back(left_out);
 }
 

@@ -82,8 +82,8 @@ DiagnosticBuilder& DiagnosticBuilder::arg(double value) {
 
 DiagnosticBuilder& DiagnosticBuilder::arg(std::int64_t value) { return arg(std::to_string(value)); }
 
-DiagnosticBuilder& DiagnosticBuilder::at(TextLocation place) {
-    diagnostic_.line = std::move(place);
+DiagnosticBuilder& DiagnosticBuilder::at(TextLocation location) {
+    diagnostic_.line = std::move(location);
     return *this;
 }
 
@@ -97,8 +97,8 @@ DiagnosticBuilder& DiagnosticBuilder::note(std::string text) {
     return *this;
 }
 
-DiagnosticBuilder& DiagnosticBuilder::note(TextLocation place, std::string text) {
-    diagnostic_.notes.push_back({{}, std::move(place), std::move(text)});
+DiagnosticBuilder& DiagnosticBuilder::note(TextLocation location, std::string text) {
+    diagnostic_.notes.push_back({{}, std::move(location), std::move(text)});
     return *this;
 }
 
@@ -132,11 +132,11 @@ DiagnosticBuilder DiagnosticSink::report(const DiagnosticRow& row) {
     return report(row, SourceRange{});
 }
 
-DiagnosticBuilder DiagnosticSink::report(const DiagnosticRow& row, TextLocation place) {
+DiagnosticBuilder DiagnosticSink::report(const DiagnosticRow& row, TextLocation location) {
     Diagnostic diagnostic;
     diagnostic.row = &row;
     diagnostic.severity = row.severity;
-    diagnostic.line = std::move(place);
+    diagnostic.line = std::move(location);
     return {*this, std::move(diagnostic)};
 }
 

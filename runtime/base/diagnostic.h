@@ -94,10 +94,10 @@ class DiagnosticBuilder {
     DiagnosticBuilder& arg(std::int64_t value);
     DiagnosticBuilder& arg(int value) { return arg(static_cast<std::int64_t>(value)); }
     DiagnosticBuilder& arg(std::size_t value) { return arg(static_cast<std::int64_t>(value)); }
-    DiagnosticBuilder& at(TextLocation place);
+    DiagnosticBuilder& at(TextLocation location);
     DiagnosticBuilder& note(const SourceRange& range, std::string text);
     DiagnosticBuilder& note(std::string text);
-    DiagnosticBuilder& note(TextLocation place, std::string text);
+    DiagnosticBuilder& note(TextLocation location, std::string text);
     DiagnosticBuilder& fix(const SourceRange& range, std::string replacement, std::string text);
     DiagnosticBuilder& fix(std::string text);
     DiagnosticBuilder& alarm(std::string number, std::string text);
@@ -115,7 +115,7 @@ class DiagnosticSink {
 
     DiagnosticBuilder report(const DiagnosticRow& row, const SourceRange& range);
     DiagnosticBuilder report(const DiagnosticRow& row);
-    DiagnosticBuilder report(const DiagnosticRow& row, TextLocation place);
+    DiagnosticBuilder report(const DiagnosticRow& row, TextLocation location);
 };
 
 /// A sink that keeps everything, for tests and for rooms that look before they speak.

@@ -172,23 +172,23 @@ std::string why_unwritable(const std::string& file) {
     return {};
 }
 
-void report_unread(DiagnosticSink& sink, const DiagnosticRow& row, const SourceRange& place,
+void report_unread(DiagnosticSink& sink, const DiagnosticRow& row, const SourceRange& location,
                    const std::string& file, const ReadFault& fault, const Files& files) {
     switch (fault.kind) {
         case ReadFault::Kind::Unreadable: {
-            auto message = sink.report(row, place);
+            auto message = sink.report(row, location);
             message.arg(file);
             if (!fault.why.empty()) message.note(fault.why);
             return;
         }
         case ReadFault::Kind::TooLarge:
-            sink.report(diag::FileTooLarge, place)
+            sink.report(diag::FileTooLarge, location)
                 .arg(file == "-" ? "standard input" : file)
                 .arg(bytes_text(files.most_bytes()))
                 .fix("if it is meant, raise the limit: `--max-input`");
             return;
         case ReadFault::Kind::Elsewhere:
-            sink.report(diag::FileElsewhere, place)
+            sink.report(diag::FileElsewhere, location)
                 .arg(file)
                 .fix("if the program may read it, say so: `--allow-read " + fault.why + '`');
             return;

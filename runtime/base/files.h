@@ -88,7 +88,7 @@ std::string why_unwritable(const std::string& file);
 
 /// Says that a file was not read: `row` (one argument, the name) with the reason, or that it is too
 /// large or out of bounds.
-void report_unread(DiagnosticSink& sink, const DiagnosticRow& row, const SourceRange& place,
+void report_unread(DiagnosticSink& sink, const DiagnosticRow& row, const SourceRange& location,
                    const std::string& file, const ReadFault& fault, const Files& files);
 
 /// A number of bytes as a person writes it: "256 MiB".

@@ -15,21 +15,21 @@ constexpr std::size_t kMostText = 5000;  // bytes of an argument, a note or a fi
 constexpr std::size_t kShownLine = 160;  // bytes of a long line that are shown around the caret
 
 TextLocation resolve(const SourceRange& range, const Sources& sources) {
-    TextLocation place;
-    if (!range.file.is_valid()) return place;
+    TextLocation location;
+    if (!range.file.is_valid()) return location;
     const LineColumn at = sources.locate(range.file, range.begin);
-    place.file = sources.name(range.file);
-    place.line = at.line;
-    place.column = at.column;
-    place.text = sources.line_at(range.file, range.begin);
+    location.file = sources.name(range.file);
+    location.line = at.line;
+    location.column = at.column;
+    location.text = sources.line_at(range.file, range.begin);
     const std::string_view marked = sources.text(range);
     const std::string_view first_line = marked.substr(0, marked.find_first_of("\r\n"));
-    place.length =
+    location.length =
         std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count_code_points(first_line)));
-    return place;
+    return location;
 }
 
-TextLocation place_of(const Diagnostic& diagnostic, const Sources& sources) {
+TextLocation location_of(const Diagnostic& diagnostic, const Sources& sources) {
     return diagnostic.line ? *diagnostic.line : resolve(diagnostic.range, sources);
 }
 
@@ -90,10 +90,10 @@ void append_shown(std::string& out, std::string_view text) {
     }
 }
 
-void append_line(std::string& out, const TextLocation& place, std::string_view color) {
-    if (place.line == 0 || place.text.empty()) return;
-    std::string_view text = place.text;
-    std::size_t before = byte_of_character(text, place.column - 1);
+void append_line(std::string& out, const TextLocation& location, std::string_view color) {
+    if (location.line == 0 || location.text.empty()) return;
+    std::string_view text = location.text;
+    std::size_t before = byte_of_character(text, location.column - 1);
     if (text.size() > kShownLine) {
         const std::size_t start = byte_of_character(
             text, count_code_points(text.substr(0, before > 60 ? before - 60 : 0)));
@@ -101,7 +101,7 @@ void append_line(std::string& out, const TextLocation& place, std::string_view c
         text = text.substr(start, byte_of_character(text.substr(start), shown));
         before -= start;
     }
-    const std::string number = std::to_string(place.line);
+    const std::string number = std::to_string(location.line);
     const std::string margin(number.size() < 4 ? 4 - number.size() : 0, ' ');
     out += margin + number + " | ";
     append_shown(out, text);
@@ -111,7 +111,7 @@ void append_line(std::string& out, const TextLocation& place, std::string_view c
     before = std::min(before, text.size());
     const std::string_view marked = text.substr(before);
     const std::size_t width =
-        display_width(marked.substr(0, byte_of_character(marked, place.length)));
+        display_width(marked.substr(0, byte_of_character(marked, location.length)));
     out.append(display_width(text.substr(0, before)), ' ');
     out += color;
     out += '^';
@@ -120,11 +120,11 @@ void append_line(std::string& out, const TextLocation& place, std::string_view c
     out += '\n';
 }
 
-void append_place(std::string& out, const TextLocation& place) {
-    if (place.file.empty()) return;
-    out += printable(place.file);
-    if (place.line > 0) {
-        out += ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
+void append_location(std::string& out, const TextLocation& location) {
+    if (location.file.empty()) return;
+    out += printable(location.file);
+    if (location.line > 0) {
+        out += ':' + std::to_string(location.line) + ':' + std::to_string(location.column);
     }
     out += ": ";
 }
@@ -151,20 +151,20 @@ std::string mended_line(const Diagnostic::Fix& fix, const Sources& sources) {
 
 std::string render_text(const Diagnostic& diagnostic, const Sources& sources,
                         const RenderOptions& options) {
-    const TextLocation place = place_of(diagnostic, sources);
+    const TextLocation location = location_of(diagnostic, sources);
     const std::string_view color = options.color ? severity_color(diagnostic.severity) : "";
     const std::string_view reset = options.color ? "\033[0m" : "";
     std::string out;
-    append_place(out, place);
+    append_location(out, location);
     out += color;
     out += severity_name(diagnostic.severity);
     out += '[' + code_of(diagnostic) + "]";
     out += reset;
     out += ": " + printable(message_of(diagnostic)) + '\n';
-    append_line(out, place, color);
+    append_line(out, location, color);
     for (const Diagnostic::Note& note : diagnostic.notes) {
         const TextLocation at = note.line ? *note.line : resolve(note.range, sources);
-        append_place(out, at);
+        append_location(out, at);
         out += (at.file.empty() ? "  note: " : "note: ") +
                printable(shortened(note.text, kMostText)) + '\n';
     }
@@ -218,24 +218,24 @@ void append_end(std::string& out, std::uint32_t line, std::uint32_t column) {
     out += ",\"end_column\":" + std::to_string(column);
 }
 
-void append_begin(std::string& out, const TextLocation& place) {
-    out += "\"file\":" + json_string(place.file);
-    if (place.line == 0) return;
-    out += ",\"line\":" + std::to_string(place.line);
-    out += ",\"column\":" + std::to_string(place.column);
+void append_begin(std::string& out, const TextLocation& location) {
+    out += "\"file\":" + json_string(location.file);
+    if (location.line == 0) return;
+    out += ",\"line\":" + std::to_string(location.line);
+    out += ",\"column\":" + std::to_string(location.column);
 }
 
 /// What is marked: of a place where something is missing, the character behind it.
 void append_position(std::string& out, const std::optional<TextLocation>& line,
                      const SourceRange& range, const Sources& sources) {
-    const TextLocation place = line ? *line : resolve(range, sources);
-    append_begin(out, place);
-    if (place.line == 0) return;
+    const TextLocation location = line ? *line : resolve(range, sources);
+    append_begin(out, location);
+    if (location.line == 0) return;
     if (!line && range.end > range.begin) {
         const LineColumn end = sources.locate(range.file, range.end);
         append_end(out, end.line, end.column);
     } else {
-        append_end(out, place.line, place.column + place.length);
+        append_end(out, location.line, location.column + location.length);
     }
 }
 

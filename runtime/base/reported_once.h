@@ -12,8 +12,8 @@ namespace kadr {
 template <typename What>
 class ReportedOnce {
   public:
-    bool has_reported(What what) const { return (told_ >> bit_of(what) & 1u) != 0; }
-    void count_as_reported(What what) { told_ |= 1u << bit_of(what); }
+    bool has_reported(What what) const { return (reported_ >> bit_of(what) & 1u) != 0; }
+    void count_as_reported(What what) { reported_ |= 1u << bit_of(what); }
     /// Whether it is to be told: from here on it counts as told.
     [[nodiscard]] bool first_time(What what) {
         const bool is_first = !has_reported(what);
@@ -21,12 +21,12 @@ class ReportedOnce {
         return is_first;
     }
     /// It is told anew when it comes again.
-    void renew(What what) { told_ &= ~(1u << bit_of(what)); }
+    void renew(What what) { reported_ &= ~(1u << bit_of(what)); }
 
   private:
     static unsigned bit_of(What what) { return static_cast<unsigned>(what); }
 
-    std::uint32_t told_ = 0;
+    std::uint32_t reported_ = 0;
 };
 
 }  // namespace kadr

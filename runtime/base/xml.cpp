@@ -179,10 +179,10 @@ std::optional<Fault> fault_of_encoding(std::string_view text) {
     if (name == std::string_view::npos) return std::nullopt;
     const std::size_t begin = name + kAttribute.size() + 1;
     const std::size_t end = std::min(head.find_first_of("\"'", begin), head.size());
-    const std::string said = upper_ascii(head.substr(std::min(begin, end), end - begin));
-    if (said == "UTF-8" || said == "UTF8" || said == "US-ASCII" || said == "ASCII")
+    const std::string words = upper_ascii(head.substr(std::min(begin, end), end - begin));
+    if (words == "UTF-8" || words == "UTF8" || words == "US-ASCII" || words == "ASCII")
         return std::nullopt;
-    return Fault{begin, end, "the file says that it is " + said + ", and is read as UTF-8"};
+    return Fault{begin, end, "the file says that it is " + words + ", and is read as UTF-8"};
 }
 
 std::optional<XmlElement> parse(FileId file, std::string_view text, Fault& fault) {
@@ -212,16 +212,16 @@ std::optional<XmlElement> parse(FileId file, std::string_view text, Fault& fault
 
 /// A text that does not even begin as XML may have been named by mistake, or by somebody who wants
 /// to see it in messages: its line is not shown.
-DiagnosticBuilder report_malformed(const SourceRange& place, const Sources& sources,
+DiagnosticBuilder report_malformed(const SourceRange& location, const Sources& sources,
                                    DiagnosticSink& sink) {
-    const std::string_view text = sources.text(place.file);
+    const std::string_view text = sources.text(location.file);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || text[first] == '<')
-        return sink.report(diag::XmlMalformed, place);
-    const LineColumn at = sources.locate(place.file, place.begin);
+        return sink.report(diag::XmlMalformed, location);
+    const LineColumn at = sources.locate(location.file, location.begin);
     return sink.report(
         diag::XmlMalformed,
-        TextLocation{std::string(sources.name(place.file)), at.line, at.column, 1, {}});
+        TextLocation{std::string(sources.name(location.file)), at.line, at.column, 1, {}});
 }
 
 const XmlRule* find_rule(const XmlShape& shape, std::string_view element) {
@@ -300,9 +300,9 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const X
     Fault fault;
     auto root = parse(file, sources.text(file), fault);
     if (!root) {
-        const SourceRange place{file, static_cast<std::uint32_t>(fault.begin),
-                                static_cast<std::uint32_t>(fault.end)};
-        report_malformed(place, sources, sink).arg(fault.what);
+        const SourceRange location{file, static_cast<std::uint32_t>(fault.begin),
+                                   static_cast<std::uint32_t>(fault.end)};
+        report_malformed(location, sources, sink).arg(fault.what);
         return std::nullopt;
     }
     const std::string_view wanted = shape.rules.front().element;

@@ -12,18 +12,18 @@ CycleLevel cycle_retract(const nc::Rules& rules, double value, bool is_increment
     return level;
 }
 
-std::optional<CallLevels> complete_levels(const nc::Rules& rules, CycleLevels said,
+std::optional<CallLevels> complete_levels(const nc::Rules& rules, CycleLevels programmed,
                                           bool is_incremental, std::optional<double> initial,
                                           bool goes_low) {
-    if (!said.retract.is_given) said.retract = cycle_retract(rules, 0, is_incremental);
-    if (!said.depth.is_given) said.depth = cycle_depth(rules, 0, is_incremental);
-    if (said.retract.is_distance && !initial) return std::nullopt;
+    if (!programmed.retract.is_given) programmed.retract = cycle_retract(rules, 0, is_incremental);
+    if (!programmed.depth.is_given) programmed.depth = cycle_depth(rules, 0, is_incremental);
+    if (programmed.retract.is_distance && !initial) return std::nullopt;
     const auto level = [](const CycleLevel& of, double from) {
         return of.is_distance ? from + of.value : of.value;
     };
     CallLevels call;
-    call.retract = level(said.retract, initial.value_or(0));
-    call.depth = level(said.depth, call.retract);
+    call.retract = level(programmed.retract, initial.value_or(0));
+    call.depth = level(programmed.depth, call.retract);
     const bool stays_low = goes_low && call.retract > call.depth;
     if (!stays_low && !initial) return std::nullopt;
     call.back = stays_low ? call.retract : *initial;

@@ -41,7 +41,7 @@ struct CallLevels {
 ///                 below, is no place to come back to
 ///
 /// Nothing if a level depends on one that is not known.
-std::optional<CallLevels> complete_levels(const nc::Rules& rules, CycleLevels said,
+std::optional<CallLevels> complete_levels(const nc::Rules& rules, CycleLevels programmed,
                                           bool is_incremental, std::optional<double> initial,
                                           bool goes_low);
 

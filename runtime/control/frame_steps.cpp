@@ -8,9 +8,9 @@ namespace kadr::control {
 namespace {
 
 /// The inner frame goes on in the system of the outer one.
-FrameFault add(ProgramFrame& outer, const ProgramFrame& inner) {
+FrameFormFault add(ProgramFrame& outer, const ProgramFrame& inner) {
     outer.add_shift(inner.shift, inner.is_shifted);
-    FrameFault fault = FrameFault::None;
+    FrameFormFault fault = FrameFormFault::None;
     if (inner.angle_deg != 0)
         fault = outer.add_rotation(inner.angle_deg, inner.plane, inner.center);
     if (inner.has_scale()) outer.add_scale(inner.scale, {});
@@ -31,7 +31,8 @@ ProgramFrame& FrameSteps::last(Step::Kind kind) {
 
 void FrameSteps::join_oldest() {
     ProgramFrame both = steps_[0].frame;
-    if (add(both, steps_[1].frame) != FrameFault::None) return;  // there is no such frame anyway
+    if (add(both, steps_[1].frame) != FrameFormFault::None)
+        return;  // there is no such frame anyway
     steps_[1].frame = both;
     steps_.erase(steps_.begin());
 }
@@ -48,7 +49,7 @@ void FrameSteps::shift_add(const std::array<double, 3>& by, const std::array<boo
 
 void FrameSteps::rotate(double angle_deg, nc::Function plane, const std::array<double, 3>& about) {
     ProgramFrame& frame = last(Step::Kind::Rotation);
-    if (frame.add_rotation(angle_deg, plane, about) == FrameFault::None) return;
+    if (frame.add_rotation(angle_deg, plane, about) == FrameFormFault::None) return;
     ProgramFrame other;
     other.add_rotation(angle_deg, plane, about);
     steps_.push_back({Step::Kind::Rotation, other});
@@ -101,10 +102,10 @@ void FrameSteps::erase(Step::Kind kind) {
 }
 
 FrameSteps::Made FrameSteps::frame() const {
-    Made made{shift_, FrameFault::None};
+    Made made{shift_, FrameFormFault::None};
     for (const Step& step : steps_) {
-        const FrameFault fault = add(made.frame, step.frame);
-        if (made.fault == FrameFault::None) made.fault = fault;
+        const FrameFormFault fault = add(made.frame, step.frame);
+        if (made.fault == FrameFormFault::None) made.fault = fault;
     }
     return made;
 }

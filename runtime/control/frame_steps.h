@@ -44,7 +44,7 @@ class FrameSteps {
 
     struct Made {
         ProgramFrame frame;
-        FrameFault fault = FrameFault::None;
+        FrameFormFault fault = FrameFormFault::None;
     };
     Made frame() const;
 

@@ -94,10 +94,10 @@ void ProgramFrame::add_shift(const std::array<double, 3>& by, const std::array<b
     for (std::size_t i = 0; i < 3; ++i) is_shifted[i] = is_shifted[i] || given[i];
 }
 
-FrameFault ProgramFrame::add_rotation(double by_deg, nc::Function in_plane,
-                                      const std::array<double, 3>& about) {
-    if (angle_deg != 0 && plane != in_plane) return FrameFault::Planes;
-    if (is_stretched(in_plane)) return FrameFault::Stretched;
+FrameFormFault ProgramFrame::add_rotation(double by_deg, nc::Function in_plane,
+                                          const std::array<double, 3>& about) {
+    if (angle_deg != 0 && plane != in_plane) return FrameFormFault::Planes;
+    if (is_stretched(in_plane)) return FrameFormFault::Stretched;
     // The new center c turns with the old rotation R about C: it lies at C + R(c − C), and there it
     // stays: shift' + c = shift + C + R(c − C).
     std::array<double, 3> next = scaled(mirrored(about, is_mirrored), scale);
@@ -105,20 +105,20 @@ FrameFault ProgramFrame::add_rotation(double by_deg, nc::Function in_plane,
     for (std::size_t i = 0; i < 3; ++i) {
         if (i != axes.first && i != axes.second) next[i] = 0;
     }
-    const std::array<double, 3> place =
+    const std::array<double, 3> point =
         sum(center, rotated(difference(next, center), angle_deg, plane));
-    move_shift(difference(place, next));
+    move_shift(difference(point, next));
     plane = in_plane;
     // A mirror of one axis of the plane turns the sense of what follows.
     const bool turns = is_mirrored[axes.first] != is_mirrored[axes.second];
     angle_deg = std::fmod(angle_deg + (turns ? -by_deg : by_deg), 360.0);
     center = angle_deg == 0 ? std::array<double, 3>{} : next;
-    return FrameFault::None;
+    return FrameFormFault::None;
 }
 
 void ProgramFrame::add_scale(const std::array<double, 3>& by, const std::array<double, 3>& about) {
-    const std::array<double, 3> place = scaled(mirrored(about, is_mirrored), scale);
-    move_shift(rotated(difference(place, scaled(place, by)), angle_deg, plane));
+    const std::array<double, 3> point = scaled(mirrored(about, is_mirrored), scale);
+    move_shift(rotated(difference(point, scaled(point, by)), angle_deg, plane));
     scale = scaled(scale, by);
 }
 

@@ -11,7 +11,7 @@
 namespace kadr::control {
 
 /// Why a frame cannot be said as one shift, one rotation, one scale and mirrors.
-enum class FrameFault : std::uint8_t {
+enum class FrameFormFault : std::uint8_t {
     None,
     Planes,     // rotations in two planes
     Stretched,  // a rotation inside a scale that makes an ellipse of a circle
@@ -51,8 +51,8 @@ struct ProgramFrame {
     /// A shift in the system reached so far.
     void add_shift(const std::array<double, 3>& by, const std::array<bool, 3>& given);
     /// A rotation in the system reached so far, about a point of it.
-    FrameFault add_rotation(double by_deg, nc::Function in_plane,
-                            const std::array<double, 3>& about);
+    FrameFormFault add_rotation(double by_deg, nc::Function in_plane,
+                                const std::array<double, 3>& about);
     /// Factors > 0 in the system reached so far, about a point of it.
     void add_scale(const std::array<double, 3>& by, const std::array<double, 3>& about);
     /// Mirrors axes in the system reached so far.

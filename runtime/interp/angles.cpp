@@ -26,8 +26,8 @@ constexpr std::size_t kAngle = parameter_of<Function::ContourAngle>("angle");
 }  // namespace
 
 path::Plane Executor::plane_in(const Block& block) const {
-    const Function said = nc::programmed_in(block, Group::Plane);
-    return said == Function::None ? modal_.plane : plane_of(said);
+    const Function function = nc::programmed_in(block, Group::Plane);
+    return function == Function::None ? modal_.plane : plane_of(function);
 }
 
 /// Whether the block is a line at an angle whose end only the next one will tell; then it waits.
@@ -96,9 +96,9 @@ void Executor::close_line(const Block& block) {
 bool Executor::is_open_distance(const Block& first, const Block& second, Slot slot) const {
     if (((second.absolute | second.incremental) & bit(slot)) != 0)
         return (second.incremental & bit(slot)) != 0;
-    Function said = nc::programmed_in(second, Group::Distance);
-    if (said == Function::None) said = nc::programmed_in(first, Group::Distance);
-    return said == Function::None ? modal_.is_incremental : said == Function::Incremental;
+    Function function = nc::programmed_in(second, Group::Distance);
+    if (function == Function::None) function = nc::programmed_in(first, Group::Distance);
+    return function == Function::None ? modal_.is_incremental : function == Function::Incremental;
 }
 
 }  // namespace kadr::interp

@@ -15,7 +15,7 @@
 
 namespace kadr::interp {
 
-using nc::Quantity;
+using nc::SystemQuantity;
 
 Answers::Answers(Channel& channel)
     : channel_(channel),
@@ -63,9 +63,10 @@ namespace {
 double name_of_axis(Axis axis) { return -1.0 - static_cast<double>(index(axis)); }
 
 /// Texts of tool carriers.
-bool is_of_carrier(Quantity quantity) {
-    return quantity == Quantity::CarrierKind || quantity == Quantity::CarrierName ||
-           quantity == Quantity::CarrierFirstName || quantity == Quantity::CarrierSecondName;
+bool is_of_carrier(SystemQuantity quantity) {
+    return quantity == SystemQuantity::CarrierKind || quantity == SystemQuantity::CarrierName ||
+           quantity == SystemQuantity::CarrierFirstName ||
+           quantity == SystemQuantity::CarrierSecondName;
 }
 
 }  // namespace
@@ -80,25 +81,25 @@ double Answers::word_factor(std::int64_t index) const {
     return axis ? 1 / axes_.word_scale[kadr::index(*axis)] : 1;
 }
 
-std::optional<double> Answers::place_of(Quantity quantity, Axis axis) const {
+std::optional<double> Answers::position_of(SystemQuantity quantity, Axis axis) const {
     const std::size_t i = index(axis);
     const AxisValues head = channel_.transformation.machine_axes();
     switch (quantity) {
-        case Quantity::EndPosition:
-        case Quantity::WorkPosition: return position_.here()[i];
-        case Quantity::HeadPosition: return frames_.from_base(head)[i];
-        case Quantity::MachinePosition: return head[i] - preset_[i];
-        case Quantity::BasePosition: return position_.base()[i];
-        case Quantity::BaseZeroPosition: return place_within(frames_.base(), axis);
-        case Quantity::SettablePosition:
-            return place_within(chain(frames_.base(), frames_.work_offset()), axis);
-        case Quantity::ToolLength: return length_shift_[i];
+        case SystemQuantity::EndPosition:
+        case SystemQuantity::WorkPosition: return position_.here()[i];
+        case SystemQuantity::HeadPosition: return frames_.from_base(head)[i];
+        case SystemQuantity::MachinePosition: return head[i] - preset_[i];
+        case SystemQuantity::BasePosition: return position_.base()[i];
+        case SystemQuantity::BaseZeroPosition: return position_within(frames_.base(), axis);
+        case SystemQuantity::SettablePosition:
+            return position_within(chain(frames_.base(), frames_.work_offset()), axis);
+        case SystemQuantity::ToolLength: return length_shift_[i];
         default: return std::nullopt;
     }
 }
 
 /// Where the tip is, seen from a frame.
-double Answers::place_within(const control::ControlFrame& frame, Axis axis) const {
+double Answers::position_within(const control::ControlFrame& frame, Axis axis) const {
     const std::size_t i = index(axis);
     if (i > 2) return position_.base()[i] - frame.shift[i] - frame.fine[i];
     const path::Vec3 at{position_.base()[0], position_.base()[1], position_.base()[2]};
@@ -130,17 +131,17 @@ double Answers::run_time() {
     return clocks_.latest;
 }
 
-std::optional<double> Answers::clock(Quantity quantity) {
+std::optional<double> Answers::clock(SystemQuantity quantity) {
     constexpr double kDay = 86400;
     constexpr double kHour = 3600;
     constexpr double kMilliseconds = 2147483648;  // then the counter begins again; F 6.5
     const double now = run_time();
     switch (quantity) {
-        case Quantity::Milliseconds:
+        case SystemQuantity::Milliseconds:
             return std::fmod(std::floor(clocks_.milliseconds_from + now * 1000), kMilliseconds);
-        case Quantity::Hours: return clocks_.hours_from + now / kHour;
-        case Quantity::Date: return static_cast<double>(options_.date);
-        case Quantity::TimeOfDay: {
+        case SystemQuantity::Hours: return clocks_.hours_from + now / kHour;
+        case SystemQuantity::Date: return static_cast<double>(options_.date);
+        case SystemQuantity::TimeOfDay: {
             const double of_day = std::fmod(std::floor(options_.time_of_day + now), kDay);
             const double hours = std::floor(of_day / kHour);
             const double minutes = std::floor((of_day - hours * kHour) / 60);
@@ -151,18 +152,18 @@ std::optional<double> Answers::clock(Quantity quantity) {
 }
 
 /// The day of the run, and the time of the day, running time included.
-std::optional<double> Answers::calendar(Quantity quantity) {
+std::optional<double> Answers::calendar(SystemQuantity quantity) {
     constexpr double kDay = 86400;
     const double of_day = std::fmod(std::floor(options_.time_of_day + run_time()), kDay);
     const auto date = static_cast<double>(options_.date);  // YYYYMMDD
     switch (quantity) {
-        case Quantity::Year: return std::floor(date / 10000);
-        case Quantity::Month: return std::fmod(std::floor(date / 100), 100);
-        case Quantity::Day: return std::fmod(date, 100);
-        case Quantity::Hour: return std::floor(of_day / 3600);
-        case Quantity::Minute: return std::fmod(std::floor(of_day / 60), 60);
-        case Quantity::Second: return std::fmod(of_day, 60);
-        case Quantity::Millisecond:
+        case SystemQuantity::Year: return std::floor(date / 10000);
+        case SystemQuantity::Month: return std::fmod(std::floor(date / 100), 100);
+        case SystemQuantity::Day: return std::fmod(date, 100);
+        case SystemQuantity::Hour: return std::floor(of_day / 3600);
+        case SystemQuantity::Minute: return std::fmod(std::floor(of_day / 60), 60);
+        case SystemQuantity::Second: return std::fmod(of_day, 60);
+        case SystemQuantity::Millisecond:
             return std::fmod(std::floor((options_.time_of_day + run_time()) * 1000), 1000);
         default: return std::nullopt;
     }
@@ -190,49 +191,51 @@ void Answers::set_timer(std::int64_t number, double value) {
     }
 }
 
-std::optional<double> Answers::quantity(Quantity quantity, std::int64_t first,
+std::optional<double> Answers::quantity(SystemQuantity quantity, std::int64_t first,
                                         std::int64_t second) {
     channel_.splines.finish_open_spline();  // where the tool is cannot be said inside of one
     const auto number = [](std::int64_t value) { return static_cast<double>(value); };
     switch (quantity) {
-        case Quantity::EndPosition:
-        case Quantity::WorkPosition:
-        case Quantity::HeadPosition:
-        case Quantity::MachinePosition:
-        case Quantity::BasePosition:
-        case Quantity::BaseZeroPosition:
-        case Quantity::SettablePosition:
-        case Quantity::ToolLength: {
+        case SystemQuantity::EndPosition:
+        case SystemQuantity::WorkPosition:
+        case SystemQuantity::HeadPosition:
+        case SystemQuantity::MachinePosition:
+        case SystemQuantity::BasePosition:
+        case SystemQuantity::BaseZeroPosition:
+        case SystemQuantity::SettablePosition:
+        case SystemQuantity::ToolLength: {
             const auto axis = axis_of(first);
-            return axis ? place_of(quantity, *axis) : std::nullopt;
+            return axis ? position_of(quantity, *axis) : std::nullopt;
         }
-        case Quantity::LowerLimit:
-        case Quantity::UpperLimit: {
+        case SystemQuantity::LowerLimit:
+        case SystemQuantity::UpperLimit: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
-            return (quantity == Quantity::LowerLimit ? axes_.lower : axes_.upper)[index(*axis)];
+            return (quantity == SystemQuantity::LowerLimit ? axes_.lower
+                                                           : axes_.upper)[index(*axis)];
         }
-        case Quantity::WorkOffset: {
+        case SystemQuantity::WorkOffset: {
             const auto axis = axis_of(second);
             if (!axis || first < 0 || first > rules_.work_offsets) return std::nullopt;
             const auto i = static_cast<std::size_t>(first);
             return i < work_offsets_.size() ? work_offsets_[i].shift[index(*axis)] : 0.0;
         }
-        case Quantity::Transformation: return channel_.transformation.is_transformed() ? 1 : 0;
-        case Quantity::ActiveWorkOffset: return number(work_offset_);
-        case Quantity::ActiveAdditionalOffset:
+        case SystemQuantity::Transformation:
+            return channel_.transformation.is_transformed() ? 1 : 0;
+        case SystemQuantity::ActiveWorkOffset: return number(work_offset_);
+        case SystemQuantity::ActiveAdditionalOffset:
             return number(std::max<std::int64_t>(0, work_offset_ - 6));
-        case Quantity::Feed: return modal_.has_feed ? modal_.feed : 0;
-        case Quantity::MasterSpindle: return number(spindle_.number);
-        case Quantity::SpindleCount:
+        case SystemQuantity::Feed: return modal_.has_feed ? modal_.feed : 0;
+        case SystemQuantity::MasterSpindle: return number(spindle_.number);
+        case SystemQuantity::SpindleCount:
             return number(static_cast<std::int64_t>(other_spindles_.size()) + 1);
-        case Quantity::Speed: {
-            const Spindle* const spindle = channel_.spindles.spindle_at(first);
+        case SystemQuantity::Speed: {
+            const ProgrammedSpindle* const spindle = channel_.spindles.spindle_at(first);
             if (spindle == nullptr) return std::nullopt;
             return spindle->has_cutting_speed ? spindle->cutting_speed : spindle->speed;
         }
-        case Quantity::SpindleDirection: {
-            const Spindle* const spindle = channel_.spindles.spindle_at(first);
+        case SystemQuantity::SpindleDirection: {
+            const ProgrammedSpindle* const spindle = channel_.spindles.spindle_at(first);
             if (spindle == nullptr) return std::nullopt;
             switch (spindle->mode) {
                 case path::SpindleMode::Cw: return 3;
@@ -242,12 +245,13 @@ std::optional<double> Answers::quantity(Quantity quantity, std::int64_t first,
             }
             return std::nullopt;
         }
-        case Quantity::Tool: return number(tool_.current);
-        case Quantity::SelectedTool: return number(tool_.selected);
-        case Quantity::LengthOffset: return number(tool_.offset);
-        case Quantity::RadiusOffset: return number(tool_.radius_offset);
-        case Quantity::ToolEdge: return number(tool_.source == Tool::Source::Edge ? tool_.edge : 0);
-        case Quantity::ToolPart:
+        case SystemQuantity::Tool: return number(tool_.current);
+        case SystemQuantity::SelectedTool: return number(tool_.selected);
+        case SystemQuantity::LengthOffset: return number(tool_.offset);
+        case SystemQuantity::RadiusOffset: return number(tool_.radius_offset);
+        case SystemQuantity::ToolEdge:
+            return number(tool_.source == Tool::Source::Edge ? tool_.edge : 0);
+        case SystemQuantity::ToolPart:
             if (first < 1 || first > 3) return std::nullopt;
             return tool_.source == Tool::Source::None
                        ? 0
@@ -255,171 +259,172 @@ std::optional<double> Answers::quantity(Quantity quantity, std::int64_t first,
                                               tool_.length_number()) +
                              extra_.lengths[static_cast<Eigen::Index>(first) - 1] +
                              channel_.tool.sum_offset(static_cast<std::size_t>(first));
-        case Quantity::Timer: return timer(first);
-        case Quantity::CuttingTime: run_time(); return clocks_.cutting;
-        case Quantity::ToolRadius:
+        case SystemQuantity::Timer: return timer(first);
+        case SystemQuantity::CuttingTime: run_time(); return clocks_.cutting;
+        case SystemQuantity::ToolRadius:
             if (tool_.source == Tool::Source::None) return 0;
             return tool_offsets_.radius(tool_.edge_number()) + extra_.radius +
                    channel_.tool.sum_offset(4);
-        case Quantity::ActiveToolDatum: return tool_datum(first);
-        case Quantity::ToolDatum:
+        case SystemQuantity::ActiveToolDatum: return tool_datum(first);
+        case SystemQuantity::ToolDatum:
             if (!channel_.tool.has_edge(first, second % nc::kDatum)) return std::nullopt;
             return tool_offsets_.datum(ToolOffsets::of_edge(first, second % nc::kDatum),
                                        second / nc::kDatum);
-        case Quantity::CarrierDatum:
-        case Quantity::CarrierAxis:
-        case Quantity::ActiveCarrier:
-        case Quantity::CarrierAngle:
-        case Quantity::CarrierLeftOver:
-        case Quantity::CarrierSolutions:
+        case SystemQuantity::CarrierDatum:
+        case SystemQuantity::CarrierAxis:
+        case SystemQuantity::ActiveCarrier:
+        case SystemQuantity::CarrierAngle:
+        case SystemQuantity::CarrierLeftOver:
+        case SystemQuantity::CarrierSolutions:
             return channel_.carriers.carrier_quantity(quantity, first, second);
-        case Quantity::FirstExtraLength: return extra_.lengths[0];
-        case Quantity::ExtraLength:
+        case SystemQuantity::FirstExtraLength: return extra_.lengths[0];
+        case SystemQuantity::ExtraLength:
             if (first < 1 || first > 3) return std::nullopt;
             return extra_.lengths[static_cast<Eigen::Index>(first) - 1];
-        case Quantity::ExtraAlong: {
+        case SystemQuantity::ExtraAlong: {
             const auto axis = axis_of(first);
             if (!axis || index(*axis) > 2) return std::nullopt;
             return extra_.along[static_cast<Eigen::Index>(index(*axis))];
         }
-        case Quantity::ExtraRadius: return extra_.radius;
-        case Quantity::ActualSpeed: {
-            const Spindle* const spindle = channel_.spindles.spindle_at(first);
+        case SystemQuantity::ExtraRadius: return extra_.radius;
+        case SystemQuantity::ActualSpeed: {
+            const ProgrammedSpindle* const spindle = channel_.spindles.spindle_at(first);
             if (spindle == nullptr) return std::nullopt;
             const bool is_ccw = spindle->mode == path::SpindleMode::Ccw;
             if (!is_ccw && spindle->mode != path::SpindleMode::Cw) return 0;
             // Only the master has a constant cutting speed.
             const double speed = spindle->has_cutting_speed ? channel_.spindles.turning_speed()
-                                                            : spindle->told.speed;
+                                                            : spindle->commanded.speed;
             return is_ccw ? -speed : speed;
         }
-        case Quantity::LengthGeometry:
-        case Quantity::LengthWear:
-        case Quantity::RadiusGeometry:
-        case Quantity::RadiusWear:
-        case Quantity::CrossGeometry:
-        case Quantity::CrossWear:
-        case Quantity::FirstLength:
-        case Quantity::FirstWear:
-        case Quantity::SecondLength:
-        case Quantity::SecondWear:
-        case Quantity::ThirdLength:
-        case Quantity::ThirdWear:
-        case Quantity::FirstBase:
-        case Quantity::SecondBase:
-        case Quantity::ThirdBase:
-        case Quantity::ToolTip:
-        case Quantity::ToolType: {
+        case SystemQuantity::LengthGeometry:
+        case SystemQuantity::LengthWear:
+        case SystemQuantity::RadiusGeometry:
+        case SystemQuantity::RadiusWear:
+        case SystemQuantity::CrossGeometry:
+        case SystemQuantity::CrossWear:
+        case SystemQuantity::FirstLength:
+        case SystemQuantity::FirstWear:
+        case SystemQuantity::SecondLength:
+        case SystemQuantity::SecondWear:
+        case SystemQuantity::ThirdLength:
+        case SystemQuantity::ThirdWear:
+        case SystemQuantity::FirstBase:
+        case SystemQuantity::SecondBase:
+        case SystemQuantity::ThirdBase:
+        case SystemQuantity::ToolTip:
+        case SystemQuantity::ToolType: {
             if (!channel_.tool.has_edge(first, second)) return std::nullopt;
             const bool is_cross =
-                quantity == Quantity::CrossGeometry || quantity == Quantity::CrossWear;
+                quantity == SystemQuantity::CrossGeometry || quantity == SystemQuantity::CrossWear;
             const std::int64_t at = ToolOffsets::of_edge(first, second);
             return tool_offsets_.value(*tool_offsets_.column_of(quantity, at), at) /
                    (is_cross ? axes_.word_scale[index(Axis::X)] : 1);
         }
-        case Quantity::EdgeCount: return number(tool_offsets_.edges(first));
-        case Quantity::EdgeNumberOf: return number(tool_offsets_.number_of(first, second));
-        case Quantity::ToolWithEdge: return number(tool_offsets_.tool_with(first, second));
-        case Quantity::CuttingEdge:
+        case SystemQuantity::EdgeCount: return number(tool_offsets_.edges(first));
+        case SystemQuantity::EdgeNumberOf: return number(tool_offsets_.number_of(first, second));
+        case SystemQuantity::ToolWithEdge: return number(tool_offsets_.tool_with(first, second));
+        case SystemQuantity::CuttingEdge:
             if (!channel_.tool.has_edge(first, second)) return std::nullopt;
             return number(tool_offsets_.cutting_edge(first, second));
-        case Quantity::ApproachStart:
-        case Quantity::ApproachEnd: {
+        case SystemQuantity::ApproachStart:
+        case SystemQuantity::ApproachEnd: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
             if (!approached_) return 0;
             const AxisValues& base =
-                quantity == Quantity::ApproachStart ? approached_->start : approached_->end;
+                quantity == SystemQuantity::ApproachStart ? approached_->start : approached_->end;
             return frames_.from_base(base)[index(*axis)];
         }
-        case Quantity::ApproachKnown: return approached_ ? 1 : 0;
-        case Quantity::RadiusAllowance: return comp_.allowance;
-        case Quantity::ProbePosition: {
+        case SystemQuantity::ApproachKnown: return approached_ ? 1 : 0;
+        case SystemQuantity::RadiusAllowance: return comp_.allowance;
+        case SystemQuantity::ProbePosition: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
             return probe_.found() ? probe_.found()->head[index(*axis)] : 0.0;
         }
-        case Quantity::ProbePlace:
-        case Quantity::ProbeMachine: {
+        case SystemQuantity::ProbePlace:
+        case SystemQuantity::ProbeMachine: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
             if (!probe_.found()) return 0;
-            return (quantity == Quantity::ProbePlace ? probe_.found()->tip
-                                                     : probe_.found()->machine)[index(*axis)];
+            return (quantity == SystemQuantity::ProbePlace ? probe_.found()->tip
+                                                           : probe_.found()->machine)[index(*axis)];
         }
-        case Quantity::ProbeFound: return probe_.found() && probe_.found()->is_found ? 1 : 0;
-        case Quantity::MirroredAxes: return mirrored_axes();
-        case Quantity::FirstPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).first);
-        case Quantity::SecondPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).second);
-        case Quantity::NormalAxis: return name_of_axis(path::axes_of(modal_.plane).normal);
-        case Quantity::SuppressedPanel: return dynamics_.suppressed_panel();
-        case Quantity::Milliseconds:
-        case Quantity::Hours:
-        case Quantity::Date:
-        case Quantity::TimeOfDay: return clock(quantity);
-        case Quantity::RunTime: return run_time();
-        case Quantity::Year:
-        case Quantity::Month:
-        case Quantity::Day:
-        case Quantity::Hour:
-        case Quantity::Minute:
-        case Quantity::Second:
-        case Quantity::Millisecond: return calendar(quantity);
-        case Quantity::ChannelBaseMask: return frames_.bases().channel_mask;
-        case Quantity::GlobalBaseMask: return frames_.bases().global_mask;
-        case Quantity::SettableFrame:
-        case Quantity::ActiveFrame:
-        case Quantity::BaseFrame:
-        case Quantity::ChannelBaseFrame:
-        case Quantity::ChannelBaseNow:
-        case Quantity::GlobalBaseFrame:
-        case Quantity::GlobalBaseNow:
-        case Quantity::AllBaseFrames:
-        case Quantity::ExternalFrame:
-        case Quantity::SetFrame:
-        case Quantity::TableFrame:
-        case Quantity::ToolFrame:
-        case Quantity::PlaneFrame:
-        case Quantity::InnerFrame:
-        case Quantity::ProgrammableFrame:
-        case Quantity::TotalFrame:
-        case Quantity::ProgramLevel:
-        case Quantity::ArgumentGiven:
-        case Quantity::ExtraBoth:
-        case Quantity::ToolName:
-        case Quantity::ToolNameOf:
-        case Quantity::CarrierKind:
-        case Quantity::CarrierName:
-        case Quantity::CarrierFirstName:
-        case Quantity::CarrierSecondName:
-        case Quantity::ProgramName:
-        case Quantity::EdgeSpeed:
-        case Quantity::None:
-        case Quantity::ModalCode:
-        case Quantity::ModalNumber:
-        case Quantity::BlockNumber:
-        case Quantity::ModalCall:
-        case Quantity::MachineCode:
-        case Quantity::ProgramNumber:
-        case Quantity::Alarm:
-        case Quantity::MessageStop: return std::nullopt;
+        case SystemQuantity::ProbeFound: return probe_.found() && probe_.found()->is_found ? 1 : 0;
+        case SystemQuantity::MirroredAxes: return mirrored_axes();
+        case SystemQuantity::FirstPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).first);
+        case SystemQuantity::SecondPlaneAxis:
+            return name_of_axis(path::axes_of(modal_.plane).second);
+        case SystemQuantity::NormalAxis: return name_of_axis(path::axes_of(modal_.plane).normal);
+        case SystemQuantity::SuppressedPanel: return dynamics_.suppressed_panel();
+        case SystemQuantity::Milliseconds:
+        case SystemQuantity::Hours:
+        case SystemQuantity::Date:
+        case SystemQuantity::TimeOfDay: return clock(quantity);
+        case SystemQuantity::RunTime: return run_time();
+        case SystemQuantity::Year:
+        case SystemQuantity::Month:
+        case SystemQuantity::Day:
+        case SystemQuantity::Hour:
+        case SystemQuantity::Minute:
+        case SystemQuantity::Second:
+        case SystemQuantity::Millisecond: return calendar(quantity);
+        case SystemQuantity::ChannelBaseMask: return frames_.bases().channel_mask;
+        case SystemQuantity::GlobalBaseMask: return frames_.bases().global_mask;
+        case SystemQuantity::SettableFrame:
+        case SystemQuantity::ActiveFrame:
+        case SystemQuantity::BaseFrame:
+        case SystemQuantity::ChannelBaseFrame:
+        case SystemQuantity::ChannelBaseNow:
+        case SystemQuantity::GlobalBaseFrame:
+        case SystemQuantity::GlobalBaseNow:
+        case SystemQuantity::AllBaseFrames:
+        case SystemQuantity::ExternalFrame:
+        case SystemQuantity::SetFrame:
+        case SystemQuantity::TableFrame:
+        case SystemQuantity::ToolFrame:
+        case SystemQuantity::PlaneFrame:
+        case SystemQuantity::InnerFrame:
+        case SystemQuantity::ProgrammableFrame:
+        case SystemQuantity::TotalFrame:
+        case SystemQuantity::ProgramLevel:
+        case SystemQuantity::ArgumentGiven:
+        case SystemQuantity::ExtraBoth:
+        case SystemQuantity::ToolName:
+        case SystemQuantity::ToolNameOf:
+        case SystemQuantity::CarrierKind:
+        case SystemQuantity::CarrierName:
+        case SystemQuantity::CarrierFirstName:
+        case SystemQuantity::CarrierSecondName:
+        case SystemQuantity::ProgramName:
+        case SystemQuantity::EdgeSpeed:
+        case SystemQuantity::None:
+        case SystemQuantity::ModalCode:
+        case SystemQuantity::ModalNumber:
+        case SystemQuantity::BlockNumber:
+        case SystemQuantity::ModalCall:
+        case SystemQuantity::MachineCode:
+        case SystemQuantity::ProgramNumber:
+        case SystemQuantity::Alarm:
+        case SystemQuantity::MessageStop: return std::nullopt;
     }
     return std::nullopt;
 }
 
-std::optional<std::string> Answers::text(Quantity quantity, std::int64_t index) {
+std::optional<std::string> Answers::text(SystemQuantity quantity, std::int64_t index) {
     if (is_of_carrier(quantity)) return channel_.carriers.carrier_text(quantity, index);
-    const bool is_active = quantity == Quantity::ToolName;
-    if (!is_active && quantity != Quantity::ToolNameOf) return std::nullopt;
+    const bool is_active = quantity == SystemQuantity::ToolName;
+    if (!is_active && quantity != SystemQuantity::ToolNameOf) return std::nullopt;
     const std::int64_t number = is_active ? tool_.current : index;
     if (number == 0) return is_active ? std::optional<std::string>("") : std::nullopt;
     return tool_names_.of(number);
 }
 
-ControlAccess::Write Answers::set_text(Quantity quantity, std::int64_t index,
+ControlAccess::Write Answers::set_text(SystemQuantity quantity, std::int64_t index,
                                        std::string_view text) {
     if (is_of_carrier(quantity)) return channel_.carriers.set_carrier_text(quantity, index, text);
-    if (quantity != Quantity::ToolNameOf) return ControlAccess::Write::Refused;
+    if (quantity != SystemQuantity::ToolNameOf) return ControlAccess::Write::Refused;
     if (index < 1 || index > rules_.tool_offsets) return ControlAccess::Write::NoSuchEntry;
     tool_names_.set(index, text);
     return ControlAccess::Write::Done;

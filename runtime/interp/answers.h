@@ -19,16 +19,18 @@ class Answers {
     /// The same and positions, as numbers.
     Snapshot snapshot() const;
     /// Nothing: the control does not have it.
-    std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
+    std::optional<double> quantity(nc::SystemQuantity quantity, std::int64_t first,
+                                   std::int64_t second);
     /// acts_at_once  or with the next word that calls it
-    ControlAccess::Write set_quantity(nc::Quantity quantity, std::int64_t first,
+    ControlAccess::Write set_quantity(nc::SystemQuantity quantity, std::int64_t first,
                                       std::int64_t second, double value, bool acts_at_once);
     /// Whether the axis of this number is counted in mm.
     bool is_length(std::int64_t axis) const;
     /// A name; nothing: there is none of this number.
-    std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
+    std::optional<std::string> text(nc::SystemQuantity quantity, std::int64_t index);
     /// Likewise.
-    ControlAccess::Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text);
+    ControlAccess::Write set_text(nc::SystemQuantity quantity, std::int64_t index,
+                                  std::string_view text);
     /// By which programs count axes, from 1.
     std::optional<std::int64_t> axis_number(Axis axis) const;
     /// By which a word of the axis is larger than its way: 2 where X is a diameter.
@@ -36,7 +38,7 @@ class Answers {
     /// A count of the machine's axes from 1, or a name: −1 X, −2 Y …
     std::optional<Axis> axis_of(std::int64_t index) const;
     /// mm or degrees; nothing: it is no position.
-    std::optional<double> place_of(nc::Quantity quantity, Axis axis) const;
+    std::optional<double> position_of(nc::SystemQuantity quantity, Axis axis) const;
     /// The clock takes notice of the commands that came out since it was last asked.
     void count_time();
     /// How long the program has run, s: what waits for its corner has been executed by then. A
@@ -46,10 +48,10 @@ class Answers {
     bool is_compensated() const;
 
   private:
-    double place_within(const control::ControlFrame& frame, Axis axis) const;
+    double position_within(const control::ControlFrame& frame, Axis axis) const;
     double mirrored_axes() const;
-    std::optional<double> clock(nc::Quantity quantity);
-    std::optional<double> calendar(nc::Quantity quantity);
+    std::optional<double> clock(nc::SystemQuantity quantity);
+    std::optional<double> calendar(nc::SystemQuantity quantity);
     std::optional<double> tool_datum(std::int64_t number) const;
     double timer(std::int64_t number);
     void set_timer(std::int64_t number, double value);
@@ -64,14 +66,14 @@ class Answers {
     ToolNames& tool_names_;
     const InterpreterOptions& options_;
     const nc::Rules& rules_;
-    const Output& output_;
+    const CommandOutput& output_;
     ProgramClocks& clocks_;
     const Probe& probe_;
     const Modal& modal_;
     const Position& position_;
     const control::Frames& frames_;
-    const Spindle& spindle_;
-    const std::vector<Spindle>& other_spindles_;
+    const ProgrammedSpindle& spindle_;
+    const std::vector<ProgrammedSpindle>& other_spindles_;
     Tool& tool_;
     const ExtraTool& extra_;
     const RadiusCompState& comp_;

@@ -70,7 +70,7 @@ std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& bloc
     }
     ApproachMove move;
     move.shape = approach_shape_of(
-        block.argument(*actions.soft, parameter_of<Function::SmoothApproach>("shape")));
+        block.argument(*actions.smooth_approach, parameter_of<Function::SmoothApproach>("shape")));
     move.choice = approach_choice_;
     const Invocation* radius = block.find(Function::ApproachRadius);
     if (radius == nullptr) {
@@ -78,14 +78,15 @@ std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& bloc
         return std::nullopt;
     }
     move.radius = block.argument(*radius, parameter_of<Function::ApproachRadius>("radius"));
-    if (const Invocation* said = block.find(Function::ApproachClearance)) {
+    if (const Invocation* invocation = block.find(Function::ApproachClearance)) {
         constexpr std::size_t kDistance = parameter_of<Function::ApproachClearance>("distance");
         constexpr std::size_t kLevel = parameter_of<Function::ApproachClearance>("level");
-        if (said->has(kDistance)) move.clearance = std::abs(block.argument(*said, kDistance));
-        else move.level = base_level(block.argument(*said, kLevel));
+        if (invocation->has(kDistance))
+            move.clearance = std::abs(block.argument(*invocation, kDistance));
+        else move.level = base_level(block.argument(*invocation, kLevel));
     }
-    if (const Invocation* said = block.find(Function::ApproachFeed))
-        move.slow_feed = block.argument(*said, parameter_of<Function::ApproachFeed>("feed"));
+    if (const Invocation* invocation = block.find(Function::ApproachFeed))
+        move.slow_feed = block.argument(*invocation, parameter_of<Function::ApproachFeed>("feed"));
     if (!channel_.checks.require_feed(block, "soft approach or retract")) return std::nullopt;
     const auto motion = [&](bool is_rapid, double feed) {
         Command command(is_rapid ? Op::Rapid : Op::Line);
@@ -98,10 +99,12 @@ std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& bloc
     };
     const bool was_rapid = actions.was_rapid || !actions.had_feed;
     const bool is_rapid = modal_.motion == Function::Rapid;
-    move.fast = motion(
-        actions.soft->function == Function::SmoothApproach ? was_rapid : is_rapid,
-        actions.soft->function == Function::SmoothApproach ? actions.feed_before : modal_.feed);
-    const bool keeps_feed = actions.soft->function == Function::SmoothRetract && actions.had_feed;
+    move.fast =
+        motion(actions.smooth_approach->function == Function::SmoothApproach ? was_rapid : is_rapid,
+               actions.smooth_approach->function == Function::SmoothApproach ? actions.feed_before
+                                                                             : modal_.feed);
+    const bool keeps_feed =
+        actions.smooth_approach->function == Function::SmoothRetract && actions.had_feed;
     move.slow = motion(false, keeps_feed ? actions.feed_before : modal_.feed);
     return move;
 }
@@ -116,14 +119,14 @@ double SmoothApproaches::base_level(double programmed) const {
 
 /// The way as an element of the contour, seen from the place P4 on it; `tool` is where the tool
 /// comes from or goes to. Nothing: it was reported.
-std::optional<path::ApproachPath> SmoothApproaches::soft_way(const Block& block,
-                                                             const ApproachMove& move,
-                                                             const ApproachPoint& at) {
+std::optional<path::ApproachPath> SmoothApproaches::approach_path(const Block& block,
+                                                                  const ApproachMove& move,
+                                                                  const ApproachPoint& at) {
     // A line is as long as it takes to keep the cutter DISR away from the contour's end.
     const double offset = compensation_.is_on() ? compensation_.distance() : 0;
-    path::ApproachPath way{move.shape, move.radius + std::abs(offset), offset > 0};
+    path::ApproachPath approach{move.shape, move.radius + std::abs(offset), offset > 0};
     if (move.shape == path::ApproachShape::Line) {
-        if (way.size > path::kSamePoint) return way;
+        if (approach.size > path::kSamePoint) return approach;
         reporter_.report(diag::SoftSizeWrong, block).arg("the line has no length");
         return std::nullopt;
     }
@@ -134,20 +137,20 @@ std::optional<path::ApproachPath> SmoothApproaches::soft_way(const Block& block,
                 reporter_.report(diag::SoftNoDirection, block);
                 return std::nullopt;
             }
-            way.is_left = (comp_.side == CompSide::Left) != frames_.is_mirrored(modal_.plane);
+            approach.is_left = (comp_.side == CompSide::Left) != frames_.is_mirrored(modal_.plane);
             break;
         case ApproachChoice::Side::Left:
         case ApproachChoice::Side::Right:
-            way.is_left = (move.choice.side == ApproachChoice::Side::Left) !=
-                          frames_.is_mirrored(modal_.plane);
+            approach.is_left = (move.choice.side == ApproachChoice::Side::Left) !=
+                               frames_.is_mirrored(modal_.plane);
             break;
         case ApproachChoice::Side::OfTool:
-            way.is_left = cross(at.direction, at.tool - at.place) > 0;
+            approach.is_left = cross(at.direction, at.tool - at.point) > 0;
             break;
     }
     // The centre's way has the radius DISR.
-    way.size = move.radius + (way.is_left ? offset : -offset);
-    if (move.radius > 0 && way.size > path::kSamePoint) return way;
+    approach.size = move.radius + (approach.is_left ? offset : -offset);
+    if (move.radius > 0 && approach.size > path::kSamePoint) return approach;
     reporter_.report(diag::SoftSizeWrong, block)
         .arg(move.radius > 0 ? "the arc of the contour would have none"
                              : "the radius is not above zero");
@@ -215,17 +218,17 @@ void SmoothApproaches::put_smooth_approach() {
     const ApproachMove& move = smooth_approach_.move();
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const std::size_t normal = index(axes.normal);
-    const AxisValues& contour = smooth_approach_.place();
+    const AxisValues& contour = smooth_approach_.position();
     const Block at = channel_.stages.block_at(move.slow.source,
                                               move.slow.line);  // messages are about the approach
-    const ApproachPoint place{in_plane(contour), smooth_approach_.direction(),
+    const ApproachPoint point{in_plane(contour), smooth_approach_.direction(),
                               in_plane(smooth_approach_.from())};
-    const std::optional<path::ApproachPath> way = soft_way(at, move, place);
-    if (!way) return;
+    const std::optional<path::ApproachPath> approach = approach_path(at, move, point);
+    if (!approach) return;
     const std::optional<double> level =
         approach_level(at, move, contour[normal], smooth_approach_.from()[normal]);
     if (!level) return;
-    const Element element = path::way_to(place.place, place.direction, *way);
+    const Element element = path::approach_path_to(point.point, point.direction, *approach);
     approached_ = Approached{contour, contour};
     set_in_plane(approached_->start, element.from);
     if (!move.choice.in_steps) approached_->start[normal] = *level;
@@ -237,7 +240,7 @@ void SmoothApproaches::put_smooth_approach() {
     AxisValues start = over.motion().to;  // P3
     if (compensation_.is_on()) {
         compensation_.begin_smooth_approach(std::move(over));
-    } else if ((element.from - place.tool).norm() > path::kSamePoint) {
+    } else if ((element.from - point.tool).norm() > path::kSamePoint) {
         output_.next() = std::move(over);
     }
     put_infeed(move.fast, start, *level);  // P2
@@ -287,10 +290,10 @@ Vec2 SmoothApproaches::in_plane(const AxisValues& values) const {
     return {values[index(axes.first)], values[index(axes.second)]};
 }
 
-void SmoothApproaches::set_in_plane(AxisValues& values, const Vec2& place) const {
+void SmoothApproaches::set_in_plane(AxisValues& values, const Vec2& point) const {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
-    values[index(axes.first)] = place.x();
-    values[index(axes.second)] = place.y();
+    values[index(axes.first)] = point.x();
+    values[index(axes.second)] = point.y();
 }
 
 void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actions) {
@@ -317,9 +320,9 @@ void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actio
         reporter_.report(diag::SoftNoWay, block);
         return;
     }
-    const ApproachPoint place{in_plane(position_.base()), came.normalized(), in_plane(target.base)};
-    const std::optional<path::ApproachPath> way = soft_way(block, *move, place);
-    if (!way) return;
+    const ApproachPoint point{in_plane(position_.base()), came.normalized(), in_plane(target.base)};
+    const std::optional<path::ApproachPath> approach = approach_path(block, *move, point);
+    if (!approach) return;
     const bool has_level = (targets & bit(nc::slot_of(axes.normal))) != 0;
     const double contour = position_.base()[normal];
     const double tool =
@@ -328,7 +331,7 @@ void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actio
     if (!level || !channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     position_.note_motion();
 
-    const Element element = path::way_from(place.place, place.direction, *way);
+    const Element element = path::approach_path_from(point.point, point.direction, *approach);
     Command first = move->slow;  // P4 to P3
     AxisValues here = position_.base();
     set_in_plane(here, element.to);
@@ -344,7 +347,7 @@ void SmoothApproaches::retract_smoothly(const Block& block, const Actions& actio
         channel_.compensation.settle_comp(block, here);
         if (!reporter_.has_ended()) channel_.compensation.stop_comp();
         if (reporter_.has_ended()) return;
-        here = compensation_.place();
+        here = compensation_.position();
     }
     if (has_place) {  // P0
         Command away = move->fast;

@@ -41,7 +41,7 @@ int lines_of(const path::Arc& arc) {
     return std::max(1, static_cast<int>(std::ceil(arc.sweep / step)));
 }
 
-Vec3 place_at(const path::Arc& arc, double part) {
+Vec3 arc_point_at(const path::Arc& arc, double part) {
     return part == 1 ? arc.end : path::point_at(arc, arc.sweep * part).position;
 }
 
@@ -50,23 +50,24 @@ Vec3 place_at(const path::Arc& arc, double part) {
 void Motions::thread_along_arc(const Block& block, const Target& target, const Actions& actions) {
     const std::optional<path::Arc> arc = arc_of_thread(block, target);
     if (!arc) return;
-    const std::optional<Lead> lead = pitch_of_arc(block, arc->end - arc->start);
-    if (!lead) return;
+    const std::optional<ThreadPitch> pitch = pitch_of_arc(block, arc->end - arc->start);
+    if (!pitch) return;
     if (!require_thread_spindle(block)) return;
     channel_.cornering.leave_corners(diag::CornerNotContour);
     if (reporter_.has_ended()) return;
     channel_.checks.check_tool(block);
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     const int lines = lines_of(*arc);
-    const double whole = arc->end[lead->axis] - arc->start[lead->axis];
+    const double whole = arc->end[pitch->axis] - arc->start[pitch->axis];
     // The whole arc is looked at before the first of its lines is put out.
     for (int i = 1; i <= lines; ++i) {
-        const Vec3 way = place_at(*arc, static_cast<double>(i) / lines) -
-                         place_at(*arc, static_cast<double>(i - 1) / lines);
-        if (way[lead->axis] * whole > 0 && std::abs(way[lead->axis]) > kLeastPart * way.norm())
+        const Vec3 delta = arc_point_at(*arc, static_cast<double>(i) / lines) -
+                           arc_point_at(*arc, static_cast<double>(i - 1) / lines);
+        if (delta[pitch->axis] * whole > 0 &&
+            std::abs(delta[pitch->axis]) > kLeastPart * delta.norm())
             continue;
         reporter_.report(diag::ThreadArcAcross, block)
-            .arg(kAxisNames[static_cast<std::size_t>(lead->axis)]);
+            .arg(kAxisNames[static_cast<std::size_t>(pitch->axis)]);
         return;
     }
     const Target begin{position_.here(), position_.base(), target.moved};
@@ -74,24 +75,24 @@ void Motions::thread_along_arc(const Block& block, const Target& target, const A
         const double part = static_cast<double>(i) / lines;
         Target at = target;
         if (i < lines) {
-            const Vec3 place = place_at(*arc, part);
+            const Vec3 point = arc_point_at(*arc, part);
             for (std::size_t k = 0; k < kAxes; ++k) {
-                at.here[k] = k < 3 ? place[static_cast<Eigen::Index>(k)]
+                at.here[k] = k < 3 ? point[static_cast<Eigen::Index>(k)]
                                    : begin.here[k] + part * (target.here[k] - begin.here[k]);
             }
             at.base = frames_.to_base(at.here);
         }
         if (!channel_.checks.require_within_limits(block, at.base, at.moved)) return;
         position_.note_motion();
-        const Vec3 way = linear(at.here) - linear(position_.here());
+        const Vec3 delta = linear(at.here) - linear(position_.here());
         const double length = (linear(at.base) - linear(position_.base())).norm();
         path::Motion& motion =
-            channel_.stages.put(Op::Thread, block, i == 1 ? &target.turn : nullptr).motion();
+            channel_.stages.put(Op::Thread, block, i == 1 ? &target.orientation : nullptr).motion();
         motion.to = at.base;
         motion.moved = at.moved;
         motion.exact_stop = i == lines && channel_.smoothing.stops_exactly(actions.exact_stop);
         motion.feed_mode = path::FeedMode::PerRevolution;
-        motion.feed = lead->pitch * length / std::abs(way[lead->axis]);
+        motion.feed = pitch->pitch * length / std::abs(delta[pitch->axis]);
         motion.shape = path::ThreadShape{0, actions.thread_start_deg};
         arrive(at);
     }
@@ -118,19 +119,19 @@ std::optional<path::Arc> Motions::arc_of_thread(const Block& block, const Target
 }
 
 /// Along which axis the pitch is, and how large; nothing if it was reported.
-std::optional<Lead> Motions::pitch_of_arc(const Block& block, const Vec3& way) {
+std::optional<ThreadPitch> Motions::pitch_of_arc(const Block& block, const Vec3& delta) {
     Eigen::Index longest = 0;
-    way.cwiseAbs().maxCoeff(&longest);
+    delta.cwiseAbs().maxCoeff(&longest);
     const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
     if (rules_.thread_pitch_is_feed) {
-        if (modal_.has_feed && modal_.feed > 0) return Lead{modal_.feed, longest};
+        if (modal_.has_feed && modal_.feed > 0) return ThreadPitch{modal_.feed, longest};
         reporter_.report(diag::ThreadPitchMissing, block).arg(name);
         return std::nullopt;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto word = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
         if (block.has(word) && block.at(word) > 0)
-            return Lead{block.at(word), static_cast<Eigen::Index>(axis)};
+            return ThreadPitch{block.at(word), static_cast<Eigen::Index>(axis)};
     }
     reporter_.report(diag::ThreadPitchMissing, block).arg(name);
     return std::nullopt;

@@ -44,9 +44,9 @@ Vec3 turned(const Vec3& point, const Vec3& center, const Vec3& axis, double angl
 double MotionWords::radius_of(const Block& block, const path::ArcEnds& ends) const {
     const double radius = block.at(Slot::Radius);
     if (!view_.rules.arc_radius_may_fall_short) return radius;
-    const Vec3 way = ends.end - ends.start;
+    const Vec3 delta = ends.end - ends.start;
     const Vec3 normal = path::unit(path::axes_of(view_.plane).normal);
-    const double half = (way - normal * way.dot(normal)).norm() / 2;
+    const double half = (delta - normal * delta.dot(normal)).norm() / 2;
     const double size = std::abs(radius);
     const double slack =
         std::max(view_.rules.arc_tolerance, view_.rules.arc_tolerance_factor * size);
@@ -116,16 +116,16 @@ std::optional<Vec3> MotionWords::center_of_arc(const Block& block, const Vec3& s
 
 void MotionWords::report_radius_arc(const Block& block, path::ArcFault fault,
                                     const path::ArcEnds& ends) {
-    const Vec3 way = ends.end - ends.start;
+    const Vec3 delta = ends.end - ends.start;
     if (fault == path::ArcFault::RadiusTooSmall) {
-        const double height = way.dot(path::unit(path::axes_of(view_.plane).normal));
-        const double chord = std::sqrt(std::max(0.0, way.squaredNorm() - height * height));
+        const double height = delta.dot(path::unit(path::axes_of(view_.plane).normal));
+        const double chord = std::sqrt(std::max(0.0, delta.squaredNorm() - height * height));
         reporter_.report(diag::ArcRadiusTooSmall, block, Slot::Radius)
             .arg(round_to(block.at(Slot::Radius), 6))
             .arg(round_to(chord, 6));
         return;
     }
-    const bool moves = way.norm() > 0;  // along the axis of a helix
+    const bool moves = delta.norm() > 0;  // along the axis of a helix
     if (!moves && view_.rules.arc_radius_without_chord == nc::ArcWithoutChord::NoMotion) return;
     reporter_.report(diag::ArcWithoutChord, block, Slot::Radius);
 }
@@ -134,8 +134,8 @@ void MotionWords::report_center_arc(const Block& block, path::ArcFault fault,
                                     const path::ArcEnds& ends, const Vec3& center) {
     const SlotMask centers = block.given & nc::kCenterSlots;
     const Vec3 normal = path::unit(path::axes_of(view_.plane).normal);
-    const auto radius_to = [&](const Vec3& place) {
-        const Vec3 arm = place - center;
+    const auto radius_to = [&](const Vec3& point) {
+        const Vec3 arm = point - center;
         return round_to((arm - arm.dot(normal) * normal).norm(), 6);
     };
     // A centre on the start of another place is one, with a radius that does not fit.
@@ -192,8 +192,8 @@ std::optional<path::Arc> MotionWords::arc_by_opening(const Block& block, Target&
         target.base = view_.frames.to_base(target.here);
         return arc;
     }
-    const Vec3 way = arc.end - start;
-    const Vec3 chord = way - way.dot(third) * third;
+    const Vec3 delta = arc.end - start;
+    const Vec3 chord = delta - delta.dot(third) * third;
     if (chord.norm() < path::kSamePoint) {
         reporter_.report(diag::ArcWithoutChord, block, Slot::Opening);
         return std::nullopt;

@@ -66,7 +66,7 @@ void Motions::arc(const Block& block, const Target& target, bool exact_stop) {
     const bool has_opening = block.has(Slot::Opening);
     const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
     if (!has_form && !has_opening && rules_.arc_without_center == nc::ArcWithoutCenter::Line) {
-        if (target.moved != 0 && told_.first_time(Once::ArcIsLine))
+        if (target.moved != 0 && reported_.first_time(RunNotice::ArcIsLine))
             reporter_.report(diag::ArcIsLine, block, modal_.motion);
         return line(block, target, Op::Line, exact_stop);
     }
@@ -159,16 +159,16 @@ void Motions::put_base_arc(const Block& block, const path::Arc& arc, const Targe
     Target target = programmed;
     if (tool_.has_changed && !channel_.tool.activate_length_on_arc(block, arc.normal, target.moved))
         return;
-    if (target.turn.waiting != nullptr) {
-        const path::Curve way =
+    if (target.orientation.waiting != nullptr) {
+        const path::Curve curve =
             path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep);
-        if (!channel_.tool_motion.lay_directions(block, way, target)) return;
+        if (!channel_.tool_motion.lay_directions(block, curve, target)) return;
     }
     if (!channel_.checks.require_arc_within_limits(block, arc, target)) return;
     if (spindle_.has_cutting_speed) [[unlikely]]
         channel_.dangers.watch_cutting_speed(block, position_.here()[0], target.here[0]);
 
-    path::Motion& motion = channel_.stages.put(Op::Arc, block, &target.turn).motion();
+    path::Motion& motion = channel_.stages.put(Op::Arc, block, &target.orientation).motion();
     motion.to = target.base;
     motion.moved = target.moved;
     motion.exact_stop = exact_stop;

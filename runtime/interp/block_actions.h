@@ -19,8 +19,8 @@ struct Actions {
     bool taps = false;    // a line of floating tapping
     bool probes = false;  // a line that ends where the probe triggers
     bool exact_stop = false;
-    bool at_rapid = false;  // whatever the modal motion
-    double way_offset = 0;  // times the radius offset by which the ways are longer
+    bool at_rapid = false;            // whatever the modal motion
+    double tool_offset_increase = 0;  // times the radius offset by which the ways are longer
     bool length_changed = false;
     bool suspends_length = false;
     bool tool_change = false;
@@ -40,8 +40,8 @@ struct Actions {
     ToolWords tool;
     bool switches_length = false;  // the transformation, as a kind of tool length compensation
     const nc::Invocation* comp_corner = nullptr;
-    const nc::Invocation* soft = nullptr;  // SmoothApproach or SmoothRetract
-    bool was_rapid = false;                // the modal motion in the block before
+    const nc::Invocation* smooth_approach = nullptr;  // SmoothApproach or SmoothRetract
+    bool was_rapid = false;                           // the modal motion in the block before
     double feed_before = 0;
     bool had_feed = false;
     const nc::Invocation* corner = nullptr;  // chamfer or rounding at the end of the block
@@ -75,12 +75,12 @@ struct Target {
     AxisValues base;
     AxisMask moved = 0;
     AxisMask carried = 0;  // of them by the tool's turn alone: what the program said of them stays
-    TurnPlan turn{};       // under a transformation
+    OrientPlan orientation{};  // under a transformation
 };
 
 /// Where a soft approach or retract touches the contour, in the plane of the base system.
 struct ApproachPoint {
-    path::Vec2 place = path::Vec2::Zero();
+    path::Vec2 point = path::Vec2::Zero();
     path::Vec2 direction = path::Vec2::Zero();  // of the contour there, unit vector
     path::Vec2 tool = path::Vec2::Zero();       // where the tool comes from or goes to
 };
@@ -108,7 +108,7 @@ struct ProgrammedMove {
 };
 
 /// The pitch of a thread along an arc, mm a turn, and the axis along which it is said.
-struct Lead {
+struct ThreadPitch {
     double pitch = 0;
     Eigen::Index axis = 0;
 };

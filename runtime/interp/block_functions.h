@@ -16,7 +16,7 @@ class BlockFunctions {
     BlockFunctions& operator=(const BlockFunctions&) = delete;
 
     /// M functions that take the machine time, at one side of the block's motion.
-    enum class Side : std::uint8_t { Before, Behind };
+    enum class MotionMoment : std::uint8_t { Before, Behind };
     /// Every default is executed as if it stood in a block of its own. Nobody has written it: there
     /// is no place to tell anything of it. Units are the reader's matter.
     void power_on();
@@ -46,11 +46,11 @@ class BlockFunctions {
     void set_coolant(const nc::Block& block, path::CoolantMode mode);
     void change_plane(const nc::Block& block, nc::Function plane);
     bool is_too_late(nc::Function function) const;
-    void issue_functions(const nc::Block& block, const Actions& actions, Side side);
+    void issue_functions(const nc::Block& block, const Actions& actions, MotionMoment side);
     bool has_changed(std::int64_t code, const Actions& actions) const;
     void pass_machine_function(const nc::Block& block, std::int64_t number);
     void write_parameter(const nc::Block& block, const nc::Invocation& invocation);
-    void tell_life_data(const nc::Block& block);
+    void report_life_data(const nc::Block& block);
 
     Channel& channel_;
     const nc::Dialect& dialect_;
@@ -62,8 +62,8 @@ class BlockFunctions {
     Modal& modal_;
     Position& position_;
     control::Frames& frames_;
-    Spindle& spindle_;
-    const std::vector<Spindle>& other_spindles_;
+    ProgrammedSpindle& spindle_;
+    const std::vector<ProgrammedSpindle>& other_spindles_;
     Tool& tool_;
     WorkArea& area_;
     PositionWords& position_words_;
@@ -77,7 +77,7 @@ class BlockFunctions {
     bool& is_scanning_;
     bool& taps_rigidly_;
     ProgrammedDynamics& dynamics_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
     AxisData& axes_;
     ModalCycles& modal_cycles_;
 };

@@ -62,7 +62,7 @@ class Callers {
         bool waits;
     };
 
-    static std::size_t at(std::ptrdiff_t place) { return static_cast<std::size_t>(place); }
+    static std::size_t at(std::ptrdiff_t index) { return static_cast<std::size_t>(index); }
     std::size_t turn() const {
         std::size_t i = stack_.size() - 1;
         while (stack_[i].waits) --i;

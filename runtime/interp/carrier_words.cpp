@@ -26,7 +26,7 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using nc::parameter_of;
-using nc::Quantity;
+using nc::SystemQuantity;
 using path::Vec3;
 using Write = ControlAccess::Write;
 
@@ -46,8 +46,10 @@ const CarrierData& data_or_none(const ToolCarriers& carriers, std::int64_t numbe
 }
 
 /// Which of the three names of a carrier a quantity is.
-std::size_t name_place(Quantity quantity) {
-    return quantity == Quantity::CarrierName ? 0 : quantity == Quantity::CarrierFirstName ? 1 : 2;
+std::size_t name_place(SystemQuantity quantity) {
+    return quantity == SystemQuantity::CarrierName        ? 0
+           : quantity == SystemQuantity::CarrierFirstName ? 1
+                                                          : 2;
 }
 
 }  // namespace
@@ -197,41 +199,41 @@ bool Carriers::is_plane_on_carrier() const {
 
 // ------------------------------------------------------------------------------ data
 
-std::optional<double> Carriers::carrier_quantity(Quantity quantity, std::int64_t first,
+std::optional<double> Carriers::carrier_quantity(SystemQuantity quantity, std::int64_t first,
                                                  std::int64_t second) const {
     const auto& stand = carrier_.stand;
     switch (quantity) {
-        case Quantity::ActiveCarrier: return static_cast<double>(stand ? carrier_.number : 0);
-        case Quantity::CarrierSolutions: return stand ? stand->solutions : 0;
-        case Quantity::CarrierAngle:
-        case Quantity::CarrierLeftOver: {
+        case SystemQuantity::ActiveCarrier: return static_cast<double>(stand ? carrier_.number : 0);
+        case SystemQuantity::CarrierSolutions: return stand ? stand->solutions : 0;
+        case SystemQuantity::CarrierAngle:
+        case SystemQuantity::CarrierLeftOver: {
             if (first < 1 || first > 2) return std::nullopt;
             if (!stand) return 0;
             const auto i = static_cast<std::size_t>(first) - 1;
-            return deg_from_rad(quantity == Quantity::CarrierAngle ? stand->angles[i]
-                                                                   : stand->left_over[i]);
+            return deg_from_rad(quantity == SystemQuantity::CarrierAngle ? stand->angles[i]
+                                                                         : stand->left_over[i]);
         }
         default: break;
     }
     if (!is_carrier_number(first)) return std::nullopt;
     const CarrierData& data = data_or_none(carriers_, first);
     const auto datum = static_cast<std::size_t>(second / nc::kDatum);
-    if (quantity == Quantity::CarrierDatum) return data.values.at(datum);
+    if (quantity == SystemQuantity::CarrierDatum) return data.values.at(datum);
     const auto& axis = data.axes.at(datum - 1);
     return axis ? -1.0 - static_cast<double>(index(*axis)) : 0.0;
 }
 
-Write Carriers::set_carrier(Quantity quantity, std::int64_t first, std::int64_t second,
+Write Carriers::set_carrier(SystemQuantity quantity, std::int64_t first, std::int64_t second,
                             double value) {
     const auto datum = static_cast<std::size_t>(second / nc::kDatum);
-    const bool forgets = quantity == Quantity::CarrierDatum && datum == 1 && value == 0;
+    const bool forgets = quantity == SystemQuantity::CarrierDatum && datum == 1 && value == 0;
     if (first == 0 && forgets) {
         carriers_.clear();
         return Write::Done;
     }
     if (!is_carrier_number(first)) return Write::NoSuchEntry;
     CarrierData& data = carriers_.at(first);
-    if (quantity == Quantity::CarrierDatum) {
+    if (quantity == SystemQuantity::CarrierDatum) {
         data.values.at(datum) = value;
         return Write::Done;
     }
@@ -241,16 +243,18 @@ Write Carriers::set_carrier(Quantity quantity, std::int64_t first, std::int64_t 
     return Write::Done;
 }
 
-std::optional<std::string> Carriers::carrier_text(Quantity quantity, std::int64_t number) const {
+std::optional<std::string> Carriers::carrier_text(SystemQuantity quantity,
+                                                  std::int64_t number) const {
     if (!is_carrier_number(number)) return std::nullopt;
     const CarrierData& data = data_or_none(carriers_, number);
-    return quantity == Quantity::CarrierKind ? data.kind : data.names[name_place(quantity)];
+    return quantity == SystemQuantity::CarrierKind ? data.kind : data.names[name_place(quantity)];
 }
 
-Write Carriers::set_carrier_text(Quantity quantity, std::int64_t number, std::string_view text) {
+Write Carriers::set_carrier_text(SystemQuantity quantity, std::int64_t number,
+                                 std::string_view text) {
     if (!is_carrier_number(number)) return Write::NoSuchEntry;
     CarrierData& data = carriers_.at(number);
-    (quantity == Quantity::CarrierKind ? data.kind : data.names[name_place(quantity)]) = text;
+    (quantity == SystemQuantity::CarrierKind ? data.kind : data.names[name_place(quantity)]) = text;
     return Write::Done;
 }
 

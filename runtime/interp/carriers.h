@@ -34,16 +34,16 @@ class Carriers {
     /// … and the working plane of the program is square to it.
     bool is_plane_on_carrier() const;
     /// A datum of a carrier by its variable; nothing: there is none.
-    std::optional<double> carrier_quantity(nc::Quantity quantity, std::int64_t first,
+    std::optional<double> carrier_quantity(nc::SystemQuantity quantity, std::int64_t first,
                                            std::int64_t second) const;
     /// What of a carrier that acts is written counts from its next call on. `$TC_CARR1[0]=0`
     /// forgets all carriers.
-    ControlAccess::Write set_carrier(nc::Quantity quantity, std::int64_t first, std::int64_t second,
-                                     double value);
+    ControlAccess::Write set_carrier(nc::SystemQuantity quantity, std::int64_t first,
+                                     std::int64_t second, double value);
     /// The name of a carrier or of one of its axes.
-    std::optional<std::string> carrier_text(nc::Quantity quantity, std::int64_t number) const;
+    std::optional<std::string> carrier_text(nc::SystemQuantity quantity, std::int64_t number) const;
     /// Likewise.
-    ControlAccess::Write set_carrier_text(nc::Quantity quantity, std::int64_t number,
+    ControlAccess::Write set_carrier_text(nc::SystemQuantity quantity, std::int64_t number,
                                           std::string_view text);
 
   private:

@@ -74,7 +74,7 @@ struct ChannelState {
     const InterpreterOptions options;
     AxisData axes;
     Reporter reporter;
-    ReportedInRun told;
+    ReportedInRun reported;
     ProgramClocks clocks;
 
     struct Motion {
@@ -83,9 +83,9 @@ struct ChannelState {
         AxisValues length_shift{};  // machine position − base position: the tool length in force
         AxisValues preset{};        // real position − the one that the program has set
         AxisMask unplaced = 0;      // axes that want a place behind the end of a rotation
-        Units units = Units::Unsaid;        // that the program said last
-        bool diameter_is_absolute = false;  // X is a diameter as a coordinate only
-        bool is_scanning = false;           // motions are a scanner's
+        ProgrammedUnits units = ProgrammedUnits::Unsaid;  // that the program said last
+        bool diameter_is_absolute = false;                // X is a diameter as a coordinate only
+        bool is_scanning = false;                         // motions are a scanner's
         std::uint64_t block_count = 0;
         PositionWords position_words{};
         ProgrammedDynamics dynamics;
@@ -115,20 +115,20 @@ struct ChannelState {
     ToolGroup tool;
 
     struct SpindleGroup {
-        Spindle spindle{};                      // the master
-        std::vector<Spindle> other_spindles{};  // of machines with several
-        bool owes_speed = false;                // the motion side was not told of a new speed
+        ProgrammedSpindle spindle{};                      // the master
+        std::vector<ProgrammedSpindle> other_spindles{};  // of machines with several
+        bool owes_speed = false;  // the motion side was not told of a new speed
         path::CoolantMode coolant = path::CoolantMode::Off;
     };
     SpindleGroup spindle;
 
     struct StageGroup {
-        Output output{};
+        CommandOutput output{};
         Corners corners;
         RadiusCompState comp{};
         Compensation compensation{};
         Compensation3d comp_3d{};  // in place of it under CompPeripheral
-        path::Contact face{};      // normals of the surface along the block, of a Face
+        path::Contact surface{};   // normals of the surface along the block, of a Face
         ApproachChoice approach_choice{};
         SmoothApproach smooth_approach{};
         std::optional<Approached> approached{};

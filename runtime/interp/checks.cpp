@@ -51,7 +51,7 @@ MotionChecks::MotionChecks(Channel& channel)
       is_scanning_(channel.state.motion.is_scanning),
       units_(channel.state.motion.units),
       taps_rigidly_(channel.state.cycle.taps_rigidly),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       dangers_(channel.state.stage.dangers),
       axes_(channel.state.axes),
       length_shift_(channel.state.motion.length_shift),
@@ -99,7 +99,7 @@ Done MotionChecks::require_feed(const Block& block, std::string_view what) {
         return kFailed;
     }
     // The beam of a scanner comes with its marks.
-    if (!is_scanning_ && told_.first_time(Once::SpindleStopped))
+    if (!is_scanning_ && reported_.first_time(RunNotice::SpindleStopped))
         reporter_.report(diag::FeedWithSpindleStopped, block);
     return kDone;
 }
@@ -117,13 +117,13 @@ void MotionChecks::check_rapid(const Block& block, const Target& target) {
                        target.here[kZ] < position_.here()[kZ];
     const bool is_mill = axes_.word_scale[0] == 1 && modal_.plane == path::Plane::Xy;
     const bool is_danger = stands && dives && is_mill && !contour_;
-    if (!is_danger || !told_.first_time(Once::Rapid)) return;
+    if (!is_danger || !reported_.first_time(RunNotice::Rapid)) return;
     reporter_.report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
 }
 
 void MotionChecks::check_tool(const Block& block) {
     const bool asks = options_.asks_for_tool && machine_.tool_change_time != 0;
-    if (!asks || tool_.current != 0 || !told_.first_time(Once::NoTool)) return;
+    if (!asks || tool_.current != 0 || !reported_.first_time(RunNotice::NoTool)) return;
     DiagnosticBuilder message = reporter_.report(diag::ToolNeverCalled, block);
     // `T0101` is a lathe's tool with its offset.
     const std::int64_t tool = tool_.selected / 100;
@@ -138,20 +138,20 @@ void MotionChecks::check_tool(const Block& block) {
 }
 
 void MotionChecks::check_units(const Block& block, nc::Function function) {
-    const Units units = units_of(function);
-    const bool changes = units_ != Units::Unsaid && units_ != units;
+    const ProgrammedUnits units = units_of(function);
+    const bool changes = units_ != ProgrammedUnits::Unsaid && units_ != units;
     const std::string_view acts = comp_.is_on()          ? "cutter radius compensation"
                                   : frames_.is_rotated() ? "a rotation"
                                   : frames_.is_scaled()  ? "a scaling"
                                                          : "";
     if (changes && rules_.comp_is_innermost && !acts.empty()) {
         reporter_.report(diag::UnitsInside, block, function)
-            .arg(units == Units::Inch ? "inches" : "millimetres")
+            .arg(units == ProgrammedUnits::Inch ? "inches" : "millimetres")
             .arg(acts);
         return;
     }
-    if (changes && position_.has_moved() && told_.first_time(Once::Units)) {
-        const bool to_inch = units == Units::Inch;
+    if (changes && position_.has_moved() && reported_.first_time(RunNotice::Units)) {
+        const bool to_inch = units == ProgrammedUnits::Inch;
         reporter_.report(diag::UnitsMixed, block, function)
             .arg(to_inch ? "millimetres" : "inches")
             .arg(to_inch ? "inches" : "millimetres");
@@ -163,7 +163,7 @@ Done MotionChecks::require_within_limits(const Block& block, const AxisValues& b
                                          AxisMask moved) {
     // No axis goes along a contour that is only read; but it does not leave every machine.
     constexpr double kAnyMachine = 1e7;  // mm, deg
-    const auto is_near = [](double place) { return std::abs(place) < kAnyMachine; };
+    const auto is_near = [](double parameter) { return std::abs(parameter) < kAnyMachine; };
     if (contour_ && std::ranges::all_of(base, is_near)) return kDone;
     // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
     if (channel_.transformation.is_transformed())

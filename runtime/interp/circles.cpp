@@ -63,14 +63,14 @@ void Motions::arc_along(const Block& block, const Target& target, bool exact_sto
     const Vec3 start = linear(position_.here());
     const Vec3 came = start - linear(frames_.from_base(behind));
     const Vec3 tangent = came - came.dot(third) * third;
-    const Vec3 way = linear(target.here) - start;
-    const double height = way.dot(third);
+    const Vec3 delta = linear(target.here) - start;
+    const double height = delta.dot(third);
     if (tangent.norm() < path::kSamePoint) {
         reporter_.report(diag::ArcTangentMissing, block);
         return;
     }
     Result<path::Arc, path::ArcFault> arc =
-        path::arc_along_tangent({start, start + way - height * third}, tangent);
+        path::arc_along_tangent({start, start + delta - height * third}, tangent);
     if (!arc && arc.error() == path::ArcFault::Straight)
         return line(block, target, Op::Line, exact_stop);
     if (!arc) {

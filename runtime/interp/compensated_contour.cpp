@@ -48,8 +48,9 @@ ProgrammedMotion CompensatedContour::take_approach() {
     return approach;
 }
 
-std::optional<CompFault> CompensatedContour::push_approach(const Element& way, double distance) {
-    return corners_.push(way, distance, waiting_.front().element);
+std::optional<CompFault> CompensatedContour::push_approach(const Element& element,
+                                                           double distance) {
+    return corners_.push(element, distance, waiting_.front().element);
 }
 
 void CompensatedContour::open_approach() {

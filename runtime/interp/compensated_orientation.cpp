@@ -16,7 +16,7 @@ namespace kadr::interp {
 using path::Command;
 using path::linear;
 using path::Op;
-using path::Turning;
+using path::OrientKind;
 using path::Vec3;
 
 namespace {
@@ -34,34 +34,35 @@ struct Ends {
     Vec3 last;
 };
 
-Ends ends_of(const path::Motion& motion, const path::Curve& way, const Vec3& now) {
-    if (motion.turning == Turning::Cone) {
-        const double angle = motion.turn().angle;
-        const Eigen::AngleAxisd back(-angle, motion.turn().axis);
+Ends ends_of(const path::Motion& motion, const path::Curve& curve, const Vec3& now) {
+    if (motion.orient_kind == OrientKind::Cone) {
+        const double angle = motion.orientation().angle;
+        const Eigen::AngleAxisd back(-angle, motion.orientation().axis);
         return {angle == 0 ? motion.direction : back * motion.direction, motion.direction};
     }
-    const double length = path::length(way);
-    const path::Turn turn = turn_of(motion, now, length > kNoWay ? length : 1);
-    return {path::direction_at(turn, way, 0), path::direction_at(turn, way, turn.length)};
+    const double length = path::length(curve);
+    const path::OrientLaw orientation = orient_law_of(motion, now, length > kNoWay ? length : 1);
+    return {path::direction_at(orientation, curve, 0),
+            path::direction_at(orientation, curve, orientation.length)};
 }
 
 /// The motion turns the tool along the great circle instead. False: there is none.
-bool turn_straight(const Vec3& from, path::Motion& motion) {
+bool orient_straight(const Vec3& from, path::Motion& motion) {
     const auto arc = machine::great_circle(from, motion.direction);
     if (!arc) return false;
-    motion.turning = Turning::Cone;
-    path::ToolTurn& turn = motion.tool_turn.made();
-    turn.axis = arc->axis;
-    turn.angle = arc->turn;
+    motion.orient_kind = OrientKind::Cone;
+    path::OrientDetails& details = motion.orient_details.made();
+    details.axis = arc->axis;
+    details.angle = arc->turn;
     return true;
 }
 
 /// The rotary axes where the tool ends on its way there. False: they cannot go.
 bool lead_joints(const OrientationLimits& orientation_limits, const AxisValues& from,
-                 const machine::DirectionFunction& course, AxisValues& to) {
+                 const machine::DirectionFunction& direction, AxisValues& to) {
     const machine::Chain& chain = *orientation_limits.chain;
     const auto end =
-        machine::follow(chain, {joints_at(chain, from), orientation_limits.limits}, course);
+        machine::follow(chain, {joints_at(chain, from), orientation_limits.limits}, direction);
     if (!end) return false;
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
@@ -71,8 +72,8 @@ bool lead_joints(const OrientationLimits& orientation_limits, const AxisValues& 
 }
 
 /// The tip stands where the axes are while the tool turns along the great circle.
-bool put_standing_turn(const OrientationLimits& orientation_limits, const Command& model,
-                       const Vec3& to, AxisValues& axes, std::vector<Command>& settled) {
+bool put_standing_orientation(const OrientationLimits& orientation_limits, const Command& model,
+                              const Vec3& to, AxisValues& axes, std::vector<Command>& settled) {
     const Vec3 from =
         machine::tool_vector(*orientation_limits.chain, joints_at(*orientation_limits.chain, axes));
     if (is_same(from, to)) return true;
@@ -82,8 +83,8 @@ bool put_standing_turn(const OrientationLimits& orientation_limits, const Comman
     turn.exact_stop = false;
     turn.direction = to;
     turn.to = axes;
-    if (!turn_straight(from, turn)) return false;
-    const Eigen::AngleAxisd whole(turn.turn().angle, turn.turn().axis);
+    if (!orient_straight(from, turn)) return false;
+    const Eigen::AngleAxisd whole(turn.orientation().angle, turn.orientation().axis);
     const auto course = [&](double share) -> Vec3 {
         return Eigen::AngleAxisd(share * whole.angle(), whole.axis()) * from;
     };
@@ -98,21 +99,21 @@ bool put_led(const OrientationLimits& orientation_limits, AxisValues axes,
              const Command& programmed, const Ends& ends, std::vector<Command>& settled) {
     const std::size_t before = settled.size();
     const auto put = [&] {
-        if (!put_standing_turn(orientation_limits, programmed, ends.first, axes, settled))
+        if (!put_standing_orientation(orientation_limits, programmed, ends.first, axes, settled))
             return false;
         Command command = programmed;
         path::Motion& motion = command.motion();
-        const path::Curve way = path::curve_of(motion, linear(axes), linear(motion.to));
-        const path::Turn turn = turn_of(motion, ends.first, path::length(way));
+        const path::Curve curve = path::curve_of(motion, linear(axes), linear(motion.to));
+        const path::OrientLaw orientation = orient_law_of(motion, ends.first, path::length(curve));
         const auto course = [&](double share) {
-            return path::direction_at(turn, way, share * turn.length);
+            return path::direction_at(orientation, curve, share * orientation.length);
         };
         if (!lead_joints(orientation_limits, axes, course, motion.to)) return false;
         motion.direction = ends.last;
         axes = motion.to;
         settled.push_back(std::move(command));
-        return put_standing_turn(orientation_limits, programmed, programmed.motion().direction,
-                                 axes, settled);
+        return put_standing_orientation(orientation_limits, programmed,
+                                        programmed.motion().direction, axes, settled);
     };
     if (put()) return true;
     settled.resize(before);
@@ -130,32 +131,34 @@ Vec3 joints_at(const machine::Chain& chain, const AxisValues& axes) {
     return joints;
 }
 
-path::Turn turn_of(const path::Motion& motion, const Vec3& from_tool, double length) {
+path::OrientLaw orient_law_of(const path::Motion& motion, const Vec3& from_tool, double length) {
     const double share = 1 / length;
-    const path::ToolTurn& whole = motion.turn();
-    path::Turn turn;
-    turn.kind = motion.turning;
-    turn.length = length;
-    turn.start = turn.kind == Turning::Cone ? from_tool : whole.from;
-    turn.axis = turn.kind == Turning::Point ? Vec3(share * whole.axis) : whole.axis;
-    turn.rate = share * whole.angle;
-    turn.lean = whole.lean;
-    turn.outwards = whole.outwards;
-    return turn;
+    const path::OrientDetails& whole = motion.orientation();
+    path::OrientLaw orientation;
+    orientation.kind = motion.orient_kind;
+    orientation.length = length;
+    orientation.start = orientation.kind == OrientKind::Cone ? from_tool : whole.from;
+    orientation.axis =
+        orientation.kind == OrientKind::Point ? Vec3(share * whole.axis) : whole.axis;
+    orientation.rate = share * whole.angle;
+    orientation.lead_tilt = whole.lead_tilt;
+    orientation.outwards = whole.outwards;
+    return orientation;
 }
 
-void shift_point(const CompensatedEnds& way, path::Motion& motion) {
-    if (motion.turning != Turning::Point) return;
-    const Vec3 before = way.from_beside - way.from;
-    const Vec3 behind = way.to_beside - way.to;
-    motion.tool_turn->from += before;
-    motion.tool_turn->axis += behind - before;
+void shift_point(const CompensatedEnds& ends, path::Motion& motion) {
+    if (motion.orient_kind != OrientKind::Point) return;
+    const Vec3 before = ends.from_beside - ends.from;
+    const Vec3 behind = ends.to_beside - ends.to;
+    motion.orient_details->from += before;
+    motion.orient_details->axis += behind - before;
 }
 
 bool put_oriented(const OrientationLimits& orientation_limits, const AxisValues& from,
                   Command command, std::vector<Command>& settled) {
     const bool is_led = orientation_limits.chain != nullptr && command.is_motion() &&
-                        command.motion().turning > Turning::Axes && !command.motion().contact;
+                        command.motion().orient_kind > OrientKind::Axes &&
+                        !command.motion().contact;
     if (!is_led) {
         settled.push_back(std::move(command));
         return true;
@@ -163,12 +166,12 @@ bool put_oriented(const OrientationLimits& orientation_limits, const AxisValues&
     path::Motion& motion = command.motion();
     const Vec3 now =
         machine::tool_vector(*orientation_limits.chain, joints_at(*orientation_limits.chain, from));
-    const path::Curve way = path::curve_of(motion, linear(from), linear(motion.to));
-    const Ends ends = ends_of(motion, way, now);
+    const path::Curve curve = path::curve_of(motion, linear(from), linear(motion.to));
+    const Ends ends = ends_of(motion, curve, now);
     if (!is_same(ends.first, now) || !is_same(ends.last, motion.direction)) {
-        if (motion.op() == Op::Arc && motion.turning != Turning::Cone)
+        if (motion.op() == Op::Arc && motion.orient_kind != OrientKind::Cone)
             return put_led(orientation_limits, from, command, ends, settled);
-        if (!turn_straight(now, motion)) return false;
+        if (!orient_straight(now, motion)) return false;
     }
     settled.push_back(std::move(command));
     return true;

@@ -25,7 +25,8 @@ struct OrientationLimits {
 path::Vec3 joints_at(const machine::Chain& chain, const AxisValues& axes);
 
 /// How the tool turns on a way of this length, mm, that begins with the tool so.
-path::Turn turn_of(const path::Motion& motion, const path::Vec3& from_tool, double length);
+path::OrientLaw orient_law_of(const path::Motion& motion, const path::Vec3& from_tool,
+                              double length);
 
 /// The ends of a way: as it is programmed, and beside that; mm.
 struct CompensatedEnds {
@@ -37,7 +38,7 @@ struct CompensatedEnds {
 
 /// The second point of the tool's axis goes aside with the tip, so that the tool keeps its
 /// direction at both ends. Other turns stay what they are.
-void shift_point(const CompensatedEnds& way, path::Motion& motion);
+void shift_point(const CompensatedEnds& ends, path::Motion& motion);
 
 /// A command beside the contour, behind `settled`; before it and behind it turns of the tool while
 /// the tip stands, if its way would have it stand otherwise at its ends than it is programmed.

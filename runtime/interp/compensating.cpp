@@ -60,12 +60,12 @@ RadiusCompensation::RadiusCompensation(Channel& channel)
       extra_(channel.state.tool.extra),
       orienting_(channel.state.tool.orienting),
       tilted_plane_(channel.state.tool.tilted_plane),
-      face_(channel.state.stage.face),
+      surface_(channel.state.stage.surface),
       corners_(channel.state.stage.corners),
       comp_(channel.state.stage.comp),
       compensation_(channel.state.stage.compensation),
       comp_3d_(channel.state.stage.comp_3d),
-      told_(channel.state.told) {}
+      reported_(channel.state.reported) {}
 
 void RadiusCompensation::choose(const Block& block, Function member, Actions& actions) {
     if (channel_.shapes.keeps_shape()) return;
@@ -138,7 +138,7 @@ void RadiusCompensation::choose_comp_side(const Block& block, Function function,
 void RadiusCompensation::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == CompSide::Off) {
         comp_.side = CompSide::Off;
-        if (actions.soft != nullptr) return;  // its way still belongs to the contour
+        if (actions.smooth_approach != nullptr) return;  // its way still belongs to the contour
         CompChange leave;
         leave.kind = CompChange::Kind::Leave;
         leave.settings.corners.open_end = comp_.open_end;
@@ -297,7 +297,7 @@ Comp3dSettings RadiusCompensation::comp_3d_settings() const {
         settings.orientation_limits = {&machine_.kinematics->chain,
                                        channel_.tool_motion.joint_limits()};
     settings.direction = tool_direction();
-    settings.cutter.contact.kind = path::ContactKind::Side;
+    settings.cutter.contact.kind = path::ContactKind::Flank;
     settings.cutter.contact.depth = comp_.depth;
     settings.extends_lines = comp_settings().corners.outside == path::OutsideCorner::Intersection;
     settings.limit = rad_from_deg(rules_.comp_corner_limit);
@@ -438,7 +438,7 @@ void RadiusCompensation::take_comp_tool(const Block& block, std::int64_t number,
     const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;
     const bool is_gap = (radius == 0 || has_no_tip) && number != 0;
-    if (is_gap && told_.first_time(NoticeEach::Radius, number)) {
+    if (is_gap && reported_.first_time(NoticeEach::Radius, number)) {
         reporter_
             .report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block,
                     function_of(comp_.side))

@@ -46,7 +46,7 @@ const DiagnosticRow* row_of(CompPathFault fault) {
 
 void Compensation::begin(const CompSettings& settings, path::Plane plane, double distance,
                          const AxisValues& here) {
-    const AxisValues cutter = state_ == State::Off ? here : place();
+    const AxisValues cutter = state_ == State::Off ? here : position();
     const CompPlane in_it(plane, settings.lie);
     settings_ = settings;
     distance_ = distance;
@@ -284,9 +284,9 @@ Compensation::Fault Compensation::take_motion(Command& command) {
 
 /// An inverse time as the speed that it is along the programmed way.
 void Compensation::feed_along(path::Motion& motion) const {
-    const Element way = element_of(motion);
-    const double along = way.is_arc() ? path::radius(way) * std::abs(motion.arc().sweep)
-                                      : (way.to - way.from).norm();
+    const Element element = element_of(motion);
+    const double along = element.is_arc() ? path::radius(element) * std::abs(motion.arc().sweep)
+                                          : (element.to - element.from).norm();
     const std::size_t normal = index(in_plane().axes().normal);
     const double across = motion.to[normal] - here_[normal];
     motion.feed *= std::hypot(along, across);
@@ -366,7 +366,7 @@ Compensation::Fault Compensation::follow(Command& command) {
 
 Compensation::Fault Compensation::end_approach(const Element& first, double distance) {
     const bool is_straight = approach_->is_straight;
-    std::optional<Element> way;
+    std::optional<Element> element;
     if (!is_straight) {
         // From the other side of the contour the way is straight, whatever the corner.
         const bool is_beside = cutter_.beside().norm() > path::kSamePoint;
@@ -374,11 +374,11 @@ Compensation::Fault Compensation::end_approach(const Element& first, double dist
         const auto found = approach_element(is_direct ? nc::CompStart::Normal : settings_.start,
                                             first, cutter_.point(), distance);
         if (!found) return row_of(found.error());
-        way = *found;
+        element = *found;
     }
     approach_.reset();
-    if (way) {
-        const auto fault = contour_.push_approach(*way, distance);
+    if (element) {
+        const auto fault = contour_.push_approach(*element, distance);
         return fault ? row_of(*fault) : nullptr;
     }
     const bool is_curved = is_curve(settings_.start) && !is_straight;
@@ -409,17 +409,17 @@ Compensation::Fault Compensation::push(const Element& element, ProgrammedMotion 
 
 Compensation::Fault Compensation::depart(Command& command) {
     if (!is_straight(command.op())) return &diag::CompEndOnArc;
-    std::optional<Element> way;
+    std::optional<Element> element;
     // A direction that is said takes the place of the corner.
     if (contour_.last() && !leave_direction_) {
         const auto found = retract_element(settings_.start, contour_.last()->element,
                                            in_plane().point(command.motion().to), distance_);
         if (!found) return row_of(found.error());
-        way = *found;
+        element = *found;
     }
     here_ = command.motion().to;
-    if (way) {
-        if (const Fault fault = push(*way, {std::move(command), 0, true})) return fault;
+    if (element) {
+        if (const Fault fault = push(*element, {std::move(command), 0, true})) return fault;
         if (const Fault fault = finish()) return fault;
     } else if (const Fault fault = depart_from_end(command)) {
         return fault;

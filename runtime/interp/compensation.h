@@ -72,7 +72,7 @@ class Compensation {
     /// Compensation is over at once: what waits is let go of, and the cutter stays where it is.
     std::optional<CompAlarm> stop();
     /// Where the cutter is, once nothing waits any more.
-    AxisValues place() const { return in_plane().out_of(cutter_.position()); }
+    AxisValues position() const { return in_plane().out_of(cutter_.position()); }
     path::Plane plane() const { return in_plane().plane(); }
     const path::Mat3& lie() const { return in_plane().lie(); }
 

@@ -131,8 +131,8 @@ Compensation3d::Fault Compensation3d::take(Command& command) {
 Compensation3d::Fault Compensation3d::take_motion(Command& command) {
     path::Motion& motion = command.motion();
     if (motion.op() == Op::Thread || motion.op() == Op::Probe) return &diag::CompMotion;
-    path::Curve way = path::curve_of(motion, linear(here_), linear(motion.to));
-    if (path::length(way) <= kStill) {
+    path::Curve curve = path::curve_of(motion, linear(here_), linear(motion.to));
+    if (path::length(curve) <= kStill) {
         // Only the tool turns, or other axes move.
         here_ = motion.to;
         motion.contact.reset();
@@ -144,7 +144,7 @@ Compensation3d::Fault Compensation3d::take_motion(Command& command) {
         }
         return nullptr;
     }
-    if (state_ == State::On) return follow(command, std::move(way));
+    if (state_ == State::On) return follow(command, std::move(curve));
     if (!is_straight(motion.op()))
         return state_ == State::Leaving ? &diag::CompEndOnArc : &diag::CompStartOnArc;
     const Vec3 from = linear(here_);
@@ -162,28 +162,28 @@ Compensation3d::Fault Compensation3d::take_motion(Command& command) {
     return nullptr;
 }
 
-Compensation3d::Fault Compensation3d::follow(Command& command, path::Curve way) {
+Compensation3d::Fault Compensation3d::follow(Command& command, path::Curve curve) {
     path::Motion& motion = command.motion();
     if (motion.feed_mode == path::FeedMode::InverseTime && motion.op() != Op::Rapid) {
         if (!settings_.takes_inverse_time) return &diag::CompInverseTime;
-        motion.feed *= path::length(way);
+        motion.feed *= path::length(curve);
         motion.feed_mode = path::FeedMode::PerMinute;
     }
-    Side side;
-    side.way = std::move(way);
+    TouchedMotion side;
+    side.curve = std::move(curve);
     side.from = here_;
     side.from_tool = tool_;
     side.to_tool = tool_behind(motion);
     side.contact = settings_.cutter.contact;
     here_ = motion.to;
     tool_ = side.to_tool;
-    std::optional<Contact> face;
-    if (motion.contact) face = motion.contact->contact;
+    std::optional<Contact> surface;
+    if (motion.contact) surface = motion.contact->contact;
     motion.contact.reset();
     side.command = std::move(command);
     if (settings_.cutter.is_face_milling()) {
-        if (!face) return &diag::CompMotion;
-        if (const Fault fault = take_surface(*face, side)) return fault;
+        if (!surface) return &diag::CompMotion;
+        if (const Fault fault = take_surface(*surface, side)) return fault;
     } else if (const Fault fault = check(side)) {
         return fault;
     }
@@ -194,18 +194,18 @@ Compensation3d::Fault Compensation3d::follow(Command& command, path::Curve way) 
 
 /// Whether the cutter can go along what is left of a side; once its corners have cut it, the tool
 /// stands otherwise along it.
-Compensation3d::Fault Compensation3d::check(Side& side) const {
+Compensation3d::Fault Compensation3d::check(TouchedMotion& side) const {
     if (side.contact.kind != ContactKind::Face) return check_side(side);
     if (const Fault fault = check_inclinations(side)) return fault;
     return check_bends(side);
 }
 
-Compensation3d::Fault Compensation3d::check_side(const Side& side) const {
+Compensation3d::Fault Compensation3d::check_side(const TouchedMotion& side) const {
     // Without the machine's transformation nobody holds the tip on another way.
     if (settings_.orientation_limits.chain == nullptr && !keeps_kind(side))
         return &diag::CompMotion;
-    for (const double place : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const double share = side.share_of_path(place);
+    for (const double parameter : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const double share = side.share_of_path(parameter);
         const path::CurvePoint at = side.at(share);
         const auto aside = path::beside(at.tangent, tool_on(side, share));
         if (!aside) return &diag::CompAlongTool;
@@ -215,7 +215,7 @@ Compensation3d::Fault Compensation3d::check_side(const Side& side) const {
 }
 
 /// Straight to beside the start of the contour; what turns the tool there comes behind that.
-Compensation3d::Fault Compensation3d::enter(const Side& first) {
+Compensation3d::Fault Compensation3d::enter(const TouchedMotion& first) {
     Command command = std::move(*approach_);
     approach_.reset();
     const Contact contact = standing(guide_on(first, 0));
@@ -231,7 +231,7 @@ Compensation3d::Fault Compensation3d::enter(const Side& first) {
     return nullptr;
 }
 
-Compensation3d::Fault Compensation3d::join(Side& next) {
+Compensation3d::Fault Compensation3d::join(TouchedMotion& next) {
     if (next.contact.kind == ContactKind::Face) return join_surfaces(next);
     const path::CurvePoint end = last_->at(1);
     Corner corner{end.position, end.tangent, next.at(0).tangent, last_->to_tool, next.from_tool};
@@ -241,7 +241,7 @@ Compensation3d::Fault Compensation3d::join(Side& next) {
     corner.turn = angle_about(corner.tool, *first, *second);
     if (corner.is_smooth()) {
         emit(*last_);
-        emit_waiting(standing(corner.first), corner.place);
+        emit_waiting(standing(corner.first), corner.point);
         return nullptr;
     }
     if (corner.turn * settings_.cutter.contact.radius < 0 && std::abs(corner.turn) < pi - kSmooth)
@@ -252,12 +252,12 @@ Compensation3d::Fault Compensation3d::join(Side& next) {
 
 /// Both sides end where the cutter touches both of them as it stands at the corner. A tool that
 /// turns there touches both lines while it does.
-Compensation3d::Fault Compensation3d::join_inside(Side& next, const Corner& corner) {
+Compensation3d::Fault Compensation3d::join_inside(TouchedMotion& next, const Corner& corner) {
     const bool turns = (corner.behind - corner.tool).norm() > kSameToolDirection;
     const bool are_lines = last_->is_line() && next.is_line();
     if (turns && !are_lines) return &diag::CompTurnsInside;
     if (are_lines) {
-        const auto shorten = [&](Side& side, const Vec3& tool, bool is_first) {
+        const auto shorten = [&](TouchedMotion& side, const Vec3& tool, bool is_first) {
             const Vec3 m1 = *path::beside(corner.first, tool);
             const Vec3 m2 = *path::beside(corner.second, tool);
             const Vec3& along = is_first ? corner.first : corner.second;
@@ -283,13 +283,14 @@ Compensation3d::Fault Compensation3d::join_inside(Side& next, const Corner& corn
     Contact contact = standing(corner.first);
     contact.kind = ContactKind::Corner;
     contact.axis = corner.second;
-    emit_waiting(contact, corner.place);
+    emit_waiting(contact, corner.point);
     return nullptr;
 }
 
 /// Where the tips of both sides meet, seen so. Wherever that is, the first ends and the second
 /// begins with the tool of the corner.
-Compensation3d::Fault Compensation3d::meet(Side& a, Side& b, const View& view) const {
+Compensation3d::Fault Compensation3d::meet(TouchedMotion& a, TouchedMotion& b,
+                                           const View& view) const {
     constexpr int kMostSteps = 40;
     constexpr double kStep = 1e-6;
     const auto apart = [&](double end, double begin) -> std::optional<Eigen::Vector2d> {
@@ -327,7 +328,7 @@ Compensation3d::Fault Compensation3d::meet(Side& a, Side& b, const View& view) c
 }
 
 /// Around the corner on an arc, or to where both lines meet if they are extended.
-void Compensation3d::join_outside(Side& next, const Corner& corner) {
+void Compensation3d::join_outside(TouchedMotion& next, const Corner& corner) {
     const bool turns = std::ranges::any_of(
         waiting_, [&](const Command& command) { return changes_orientation(command); });
     const bool are_even = last_->is_line() && next.is_line() && !last_->turns() && !next.turns();
@@ -341,23 +342,23 @@ void Compensation3d::join_outside(Side& next, const Corner& corner) {
         contact.axis = corner.axis();
         contact.turn =
             std::atan2(corner.first.cross(corner.second).norm(), corner.first.dot(corner.second));
-        return emit_waiting(contact, corner.place);
+        return emit_waiting(contact, corner.point);
     }
-    emit_waiting(contact, corner.place);
+    emit_waiting(contact, corner.point);
     const auto from = path::beside(corner.first, corner.behind);
     const auto to = path::beside(corner.second, corner.behind);
     if (!from || !to) return;  // the next side says it
     const double turn = std::abs(angle_about(corner.behind, *from, *to));
-    emit_arc(next.command, corner.place, *from, *to,
+    emit_arc(next.command, corner.point, *from, *to,
              settings_.cutter.contact.radius > 0 ? turn : -turn);
 }
 
-void Compensation3d::extend(Side& next, const Corner& corner) {
+void Compensation3d::extend(TouchedMotion& next, const Corner& corner) {
     const double across = std::abs(settings_.cutter.contact.radius * std::tan(corner.turn / 2));
     last_->end = 1 + across / corner.first.cross(corner.tool).norm() / last_->length();
     next.begin = -across / corner.second.cross(corner.tool).norm() / next.length();
     emit(*last_);
-    emit_waiting(standing(corner.first), corner.place);
+    emit_waiting(standing(corner.first), corner.point);
 }
 
 /// The contour ends here, square to it.
@@ -382,18 +383,18 @@ Compensation3d::Fault Compensation3d::finish() {
 
 // ------------------------------------------------------------------------------ geometry
 
-path::CurvePoint Compensation3d::Side::at(double share) const {
+path::CurvePoint Compensation3d::TouchedMotion::at(double share) const {
     const double whole = length();
-    path::CurvePoint point = path::evaluate(way, share * whole);
+    path::CurvePoint point = path::evaluate(curve, share * whole);
     // A line that is extended.
     if (is_line() && (share < 0 || share > 1))
-        point.position = path::start(way) + share * whole * point.tangent;
+        point.position = path::start(curve) + share * whole * point.tangent;
     return point;
 }
 
 /// Whether the tip's way is of the same kind: of a side a line, or an arc square to a tool that
 /// does not turn; on a surface that does not turn either, any.
-bool Compensation3d::keeps_kind(const Side& side) {
+bool Compensation3d::keeps_kind(const TouchedMotion& side) {
     if (side.turns()) return false;
     if (side.contact.kind == ContactKind::Face) return side.contact.turn == 0;
     const bool is_square_arc =
@@ -404,11 +405,12 @@ bool Compensation3d::keeps_kind(const Side& side) {
 
 /// Of the tool at a share of a motion that begins with the axes and the tool so.
 Vec3 Compensation3d::tool_along(const path::Motion& motion, const AxisValues& from,
-                                const Vec3& from_tool, const path::Curve& way, double share) const {
+                                const Vec3& from_tool, const path::Curve& curve,
+                                double share) const {
     if (settings_.orientation_limits.chain == nullptr) return from_tool;
-    const double length = std::holds_alternative<path::Point>(way) ? 1 : path::length(way);
-    if (motion.turning > path::Turning::Axes)
-        return path::direction_at(turn_of(motion, from_tool, length), way, share * length);
+    const double length = std::holds_alternative<path::Point>(curve) ? 1 : path::length(curve);
+    if (motion.orient_kind > path::OrientKind::Axes)
+        return path::direction_at(orient_law_of(motion, from_tool, length), curve, share * length);
     AxisValues axes{};
     for (std::size_t i = 3; i < kAxes; ++i) axes[i] = from[i] + share * (motion.to[i] - from[i]);
     return machine::tool_vector(*settings_.orientation_limits.chain,
@@ -416,35 +418,35 @@ Vec3 Compensation3d::tool_along(const path::Motion& motion, const AxisValues& fr
 }
 
 /// At a share of the whole way.
-Vec3 Compensation3d::tool_on(const Side& side, double share) const {
-    if (side.command.motion().turning > path::Turning::Axes)
-        return path::direction_at(turn_on(side), side.way, share * side.length());
+Vec3 Compensation3d::tool_on(const TouchedMotion& side, double share) const {
+    if (side.command.motion().orient_kind > path::OrientKind::Axes)
+        return path::direction_at(orient_law_on(side), side.curve, share * side.length());
     if (!side.turns()) return side.from_tool;
-    return tool_along(side.command.motion(), side.from, side.from_tool, side.way,
+    return tool_along(side.command.motion(), side.from, side.from_tool, side.curve,
                       side.share_of_part(share));
 }
 
 /// Of the contour its tangent, of a surface its normal.
-Vec3 Compensation3d::guide_on(const Side& side, double share) const {
+Vec3 Compensation3d::guide_on(const TouchedMotion& side, double share) const {
     if (side.contact.kind == ContactKind::Face) return path::guide_at(side.contact, share);
     return side.at(share).tangent;
 }
 
-std::optional<Vec3> Compensation3d::aside_on(const Side& side, double share) const {
-    return path::tip_or_limit(side.share_of_part(share), [&](double place) {
-        const double at = side.share_of_path(place);
+std::optional<Vec3> Compensation3d::aside_on(const TouchedMotion& side, double share) const {
+    return path::tip_or_limit(side.share_of_part(share), [&](double parameter) {
+        const double at = side.share_of_path(parameter);
         return path::tip_beside(side.contact, guide_on(side, at), tool_on(side, at));
     });
 }
 
-std::optional<Vec3> Compensation3d::tip_on(const Side& side, double share) const {
+std::optional<Vec3> Compensation3d::tip_on(const TouchedMotion& side, double share) const {
     const auto aside = aside_on(side, share);
     if (!aside) return std::nullopt;
     return side.at(share).position + *aside;
 }
 
 /// Where the tip and the other axes are at one of the ends of what is left.
-AxisValues Compensation3d::axes_on(const Side& side, double share) const {
+AxisValues Compensation3d::axes_on(const TouchedMotion& side, double share) const {
     AxisValues axes = share == side.begin ? side.from : side.command.motion().to;
     set_linear(axes, tip_on(side, share).value_or(side.at(share).position));
     return axes;
@@ -453,34 +455,35 @@ AxisValues Compensation3d::axes_on(const Side& side, double share) const {
 /// How the tool turns along the way of a side: a block shares its turn out over the way that it has
 /// in the end (S 7.4: u is the path fraction), so that a corner is passed with the tool that the
 /// program gives it. A second point keeps to the ends of the way as it does to those programmed.
-path::Turn Compensation3d::turn_on(const Side& side) {
+path::OrientLaw Compensation3d::orient_law_on(const TouchedMotion& side) {
     const double length = side.length();
     const double part = side.part() * length;
-    path::Turn turn = turn_of(side.command.motion(), side.from_tool, part);
-    if (turn.kind == path::Turning::Point) {
+    path::OrientLaw orientation = orient_law_of(side.command.motion(), side.from_tool, part);
+    if (orientation.kind == path::OrientKind::Point) {
         const Vec3 before = side.at(side.begin).position - side.at(0).position;
         const Vec3 behind = side.at(side.end).position - side.at(1).position;
-        turn.start += before;
-        turn.axis += (behind - before) / part;
+        orientation.start += before;
+        orientation.axis += (behind - before) / part;
     }
     const double begin = side.begin * length;
-    return path::part_of(turn, -begin, length - begin);
+    return path::part_of(orientation, -begin, length - begin);
 }
 
 /// What a command says of it for what is left.
-void Compensation3d::cut_turn(const Side& side, path::Motion& motion) {
-    if (!motion.tool_turn) return;
+void Compensation3d::cut_turn(const TouchedMotion& side, path::Motion& motion) {
+    if (!motion.orient_details) return;
     const double length = side.length();
-    const path::Turn turn = turn_on(side);
-    motion.tool_turn->from = path::part_of(turn, side.begin * length, side.end * length).start;
-    if (turn.kind == path::Turning::Point)
-        motion.tool_turn->axis = side.part() * length * turn.axis;
+    const path::OrientLaw orientation = orient_law_on(side);
+    motion.orient_details->from =
+        path::part_of(orientation, side.begin * length, side.end * length).start;
+    if (orientation.kind == path::OrientKind::Point)
+        motion.orient_details->axis = side.part() * length * orientation.axis;
 }
 
 /// The cutter as it stands at a place of the contour or of the surface.
 Contact Compensation3d::standing(const Vec3& guide) const {
     Contact contact = settings_.cutter.contact;
-    if (contact.kind == ContactKind::Side) contact.kind = ContactKind::Pivot;
+    if (contact.kind == ContactKind::Flank) contact.kind = ContactKind::Pivot;
     contact.guide = guide;
     contact.axis = Vec3::UnitZ();
     return contact;
@@ -489,9 +492,10 @@ Contact Compensation3d::standing(const Vec3& guide) const {
 // ------------------------------------------------------------------------------ commands out
 
 /// A way that is only shifted, or an arc about the tool, stays what it is.
-void Compensation3d::emit(Side& side) {
+void Compensation3d::emit(TouchedMotion& side) {
     const AxisValues start = axes_on(side, side.begin);
-    if (!is_same_place(start, shown_)) emit_line_to(side.command, start, tool_on(side, side.begin));
+    if (!is_same_position(start, shown_))
+        emit_line_to(side.command, start, tool_on(side, side.begin));
     Command command = side.command;
     path::Motion& motion = command.motion();
     const AxisValues to = axes_on(side, side.end);
@@ -568,7 +572,7 @@ void Compensation3d::emit_turn(Command command, Contact contact, const Vec3& at)
     if (start) {
         AxisValues from = shown_;
         set_linear(from, at + *start);
-        if (!is_same_place(from, shown_)) emit_line_to(command, from, shown_tool_);
+        if (!is_same_position(from, shown_)) emit_line_to(command, from, shown_tool_);
     }
     path::ContactMotion motion;
     motion.contact = contact;

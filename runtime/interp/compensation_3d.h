@@ -60,7 +60,7 @@ class Compensation3d {
     /// … and the compensation is over.
     std::optional<CompAlarm> stop();
     /// Where the tip is, once nothing waits any more.
-    const AxisValues& place() const { return shown_; }
+    const AxisValues& position() const { return shown_; }
     std::vector<path::Command>& settled() { return settled_; }
     template <typename See>
     void look_at_waiting(See see) const {
@@ -76,9 +76,9 @@ class Compensation3d {
 
     /// A motion along the contour, as it is programmed. Corners cut its way; the tool and the other
     /// axes do all of their part on what is left of it.
-    struct Side {
+    struct TouchedMotion {
         path::Command command;
-        path::Curve way;
+        path::Curve curve;
         path::Vec3 from_tool;  // directions at its ends
         path::Vec3 to_tool;
         AxisValues from{};      // where the contour and the rotary axes begin
@@ -86,16 +86,16 @@ class Compensation3d {
         double begin = 0;       // shares of the way: what its corners leave
         double end = 1;
 
-        double length() const { return path::length(way); }
+        double length() const { return path::length(curve); }
         double part() const { return end - begin; }
         /// Of what is left, the share at which the whole has this one …
         double share_of_part(double share) const { return (share - begin) / part(); }
         /// … and back.
         double share_of_path(double share) const { return begin + share * part(); }
         path::CurvePoint at(double share) const;
-        bool is_line() const { return std::holds_alternative<path::Line>(way); }
+        bool is_line() const { return std::holds_alternative<path::Line>(curve); }
         bool turns() const {
-            return command.motion().turning > path::Turning::Cone ||
+            return command.motion().orient_kind > path::OrientKind::Cone ||
                    (to_tool - from_tool).norm() > 1e-12;
         }
     };
@@ -109,45 +109,46 @@ class Compensation3d {
 
     Fault take(path::Command& command);
     Fault take_motion(path::Command& command);
-    Fault follow(path::Command& command, path::Curve way);
-    Fault check(Side& side) const;
-    Fault check_side(const Side& side) const;
-    Fault enter(const Side& first);
-    Fault join(Side& next);
-    Fault join_inside(Side& next, const Corner& corner);
-    void join_outside(Side& next, const Corner& corner);
-    Fault meet(Side& a, Side& b, const View& view) const;
+    Fault follow(path::Command& command, path::Curve curve);
+    Fault check(TouchedMotion& side) const;
+    Fault check_side(const TouchedMotion& side) const;
+    Fault enter(const TouchedMotion& first);
+    Fault join(TouchedMotion& next);
+    Fault join_inside(TouchedMotion& next, const Corner& corner);
+    void join_outside(TouchedMotion& next, const Corner& corner);
+    Fault meet(TouchedMotion& a, TouchedMotion& b, const View& view) const;
     Fault finish();
-    void extend(Side& next, const Corner& corner);
+    void extend(TouchedMotion& next, const Corner& corner);
 
     // compensation_3d_faces.cpp
     using TipPath = std::function<path::Vec3(double share)>;
-    Fault take_surface(const path::Contact& face, Side& side) const;
-    Fault check_inclinations(Side& side) const;
-    Fault check_bends(const Side& side) const;
-    double inclination_on(const Side& side, double share) const;
-    double least_inclination(const Side& side, double from, double to) const;
-    Fault join_surfaces(Side& next);
-    Fault join_hollow(Side& next, const Corner& corner);
-    void roll(const Side& next, const path::Vec3& from, const path::Vec3& at);
-    void roll_part(const path::Contact& contact, const Side& next, const path::Vec3& at);
+    Fault take_surface(const path::Contact& surface, TouchedMotion& side) const;
+    Fault check_inclinations(TouchedMotion& side) const;
+    Fault check_bends(const TouchedMotion& side) const;
+    double inclination_on(const TouchedMotion& side, double share) const;
+    double least_inclination(const TouchedMotion& side, double from, double to) const;
+    Fault join_surfaces(TouchedMotion& next);
+    Fault join_hollow(TouchedMotion& next, const Corner& corner);
+    void roll(const TouchedMotion& next, const path::Vec3& from, const path::Vec3& at);
+    void roll_part(const path::Contact& contact, const TouchedMotion& next, const path::Vec3& at);
     void emit_splines(const path::Command& model, const AxisValues& from, const TipPath& tip);
 
     path::Vec3 tool_behind(const path::Motion& motion) const;
     bool changes_orientation(const path::Command& command) const;
-    static bool keeps_kind(const Side& side);
-    static path::Turn turn_on(const Side& side);
-    static void cut_turn(const Side& side, path::Motion& motion);
+    static bool keeps_kind(const TouchedMotion& side);
+    static path::OrientLaw orient_law_on(const TouchedMotion& side);
+    static void cut_turn(const TouchedMotion& side, path::Motion& motion);
     path::Vec3 tool_along(const path::Motion& motion, const AxisValues& from,
-                          const path::Vec3& from_tool, const path::Curve& way, double share) const;
-    path::Vec3 tool_on(const Side& side, double share) const;
-    path::Vec3 guide_on(const Side& side, double share) const;
-    std::optional<path::Vec3> aside_on(const Side& side, double share) const;
-    std::optional<path::Vec3> tip_on(const Side& side, double share) const;
-    AxisValues axes_on(const Side& side, double share) const;
+                          const path::Vec3& from_tool, const path::Curve& curve,
+                          double share) const;
+    path::Vec3 tool_on(const TouchedMotion& side, double share) const;
+    path::Vec3 guide_on(const TouchedMotion& side, double share) const;
+    std::optional<path::Vec3> aside_on(const TouchedMotion& side, double share) const;
+    std::optional<path::Vec3> tip_on(const TouchedMotion& side, double share) const;
+    AxisValues axes_on(const TouchedMotion& side, double share) const;
     path::Contact standing(const path::Vec3& guide) const;
 
-    void emit(Side& side);
+    void emit(TouchedMotion& side);
     void emit_waiting(path::Contact contact, const path::Vec3& at);
     void emit_turn(path::Command command, path::Contact contact, const path::Vec3& at);
     void emit_arc(const path::Command& model, const path::Vec3& at, const path::Vec3& from,
@@ -166,7 +167,7 @@ class Compensation3d {
     path::Vec3 shown_tool_ = path::Vec3::UnitZ();
     std::optional<path::Command> approach_;          // it ends where the first side says …
     path::Vec3 approach_from_ = path::Vec3::Zero();  // … and begins here, as programmed
-    std::optional<Side> last_;
+    std::optional<TouchedMotion> last_;
     std::vector<path::Command> waiting_;  // behind the approach or the last side: no ways
     int empty_blocks_ = 0;
     std::vector<path::Command> fresh_;

@@ -50,10 +50,11 @@ Contact part_of(const Contact& contact, double from, double to) {
 
 // ------------------------------------------------------------------------------ along a surface
 
-Compensation3d::Fault Compensation3d::take_surface(const Contact& face, Side& side) const {
-    side.contact.guide = face.guide;
-    side.contact.axis = face.axis;
-    side.contact.turn = face.turn;
+Compensation3d::Fault Compensation3d::take_surface(const Contact& surface,
+                                                   TouchedMotion& side) const {
+    side.contact.guide = surface.guide;
+    side.contact.axis = surface.axis;
+    side.contact.turn = surface.turn;
     if (settings_.orientation_limits.chain == nullptr && side.turns()) return &diag::CompMotion;
     // At rapid only lines lead anywhere, and between their ends nobody holds the tip.
     if (settings_.orientation_limits.chain == nullptr && side.command.op() == Op::Rapid &&
@@ -63,13 +64,13 @@ Compensation3d::Fault Compensation3d::take_surface(const Contact& face, Side& si
 }
 
 /// Of the tool from the normal, rad.
-double Compensation3d::inclination_on(const Side& side, double share) const {
+double Compensation3d::inclination_on(const TouchedMotion& side, double share) const {
     return path::angle_between(guide_on(side, share), tool_on(side, share));
 }
 
 /// The share of what is left between two at which the tool is nearest to the normal, if there is
 /// one such place.
-double Compensation3d::least_inclination(const Side& side, double from, double to) const {
+double Compensation3d::least_inclination(const TouchedMotion& side, double from, double to) const {
     constexpr double kNarrow = 1e-10;
     const auto tilt = [&](double share) { return inclination_on(side, side.share_of_path(share)); };
     while (to - from > kNarrow) {
@@ -86,7 +87,7 @@ double Compensation3d::least_inclination(const Side& side, double from, double t
 /// The edge reaches from the face to where the cutter's side begins. A face that lies square to the
 /// tool all the way touches with its middle; one that comes to lie so on the way would have to
 /// touch with its other side from there on.
-Compensation3d::Fault Compensation3d::check_inclinations(Side& side) const {
+Compensation3d::Fault Compensation3d::check_inclinations(TouchedMotion& side) const {
     std::array<double, kInclinations + 1> tilts;
     for (int i = 0; i <= kInclinations; ++i)
         tilts[static_cast<std::size_t>(i)] =
@@ -115,12 +116,12 @@ Compensation3d::Fault Compensation3d::check_inclinations(Side& side) const {
 
 /// In a hollow that bends more than the cutter does its tip would go back: as the tool stands, the
 /// tip's way has the direction of the path everywhere.
-Compensation3d::Fault Compensation3d::check_bends(const Side& side) const {
+Compensation3d::Fault Compensation3d::check_bends(const TouchedMotion& side) const {
     if (side.contact.turn == 0) return nullptr;
     constexpr double kStep = 1e-5;
     for (int i = 0; i <= kBends; ++i) {
-        const double place = std::clamp(static_cast<double>(i) / kBends, kStep, 1 - kStep);
-        const double share = side.share_of_path(place);
+        const double parameter = std::clamp(static_cast<double>(i) / kBends, kStep, 1 - kStep);
+        const double share = side.share_of_path(parameter);
         const Vec3 tangent = side.at(share).tangent;
         const Vec3 tool = tool_on(side, share);
         const auto before =
@@ -128,15 +129,15 @@ Compensation3d::Fault Compensation3d::check_bends(const Side& side) const {
         const auto behind =
             path::tip_beside(side.contact, path::guide_at(side.contact, share + kStep), tool);
         if (!before || !behind) continue;
-        const double way = 2 * kStep * side.length();
-        if (way + (*behind - *before).dot(tangent) <= 0) return &diag::CompArcTooSmall;
+        const double distance = 2 * kStep * side.length();
+        if (distance + (*behind - *before).dot(tangent) <= 0) return &diag::CompArcTooSmall;
     }
     return nullptr;
 }
 
 // ------------------------------------------------------------------------------ at edges
 
-Compensation3d::Fault Compensation3d::join_surfaces(Side& next) {
+Compensation3d::Fault Compensation3d::join_surfaces(TouchedMotion& next) {
     const Corner corner{last_->at(1).position, last_->at(1).tangent, next.at(0).tangent,
                         last_->to_tool, next.from_tool};
     const Vec3 from = guide_on(*last_, 1);
@@ -155,17 +156,17 @@ Compensation3d::Fault Compensation3d::join_surfaces(Side& next) {
         const Vec3 across = from.cross(to);
         contact.axis = across.norm() > kSmooth ? Vec3(across.normalized()) : from.unitOrthogonal();
         contact.turn = angle;
-        emit_waiting(contact, corner.place);
+        emit_waiting(contact, corner.point);
         return nullptr;
     }
-    emit_waiting(contact, corner.place);
-    if (angle > kSmooth) roll(next, from, corner.place);
+    emit_waiting(contact, corner.point);
+    if (angle > kSmooth) roll(next, from, corner.point);
     return nullptr;
 }
 
 /// Both ways end where the tips meet as the tool stands at the edge. In space they need not: then
 /// no place of the cutter touches both surfaces on the way.
-Compensation3d::Fault Compensation3d::join_hollow(Side& next, const Corner& corner) {
+Compensation3d::Fault Compensation3d::join_hollow(TouchedMotion& next, const Corner& corner) {
     if (std::ranges::any_of(waiting_,
                             [&](const Command& command) { return changes_orientation(command); }))
         return &diag::CompTurnsInside;
@@ -181,13 +182,13 @@ Compensation3d::Fault Compensation3d::join_hollow(Side& next, const Corner& corn
     if (const Fault fault = check(next)) return fault;
     const Contact contact = standing(guide_on(*last_, last_->end));
     emit(*last_);
-    emit_waiting(contact, corner.place);
+    emit_waiting(contact, corner.point);
     return nullptr;
 }
 
 /// The cutter rolls around an edge from one normal to that of the next surface. Where its face
 /// comes to lie square to the tool on the way it slides over the edge.
-void Compensation3d::roll(const Side& next, const Vec3& from, const Vec3& at) {
+void Compensation3d::roll(const TouchedMotion& next, const Vec3& from, const Vec3& at) {
     const Vec3 to = guide_on(next, 0);
     const Vec3 across = from.cross(to);
     Contact contact = standing(from);
@@ -204,17 +205,17 @@ void Compensation3d::roll(const Side& next, const Vec3& from, const Vec3& at) {
     roll_part(part_of(contact, share, 1), next, at);
 }
 
-void Compensation3d::roll_part(const Contact& contact, const Side& next, const Vec3& at) {
+void Compensation3d::roll_part(const Contact& contact, const TouchedMotion& next, const Vec3& at) {
     const Vec3 tool = shown_tool_;
-    const TipPath tip = [&](double place) -> Vec3 {
-        const auto aside = path::tip_or_limit(place, [&](double share) {
+    const TipPath tip = [&](double parameter) -> Vec3 {
+        const auto aside = path::tip_or_limit(parameter, [&](double share) {
             return path::tip_beside(contact, path::guide_at(contact, share), tool);
         });
         return at + aside.value_or(path::tip_square(contact, tool));
     };
     AxisValues begin = shown_;
     set_linear(begin, tip(0));
-    if (!is_same_place(begin, shown_)) emit_line_to(next.command, begin, tool);
+    if (!is_same_position(begin, shown_)) emit_line_to(next.command, begin, tool);
     AxisValues end = shown_;
     set_linear(end, tip(1));
     if (path::tip_travel_about(contact, tool) < path::kSamePoint) return;

@@ -15,7 +15,7 @@ inline constexpr double kSmooth = 1e-7;
 // Ways shorter than this are none: rounding of frames, mm.
 inline constexpr double kStill = 1e-9;
 
-inline bool is_same_place(const AxisValues& a, const AxisValues& b) {
+inline bool is_same_position(const AxisValues& a, const AxisValues& b) {
     for (std::size_t i = 0; i < kAxes; ++i) {
         if (std::abs(a[i] - b[i]) > path::kSamePoint) return false;
     }
@@ -29,13 +29,13 @@ inline path::Command like(const path::Command& model, path::Op op) {
     motion.become(op);
     motion.exact_stop = false;
     motion.contact.reset();
-    if (motion.turning != path::Turning::None) motion.turn_plainly(path::Turning::Axes);
+    if (motion.orient_kind != path::OrientKind::None) motion.orient_plainly(path::OrientKind::Axes);
     return command;
 }
 
 /// Where one side ends and the next one begins.
 struct Compensation3d::Corner {
-    path::Vec3 place;
+    path::Vec3 point;
     path::Vec3 first;  // tangents
     path::Vec3 second;
     path::Vec3 tool;    // at the end of the first side …

@@ -13,8 +13,8 @@ using path::Vec2;
 
 namespace {
 
-using Way = std::optional<Element>;
-using FoundWay = Result<Way, CompPathFault>;
+using MaybeElement = std::optional<Element>;
+using FoundElement = Result<MaybeElement, CompPathFault>;
 
 Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 
@@ -44,37 +44,38 @@ double curvature_beside(const Element& element, double distance) {
 
 }  // namespace
 
-FoundWay approach_element(nc::CompStart start, const Element& first, const Vec2& from,
-                          double distance) {
+FoundElement approach_element(nc::CompStart start, const Element& first, const Vec2& from,
+                              double distance) {
     const Vec2 tangent = path::start_direction(first);
     const Vec2 along = first.from - from;
-    if (along.norm() < path::kSamePoint || distance == 0) return Way{};
+    if (along.norm() < path::kSamePoint || distance == 0) return MaybeElement{};
     if (start == nc::CompStart::Extended) {
         const double turn = along.x() * tangent.y() - along.y() * tangent.x();
-        return turn * distance < 0 ? Way(path::line_element(from, first.from)) : Way{};
+        return turn * distance < 0 ? MaybeElement(path::line_element(from, first.from))
+                                   : MaybeElement{};
     }
     const bool is_behind = left_of(tangent).dot(along) * distance > path::kSamePoint;
-    if (start != nc::CompStart::Around || !is_behind) return Way{};
+    if (start != nc::CompStart::Around || !is_behind) return MaybeElement{};
     const std::optional<Vec2> touch = touched(first.from, from, distance);
     if (!touch) return CompPathFault::Blocked;
-    return Way(path::line_element(first.from - (*touch - from), first.from));
+    return MaybeElement(path::line_element(first.from - (*touch - from), first.from));
 }
 
-FoundWay retract_element(nc::CompStart start, const Element& last, const Vec2& to,
-                         double distance) {
+FoundElement retract_element(nc::CompStart start, const Element& last, const Vec2& to,
+                             double distance) {
     const Vec2 tangent = path::end_direction(last);
     const Vec2 along = to - last.to;
-    if (along.norm() < path::kSamePoint || distance == 0) return Way{};
+    if (along.norm() < path::kSamePoint || distance == 0) return MaybeElement{};
     if (start == nc::CompStart::Extended) {
         const double turn = tangent.x() * along.y() - tangent.y() * along.x();
-        return turn * distance < 0 ? Way(path::line_element(last.to, to)) : Way{};
+        return turn * distance < 0 ? MaybeElement(path::line_element(last.to, to)) : MaybeElement{};
     }
     const bool is_behind = left_of(tangent).dot(along) * distance < -path::kSamePoint;
-    if (start != nc::CompStart::Around || !is_behind) return Way{};
+    if (start != nc::CompStart::Around || !is_behind) return MaybeElement{};
     // The way back touches from the other side.
     const std::optional<Vec2> touch = touched(last.to, to, -distance);
     if (!touch) return CompPathFault::Blocked;
-    return Way(path::line_element(last.to, last.to + (to - *touch)));
+    return MaybeElement(path::line_element(last.to, last.to + (to - *touch)));
 }
 
 /// A parabola p that ends with the direction t of the contour, or a cubic that ends with its
@@ -94,11 +95,11 @@ std::optional<EndCurve> curve_in(nc::CompStart start, const Vec2& from, const El
 }
 
 /// The same, travelled back.
-std::optional<EndCurve> curve_out(nc::CompStart start, const Element& way, const Element& last,
+std::optional<EndCurve> curve_out(nc::CompStart start, const Element& element, const Element& last,
                                   double distance) {
-    const Vec2& from = way.from;
+    const Vec2& from = element.from;
     const Vec2 tangent = path::end_direction(last);
-    const double reach = (way.to - from).norm();
+    const double reach = (element.to - from).norm();
     if (reach < path::kSamePoint) return std::nullopt;
     if (start == nc::CompStart::Tangent)
         return EndCurve{2, {Vec2(from + tangent * reach / 2), Vec2::Zero()}, false};

@@ -51,8 +51,8 @@ std::optional<EndCurve> curve_in(nc::CompStart start, const path::Vec2& from,
                                  const path::Element& first, double distance);
 /// The same from beside the last element, where the cutter's centre is, to a point.
 ///
-/// way  from there to the point
-std::optional<EndCurve> curve_out(nc::CompStart start, const path::Element& way,
+/// element  from there to the point
+std::optional<EndCurve> curve_out(nc::CompStart start, const path::Element& element,
                                   const path::Element& last, double distance);
 
 }  // namespace kadr::interp

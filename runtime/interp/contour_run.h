@@ -19,12 +19,12 @@ struct ContourRun {
     std::vector<path::Command> commands;  // of the blocks
 
     /// What acted in a block, in the order in which they came.
-    struct Said {
+    struct BlockModes {
         std::uint32_t line = 0;
         ContourModes modes;
         double feed = 0;
     };
-    std::vector<Said> said;
+    std::vector<BlockModes> modes;
 
     KeptState before;
 };

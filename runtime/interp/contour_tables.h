@@ -30,9 +30,9 @@ class ContourTables {
     Reporter& reporter_;
     const Modal& modal_;
     const control::Frames& frames_;
-    const Spindle& spindle_;
+    const ProgrammedSpindle& spindle_;
     const Corners& corners_;
-    const Units& units_;
+    const ProgrammedUnits& units_;
     const ModalCycles& modal_cycles_;
     const std::optional<ShapeRun>& shape_;
     std::optional<ContourRun>& contour_;

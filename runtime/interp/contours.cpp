@@ -31,7 +31,7 @@ int path_mode_of(const Modal& modal) {
     return modal.blend == Blend::Distance ? 2 : 3;
 }
 
-int feed_mode_of(const Modal& modal, const Spindle& spindle) {
+int feed_mode_of(const Modal& modal, const ProgrammedSpindle& spindle) {
     if (spindle.has_cutting_speed) return 3;
     switch (modal.feed_mode) {
         case path::FeedMode::InverseTime: return 0;
@@ -81,8 +81,9 @@ Done ContourTables::require_contour_block(const Block& block) {
             reporter_.report(diag::ContourUnfinished, block, function);
             return kFailed;
         }
-        const bool changes_units = (function == Function::Inch && units_ != Units::Inch) ||
-                                   (function == Function::Metric && units_ == Units::Inch);
+        const bool changes_units =
+            (function == Function::Inch && units_ != ProgrammedUnits::Inch) ||
+            (function == Function::Metric && units_ == ProgrammedUnits::Inch);
         if (nc::has_fact(function, nc::Fact::EndsContour) || changes_units ||
             channel_.functions.is_other_plane(function))
             return refuse(diag::ContourBlockWrong, function);
@@ -92,20 +93,20 @@ Done ContourTables::require_contour_block(const Block& block) {
 
 void ContourTables::note_contour_block(const Block& block) {
     if (block.kind != Block::Kind::Nc) return;
-    ContourRun::Said said;
-    said.line = block.line;
-    said.modes.is_incremental = modal_.is_incremental;
-    said.modes.feed_mode = feed_mode_of(modal_, spindle_);
-    said.modes.path_mode = path_mode_of(modal_);
-    said.modes.stops_once = block.find(Function::ExactStopOnce) != nullptr;
-    said.feed = modal_.has_feed ? modal_.feed : 0;
-    contour_->said.push_back(said);
+    ContourRun::BlockModes modes;
+    modes.line = block.line;
+    modes.modes.is_incremental = modal_.is_incremental;
+    modes.modes.feed_mode = feed_mode_of(modal_, spindle_);
+    modes.modes.path_mode = path_mode_of(modal_);
+    modes.modes.stops_once = block.find(Function::ExactStopOnce) != nullptr;
+    modes.feed = modal_.has_feed ? modal_.feed : 0;
+    contour_->modes.push_back(modes);
     std::vector<Command>& commands = contour_->commands;
     while (!commands.empty() && !commands.back().is_motion()) commands.pop_back();
     // No array of a program has so many rows, so that a loop without end is not read until the
     // memory is full.
     constexpr std::size_t kMostMotions = 200'000;
-    if (commands.size() > kMostMotions || contour_->said.size() > 10 * kMostMotions)
+    if (commands.size() > kMostMotions || contour_->modes.size() > 10 * kMostMotions)
         reporter_.report(diag::ContourTableSmall, block).arg("every table").arg("fewer");
 }
 
@@ -131,10 +132,10 @@ std::optional<ContourElements> ContourTables::contour_of(const ContourRun& run) 
     std::size_t at = 0;  // of what the blocks have said
     for (const Command& command : run.commands) {
         if (!command.is_motion()) continue;
-        const auto of_line =
-            std::find_if(run.said.begin() + static_cast<std::ptrdiff_t>(at), run.said.end(),
-                         [&](const ContourRun::Said& said) { return said.line == command.line; });
-        if (of_line != run.said.end()) at = static_cast<std::size_t>(of_line - run.said.begin());
+        const auto of_line = std::find_if(
+            run.modes.begin() + static_cast<std::ptrdiff_t>(at), run.modes.end(),
+            [&](const ContourRun::BlockModes& modes) { return modes.line == command.line; });
+        if (of_line != run.modes.end()) at = static_cast<std::size_t>(of_line - run.modes.begin());
         const path::Motion& motion = command.motion();
         const Vec2 to = in_plane(motion.to);
         const bool is_arc = command.op() == Op::Arc;
@@ -160,9 +161,9 @@ std::optional<ContourElements> ContourTables::contour_of(const ContourRun& run) 
             // More than a turn is no element, and ends where a full circle does.
             if (arc.turns > 0) element.shape.sweep = std::copysign(arc.sweep, element.shape.sweep);
         }
-        if (at < run.said.size()) {
-            element.modes = run.said[at].modes;
-            element.feed = run.said[at].feed;
+        if (at < run.modes.size()) {
+            element.modes = run.modes[at].modes;
+            element.feed = run.modes[at].feed;
         }
         out.push_back(element);
         from = to;

@@ -51,7 +51,7 @@ void Cornering::choose_corner(const Block& block, const Invocation& invocation, 
                 reporter_.report(diag::CornerNegative, block, invocation.function).arg(radius);
                 return;
             }
-            rounding_ = radius;
+            modal_rounding_ = radius;
             break;
         }
         case Function::CornerFeed:
@@ -91,11 +91,11 @@ void Cornering::choose_corner(const Block& block, const Invocation& invocation, 
 /// The feed that stands in the same form as the chamfer or the rounding.
 void Cornering::take_corner_feed(const Block& block, const Invocation& invocation,
                                  Actions& actions) {
-    const std::size_t place = invocation.function == Function::CornerRound
+    const std::size_t index = invocation.function == Function::CornerRound
                                   ? parameter_of<Function::CornerRound>("feed")
                                   : parameter_of<Function::CornerChamfer>("feed");
-    if (!invocation.has(place)) return;
-    const double feed = block.argument(invocation, place);
+    if (!invocation.has(index)) return;
+    const double feed = block.argument(invocation, index);
     if (feed > 0) actions.corner_feed = feed;
     else reporter_.report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
 }
@@ -108,35 +108,35 @@ void Cornering::wish_corner(const Block& block, const Actions& actions) {
         return;
     }
     // Where a soft approach begins its contour, nothing stands before the corner.
-    if (actions.soft != nullptr || smooth_approach_.needs_place()) {
+    if (actions.smooth_approach != nullptr || smooth_approach_.needs_point()) {
         if (actions.corner != nullptr) reporter_.report(diag::CornerNotContour, block);
         return;
     }
     CornerWish wish;
     if (actions.corner != nullptr) {
-        const Invocation& said = *actions.corner;
+        const Invocation& invocation = *actions.corner;
         const bool begins = actions.radius_comp && *actions.radius_comp != CompSide::Off;
         if (rules_.corner_strict && begins) {
-            reporter_.report(diag::CornerAtCompStart, block, said.function);
+            reporter_.report(diag::CornerAtCompStart, block, invocation.function);
             return;
         }
-        const bool is_round = said.function == Function::CornerRound;
+        const bool is_round = invocation.function == Function::CornerRound;
         constexpr std::size_t kLength = parameter_of<Function::CornerChamfer>("length");
         constexpr std::size_t kWidth = parameter_of<Function::CornerChamfer>("width");
         static_assert(kLength == parameter_of<Function::CornerRound>("radius"));
-        const bool is_width = !is_round && said.has(kWidth);
+        const bool is_width = !is_round && invocation.has(kWidth);
         wish.kind = is_round   ? CornerWish::Kind::Round
                     : is_width ? CornerWish::Kind::Width
                                : CornerWish::Kind::Length;
-        wish.size = block.argument(said, is_width ? kWidth : kLength);
+        wish.size = block.argument(invocation, is_width ? kWidth : kLength);
         if (wish.size < 0) {
-            reporter_.report(diag::CornerNegative, block, said.function).arg(wish.size);
+            reporter_.report(diag::CornerNegative, block, invocation.function).arg(wish.size);
             return;
         }
     } else {
-        wish.is_open = rounding_ == 0;
+        wish.is_open = modal_rounding_ == 0;
         wish.kind = wish.is_open ? CornerWish::Kind::None : CornerWish::Kind::Round;
-        wish.size = rounding_;
+        wish.size = modal_rounding_;
         wish.is_modal = true;
     }
     wish.feed = actions.corner_feed > 0 ? actions.corner_feed : corner_feed_;
@@ -160,10 +160,11 @@ void Cornering::put_wish(const Block& block, CornerWish wish) {
     if (corners_.waits_elsewhere(wish.lie)) leave_corners(diag::CornerNotContour);
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     wish.size *= frames_.total().direction(path::unit(plane.first)).norm();
-    const CornerSource place{block.source, block.line};
+    const CornerSource source{block.source, block.line};
     if (!rules_.corner_in_own_block || wish.is_modal)
-        return corners_.wish(wish, position_.base(), place);
-    if (const DiagnosticRow* why = corners_.wish_behind(wish, place)) reporter_.report(*why, block);
+        return corners_.wish(wish, position_.base(), source);
+    if (const DiagnosticRow* why = corners_.wish_behind(wish, source))
+        reporter_.report(*why, block);
 }
 
 bool Cornering::has_square_corner(const Block& block) const {
@@ -226,7 +227,7 @@ void Cornering::pass_corners() {
             continue;
         }
         if (!is_change) {
-            channel_.stages.locate(at, item.place.source, item.place.line);
+            channel_.stages.locate(at, item.source.source, item.source.line);
         }
         // A change acts on what comes behind it.
         if (!is_change || has_put)
@@ -240,7 +241,7 @@ void Cornering::pass_corners() {
 }
 
 void Cornering::report_corner(const CornerMessage& message) {
-    const Block at = channel_.stages.block_at(message.place.source, message.place.line);
+    const Block at = channel_.stages.block_at(message.source.source, message.source.line);
     DiagnosticBuilder builder = reporter_.report(*message.row, at);
     if (message.row == &diag::CornerReduced) builder.arg(message.made).arg(message.wanted);
     if (message.row != &diag::CornerSign) return;

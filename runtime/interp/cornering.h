@@ -30,7 +30,7 @@ class Cornering {
     /// At the block that asked for the corner.
     void report_corner(const CornerMessage& message);
     /// Whether a corner at the end of a motion may still be wished for, by a block behind it.
-    bool wishes_corners() const { return rounding_ > 0 || rules_.corner_in_own_block; }
+    bool wishes_corners() const { return modal_rounding_ > 0 || rules_.corner_in_own_block; }
 
   private:
     void take_corner_feed(const nc::Block& block, const nc::Invocation& invocation,
@@ -46,8 +46,8 @@ class Cornering {
     Corners& corners_;
     const RadiusCompState& comp_;
     const SmoothApproach& smooth_approach_;
-    double rounding_ = 0;     // of every corner, mm; 0: none
-    double corner_feed_ = 0;  // of every corner; 0: that of a neighbour
+    double modal_rounding_ = 0;  // of every corner, mm; 0: none
+    double corner_feed_ = 0;     // of every corner; 0: that of a neighbour
 };
 
 }  // namespace kadr::interp

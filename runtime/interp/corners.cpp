@@ -30,13 +30,13 @@ constexpr double kRapidPart = pi / 18;
 /// Whether the tool is led under a transformation, which its block ends with whatever a corner cuts
 /// off its path. Where it keeps to a surface or a line in space, the path says how it stands.
 bool gives_direction(const path::Motion& motion) {
-    return !motion.virtual_axes().is_on() &&
-           (motion.turning == path::Turning::Axes || motion.turning == path::Turning::Cone);
+    return !motion.virtual_axes().is_on() && (motion.orient_kind == path::OrientKind::Axes ||
+                                              motion.orient_kind == path::OrientKind::Cone);
 }
 
-bool can_be_cut(path::Turning turning) {
-    return turning == path::Turning::None || turning == path::Turning::Axes ||
-           turning == path::Turning::Cone;
+bool can_be_cut(path::OrientKind orient_kind) {
+    return orient_kind == path::OrientKind::None || orient_kind == path::OrientKind::Axes ||
+           orient_kind == path::OrientKind::Cone;
 }
 
 void set_rotary(AxisValues& values, const AxisValues& from) {
@@ -58,23 +58,23 @@ void keep_speed(path::Motion& motion, double share) {
 
 }  // namespace
 
-void Corners::wish(const CornerWish& wish, const AxisValues& here, const CornerSource& place) {
+void Corners::wish(const CornerWish& wish, const AxisValues& here, const CornerSource& source) {
     if (!is_active_) {
         lie_ = wish.lie;
         at_ = here;
         turn(lie_.transpose(), at_);
     }
-    block_source_ = place;
+    block_source_ = source;
     is_active_ = true;
     wish_ = wish;
 }
 
-const DiagnosticRow* Corners::wish_behind(const CornerWish& wish, const CornerSource& place) {
+const DiagnosticRow* Corners::wish_behind(const CornerWish& wish, const CornerSource& source) {
     if (!waits_ || !held_wish_.is_modal) return &diag::CornerWithoutMotion;
     const bool is_rapid = held_.front().command.op() == Op::Rapid;
     if (settings_.is_strict && is_rapid) return &diag::CornerNotContour;
     held_wish_ = wish;
-    place_ = block_source_ = place;
+    source_ = block_source_ = source;
     empty_blocks_ = 0;
     return nullptr;
 }
@@ -87,8 +87,9 @@ void Corners::change(const CompChange& change) {
     item.change = change;
 }
 
-std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const CornerSource& place) {
-    block_source_ = place;
+std::optional<CornerMessage> Corners::end_block(const AxisValues& here,
+                                                const CornerSource& source) {
+    block_source_ = source;
     const std::size_t motions = motions_;
     const bool waited = waits_;
     for (Item& item : fresh_) {
@@ -99,13 +100,13 @@ std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const Co
     Item end;
     end.kind = Item::Kind::EndOfBlock;
     end.here = here;
-    end.place = place;
+    end.source = source;
     turn_item(lie_.transpose(), end);
     pass(std::move(end));
     // A wish that found no motion in its own block.
     const bool is_lost = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
     if (is_lost) {
-        place_ = place;
+        source_ = source;
         return end_with(diag::CornerWithoutMotion);
     }
     wish_ = {};
@@ -118,10 +119,10 @@ std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const Co
 
 std::optional<CornerMessage> Corners::leave(const DiagnosticRow& why) {
     const bool is_own = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
-    const bool is_said = (waits_ && !held_wish_.is_modal) || is_own;
-    if (!waits_) place_ = block_source_;
+    const bool is_given = (waits_ && !held_wish_.is_modal) || is_own;
+    if (!waits_) source_ = block_source_;
     const CornerMessage message = end_with(why);
-    if (!is_said) return std::nullopt;
+    if (!is_given) return std::nullopt;
     return message;
 }
 
@@ -129,7 +130,7 @@ std::optional<CornerMessage> Corners::leave(const DiagnosticRow& why) {
 CornerMessage Corners::end_with(const DiagnosticRow& row) {
     // Of CornerSign: 1 of a corner R, 0 of a chamfer, and what was said.
     const double is_round = held_wish_.kind == CornerWish::Kind::Round ? 1 : 0;
-    const CornerMessage message{&row, place_, is_round, held_wish_.size * held_wish_.sign};
+    const CornerMessage message{&row, source_, is_round, held_wish_.size * held_wish_.sign};
     fresh_.clear();
     wish_ = {};
     waits_ = false;
@@ -187,7 +188,7 @@ Corners::Fault Corners::take(Item& item) {
     axes_ = path::axes_of(plane_);
     const bool is_arc = motion.op() == Op::Arc;
     const bool is_contour = (is_straight(motion.op()) || (is_arc && motion.arc().turns == 0)) &&
-                            can_be_cut(motion.turning) && !motion.machine_coordinates;
+                            can_be_cut(motion.orient_kind) && !motion.machine_coordinates;
     if (!is_contour || (is_arc && !is_in_plane(motion))) return take_other_motion(item);
     if (is_in_plane(motion)) return take_motion(item);
     at_ = motion.to;
@@ -199,9 +200,9 @@ Corners::Fault Corners::take(Item& item) {
 Corners::Fault Corners::take_other_motion(Item& item) {
     const bool is_thread = item.command.op() == Op::Thread;
     const bool is_own = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
-    const bool is_said = (waits_ && !held_wish_.is_modal) || is_own;
-    if (!waits_) place_ = block_source_;
-    if (is_said) return is_thread ? &diag::CornerInThread : &diag::CornerNotContour;
+    const bool is_given = (waits_ && !held_wish_.is_modal) || is_own;
+    if (!waits_) source_ = block_source_;
+    if (is_given) return is_thread ? &diag::CornerInThread : &diag::CornerNotContour;
     at_ = item.command.motion().to;
     tool_ = item.command.motion().direction;
     waits_ = false;
@@ -234,7 +235,7 @@ Corners::Fault Corners::take_motion(Item& item) {
         settled_.push_back(std::move(item));
         return nullptr;
     }
-    place_ = block_source_;
+    source_ = block_source_;
     if (settings_.is_strict && motion.op() == Op::Rapid && !wish_.is_open)
         return &diag::CornerNotContour;
     wait(std::move(item), from);
@@ -281,9 +282,9 @@ Corners::Fault Corners::check_sides(const path::Motion& next, const Element& a,
                                     const Element& b) const {
     if (!held_wish_.is_square) return nullptr;
     if (a.is_arc() || b.is_arc() || !is_straight(next.op())) return &diag::CornerNotContour;
-    const Vec2 way = b.to - b.from;
-    const double along = held_wish_.next == axes_.first ? way.x() : way.y();
-    const double across = held_wish_.next == axes_.first ? way.y() : way.x();
+    const Vec2 delta = b.to - b.from;
+    const double along = held_wish_.next == axes_.first ? delta.x() : delta.y();
+    const double across = held_wish_.next == axes_.first ? delta.y() : delta.x();
     if (std::fabs(across) > path::kSamePoint) return &diag::CornerNotSquare;
     return along * held_wish_.sign > 0 ? nullptr : &diag::CornerSign;
 }
@@ -314,7 +315,7 @@ std::optional<CornerCut> Corners::cut(const Element& a, const Element& b, Fault&
     }
     if (!found && !held_wish_.is_modal) fault = &diag::CornerTooLarge;
     if (found && made < size && !held_wish_.is_modal)
-        warnings_.push_back({&diag::CornerReduced, place_, round_to(made, 4), round_to(size, 4)});
+        warnings_.push_back({&diag::CornerReduced, source_, round_to(made, 4), round_to(size, 4)});
     return found;
 }
 
@@ -364,7 +365,7 @@ void Corners::insert(const CornerCut& cut, const Command& first, Command& next) 
 /// What a corner inserts the tool passes as it stands.
 void Corners::stand_tool(path::Motion& motion) const {
     if (!gives_direction(motion)) return;
-    motion.turn_plainly(path::Turning::Axes);
+    motion.orient_plainly(path::OrientKind::Axes);
     motion.direction = tool_;
 }
 

@@ -48,7 +48,7 @@ struct CornerSource {
 
 struct CornerMessage {
     const DiagnosticRow* row = nullptr;
-    CornerSource place;
+    CornerSource source;
     double made = 0;  // CornerReduced: what was made, and what was wanted
     double wanted = 0;
 };
@@ -85,8 +85,8 @@ class Corners {
         Kind kind = Kind::Command;
         path::Command command;
         CompChange change;
-        AxisValues here{};   // EndOfBlock: where the tool is behind the block
-        CornerSource place;  // EndOfBlock: the block
+        AxisValues here{};    // EndOfBlock: where the tool is behind the block
+        CornerSource source;  // EndOfBlock: the block
     };
 
     explicit Corners(const CornerSettings& settings) : settings_(settings) {}
@@ -96,17 +96,17 @@ class Corners {
     /// Whether a corner waits in a plane that lies otherwise.
     bool waits_elsewhere(const path::Mat3& lie) const { return is_active_ && lie != lie_; }
     /// The block that begins now wants a corner. `here` is where the tool is.
-    void wish(const CornerWish& wish, const AxisValues& here, const CornerSource& place);
+    void wish(const CornerWish& wish, const AxisValues& here, const CornerSource& source);
 
     /// The block that begins now wants a corner at the end of the motion before it. Null: it will
     /// be made as any other; else why there can be none.
-    const DiagnosticRow* wish_behind(const CornerWish& wish, const CornerSource& place);
+    const DiagnosticRow* wish_behind(const CornerWish& wish, const CornerSource& source);
 
     /// Where the executor puts a command while corners are active.
     path::Command& next();
     void change(const CompChange& change);
     /// Takes what a block has put. `here` is where the tool is behind it.
-    std::optional<CornerMessage> end_block(const AxisValues& here, const CornerSource& place);
+    std::optional<CornerMessage> end_block(const AxisValues& here, const CornerSource& source);
     /// Nothing follows that could be the other side of a corner; `why` is said if one waits that
     /// was wished for.
     std::optional<CornerMessage> leave(const DiagnosticRow& why);
@@ -160,7 +160,7 @@ class Corners {
     bool waits_ = false;  // the first of `held_` is the motion before the corner
     CornerWish wish_;     // of the block that is being taken
     CornerWish held_wish_;
-    CornerSource place_;                     // of the block that wished
+    CornerSource source_;                    // of the block that wished
     CornerSource block_source_;              // of the block that is being taken
     AxisValues held_from_{};                 // start of the motion that waits
     AxisValues at_{};                        // end of the latest motion …

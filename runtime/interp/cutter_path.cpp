@@ -52,19 +52,19 @@ bool CutterPath::take_orientation_fault() { return std::exchange(cannot_orient_,
 // ------------------------------------------------------------------------------ of the contour
 
 void CutterPath::put_piece(const ProgrammedMotion& motion, const CompPiece& piece) {
-    const Element& way = piece.element;
+    const Element& element = piece.element;
     if (piece.weight > 0) return insert_conic(motion, piece);
-    if (!way.is_arc()) {
-        if (piece.is_inserted) insert_line(motion, way.to);
+    if (!element.is_arc()) {
+        if (piece.is_inserted) insert_line(motion, element.to);
         else
             put_line(motion,
-                     motion.is_departure ? plane_.point(motion.command.motion().to) : way.to);
+                     motion.is_departure ? plane_.point(motion.command.motion().to) : element.to);
     } else {
-        const bool is_gap = (point() - way.from).norm() > path::kSamePoint;
-        if (is_gap) insert_line(motion, way.from);
-        if (motion.command.op() == Op::Rapid) insert_tangents(motion, way);
-        else if (piece.is_inserted) insert_arc(motion, way);
-        else put_arc(motion, way);
+        const bool is_gap = (point() - element.from).norm() > path::kSamePoint;
+        if (is_gap) insert_line(motion, element.from);
+        if (motion.command.op() == Op::Rapid) insert_tangents(motion, element);
+        else if (piece.is_inserted) insert_arc(motion, element);
+        else put_arc(motion, element);
     }
     if (!piece.is_inserted) programmed_ = motion.command.motion().to;
 }
@@ -91,7 +91,7 @@ void CutterPath::put_arc(const ProgrammedMotion& motion, const Element& arc) {
                            (motion.feed == nc::CompFeed::Inside && radius < motion.radius);
     if (motion.radius > 0 && is_slower) command.motion().feed *= radius / motion.radius;
     plane_.go_along(arc, command.motion());
-    turn_along_arc(motion, arc, command.motion());
+    orient_along_arc(motion, arc, command.motion());
     put(std::move(command));
 }
 
@@ -178,15 +178,15 @@ void CutterPath::insert_tangents(const ProgrammedMotion& motion, const Element& 
 
 /// The tool that is led by a second point of its axis keeps its direction on an arc beside the
 /// programmed one: about the same centre, of which corners have left a part.
-void CutterPath::turn_along_arc(const ProgrammedMotion& motion, const Element& arc,
-                                path::Motion& beside) const {
-    if (beside.turning != path::Turning::Point) return;
+void CutterPath::orient_along_arc(const ProgrammedMotion& motion, const Element& arc,
+                                  path::Motion& beside) const {
+    if (beside.orient_kind != path::OrientKind::Point) return;
     const double radius = path::radius(arc);
     const double scale = radius > path::kSamePoint ? motion.radius / radius : 0;
     shift_point({linear(programmed_), linear(motion.command.motion().to),
                  beside_center(arc, scale, position_), beside_center(arc, scale, beside.to)},
                 beside);
-    beside.tool_turn->outwards = motion.radius - radius;
+    beside.orient_details->outwards = motion.radius - radius;
 }
 
 /// A position on the way beside an arc as it lies on the programmed one.
@@ -198,9 +198,10 @@ path::Vec3 CutterPath::beside_center(const Element& arc, double scale, const Axi
 
 /// What a corner inserts the tool passes as it stands.
 void CutterPath::stand_tool(path::Motion& inserted) const {
-    if (orientation_limits_.chain == nullptr || inserted.turning == path::Turning::None) return;
+    if (orientation_limits_.chain == nullptr || inserted.orient_kind == path::OrientKind::None)
+        return;
     const machine::Chain& chain = *orientation_limits_.chain;
-    inserted.turn_plainly(path::Turning::Axes);
+    inserted.orient_plainly(path::OrientKind::Axes);
     inserted.direction =
         plane_.lie().transpose() * machine::tool_vector(chain, joints_at(chain, position_));
 }

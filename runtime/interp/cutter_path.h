@@ -76,8 +76,8 @@ class CutterPath {
     void insert_tangents(const ProgrammedMotion& motion, const path::Element& arc);
     path::Command standing(const ProgrammedMotion& motion) const;
     void stand_tool(path::Motion& inserted) const;
-    void turn_along_arc(const ProgrammedMotion& motion, const path::Element& arc,
-                        path::Motion& beside) const;
+    void orient_along_arc(const ProgrammedMotion& motion, const path::Element& arc,
+                          path::Motion& beside) const;
     path::Vec3 beside_center(const path::Element& arc, double scale, const AxisValues& at) const;
 
     CompPlane plane_;

@@ -117,15 +117,16 @@ void Cycles::complete_words(ModalCycle& call) {
         if (parameter >= 0 && (call.by_form >> parameter & 1u) == 0)
             call.set(static_cast<std::size_t>(parameter), value);
     };
-    const CycleData& said = modal_cycles_.data;
-    const control::CallLevels levels = *complete_levels(
-        rules_, said.levels, modal_.is_incremental, said.initial, modal_cycles_.returns_to_retract);
+    const CycleData& programmed = modal_cycles_.data;
+    const control::CallLevels levels =
+        *complete_levels(rules_, programmed.levels, modal_.is_incremental, programmed.initial,
+                         modal_cycles_.returns_to_retract);
     set(roles.retract, levels.retract);
     set(roles.depth, levels.depth);
-    const double stroke = said.stroke.value_or(0);
+    const double stroke = programmed.stroke.value_or(0);
     set(roles.stroke, stroke > 0 ? stroke : std::abs(levels.retract - levels.depth));
     if (!has_shift_vector(info, call)) set(roles.shift, stroke);
-    if (said.dwell) set(roles.dwell, *said.dwell);
+    if (programmed.dwell) set(roles.dwell, *programmed.dwell);
     call.set(find_parameter(info.parameters, "initial"), levels.back);
 }
 
@@ -135,20 +136,20 @@ void Cycles::take_off_scale(ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (rules_.cycle_distances_scaled || !frames_.is_scaled() || info.roles.depth < 0) return;
     const std::size_t normal = index(path::axes_of(cycle_plane()).normal);
-    std::array<AxisValues, 3> places;
+    std::array<AxisValues, 3> points;
     const std::array<std::optional<std::size_t>, 3> levels = {
         static_cast<std::size_t>(info.roles.depth), static_cast<std::size_t>(info.roles.retract),
         find_parameter(info.parameters, "initial")};
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        places[i] = position_.here();
-        if (call.has(levels[i])) places[i][normal] = call.arguments[*levels[i]];
-        places[i] = frames_.to_base(places[i]);
+        points[i] = position_.here();
+        if (call.has(levels[i])) points[i][normal] = call.arguments[*levels[i]];
+        points[i] = frames_.to_base(points[i]);
     }
     cycle_.frames_outside = frames_;
     frames_.scale_off();
     channel_.frames.frame_changed();
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        if (call.has(levels[i])) call.arguments[*levels[i]] = frames_.from_base(places[i])[normal];
+        if (call.has(levels[i])) call.arguments[*levels[i]] = frames_.from_base(points[i])[normal];
     }
 }
 
@@ -263,9 +264,9 @@ void Cycles::end_where_tool_stands(ModalCycle& call) const {
 void Cycles::forget_ends() {
     ModalCycle& modal = modal_cycles_.modal;
     for (const std::string_view name : {"x", "z", "taper"}) {
-        const std::optional<std::size_t> said =
+        const std::optional<std::size_t> programmed =
             find_parameter(dialect_.cycles()[modal.cycle].parameters, name);
-        if (said) modal.given &= ~(1u << *said);
+        if (programmed) modal.given &= ~(1u << *programmed);
     }
 }
 
@@ -334,9 +335,9 @@ void Cycles::complete_surroundings(ModalCycle& call, bool calls_program) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     call.set(find_parameter(info.parameters, "tool_d"),
              2 * tool_offsets_.radius(tool_.edge_number()));
-    const auto said = find_parameter(info.parameters, "radius_offset");
+    const auto programmed = find_parameter(info.parameters, "radius_offset");
     const std::int64_t offset =
-        call.has(said) ? std::llround(call.arguments[*said]) : tool_.radius_offset;
+        call.has(programmed) ? std::llround(call.arguments[*programmed]) : tool_.radius_offset;
     call.set(find_parameter(info.parameters, "offset_r"), tool_offsets_.radius(offset));
     const bool calls =
         calls_program || modal_cycles_.behind_motions || modal_cycles_.modal.is_active;

@@ -73,7 +73,7 @@ namespace {
 /// Whether a call says one of the words without which a modal cycle drills no hole.
 ///
 /// source  F 5.1: a block drills with any of X, Y, Z, R or of another axis
-bool names_place(const Block& block, const ModalCycle& call, const nc::CycleInfo::Roles& roles) {
+bool names_position(const Block& block, const ModalCycle& call, const nc::CycleInfo::Roles& roles) {
     const auto says = [&](int parameter) {
         return parameter >= 0 && ((call.given & ~call.by_form) >> parameter & 1u) != 0;
     };
@@ -139,7 +139,7 @@ void Cycles::call_cycle(const Block& block, const Actions& actions) {
             modal_cycles_.data = {};
             modal_cycles_.data.initial = position_.here()[index(tool_axis)];
         }
-        if (info.roles.depth >= 0 && !names_place(block, call, info.roles)) {
+        if (info.roles.depth >= 0 && !names_position(block, call, info.roles)) {
             forget_words(call, info.roles);
             modal_cycles_.modal = call;
             return warn_levels(block);
@@ -156,10 +156,10 @@ void Cycles::call_cycle(const Block& block, const Actions& actions) {
 }
 
 void Cycles::call_behind_motion(const Block& block) {
-    const bool is_circle_said =
+    const bool is_circle_given =
         (block.given & nc::kArcSlots) != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
     // An axis that moves by itself goes along no path.
-    const bool is_path = ((block.given & nc::kTargetSlots) != 0 || is_circle_said) &&
+    const bool is_path = ((block.given & nc::kTargetSlots) != 0 || is_circle_given) &&
                          block.find(Function::RapidOnce) == nullptr;
     if (reporter_.has_ended() || callers_.runs(Callers::Kind::Cycle) || shape_ || !is_path) return;
     Block call = *modal_cycles_.behind_motions;
@@ -213,16 +213,16 @@ void Cycles::move_instead_of_cycle(const Block& block, const Actions& actions) {
 // cycles
 
 const Block& Cycles::with_depth_apart(const Block& block) {
-    const Invocation* const said = block.find(Function::Cycle);
-    if (said == nullptr || callers_.runs(Callers::Kind::Cycle) || is_lathe_ ||
+    const Invocation* const call = block.find(Function::Cycle);
+    if (call == nullptr || callers_.runs(Callers::Kind::Cycle) || is_lathe_ ||
         !is_modal(block.cycle))
         return block;
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
-    const bool is_said =
-        depth >= 0 && (said->given >> depth & 1u) != 0 && (block.cycle_by_form >> depth & 1u) == 0;
-    if (!is_said || channel_.executor.plane_in(block) == path::Plane::Xy) return block;
+    const bool is_given =
+        depth >= 0 && (call->given >> depth & 1u) != 0 && (block.cycle_by_form >> depth & 1u) == 0;
+    if (!is_given || channel_.executor.plane_in(block) == path::Plane::Xy) return block;
     called_ = block;
-    called_.set(Slot::Z, block.argument(*said, static_cast<std::size_t>(depth)));
+    called_.set(Slot::Z, block.argument(*call, static_cast<std::size_t>(depth)));
     for (std::size_t i = 0; i < called_.function_count; ++i) {
         Invocation& invocation = called_.functions[i];
         if (invocation.function == Function::Cycle) invocation.given &= ~(1u << depth);
@@ -328,7 +328,7 @@ void Cycles::start_cycle(const Block& block, ModalCycle call, const CycleShape* 
     request.speed = spindle_.speed;
     if (is_running(spindle_.mode)) request.spindle = spindle_.mode;
     request.source = block.source;
-    if (reporter_.locations() != nullptr) request.place = reporter_.locations()->place(block);
+    if (reporter_.locations() != nullptr) request.location = reporter_.locations()->location(block);
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
     request.shape = shape != nullptr || !cycle_.lies_flat ? shape : &plane_of_lathe;

@@ -125,7 +125,7 @@ class Cycles {
     Modal& modal_;
     Position& position_;
     control::Frames& frames_;
-    const Spindle& spindle_;
+    const ProgrammedSpindle& spindle_;
     const Tool& tool_;
     PositionWords& position_words_;
     const Corners& corners_;

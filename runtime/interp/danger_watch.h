@@ -63,12 +63,12 @@ class DangerWatch {
     Reporter& reporter_;
     const Modal& modal_;
     const Position& position_;
-    const Spindle& spindle_;
+    const ProgrammedSpindle& spindle_;
     const Tool& tool_;
     const RadiusCompState& comp_;
     const bool& is_scanning_;
-    const Units& units_;
-    ReportedInRun& told_;
+    const ProgrammedUnits& units_;
+    ReportedInRun& reported_;
     Dangers& dangers_;
     const std::optional<ContourRun>& contour_;
 };

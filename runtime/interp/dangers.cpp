@@ -58,19 +58,19 @@ DangerWatch::DangerWatch(Channel& channel)
       comp_(channel.state.stage.comp),
       is_scanning_(channel.state.motion.is_scanning),
       units_(channel.state.motion.units),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       dangers_(channel.state.stage.dangers),
       contour_(channel.state.cycle.contour) {}
 
 /// Whether a comment in the line allows the warning: it silences this line, and not the next one.
 bool DangerWatch::is_allowed(const DiagnosticRow& row, const Block& block) const {
     return options_.is_allowed && reporter_.locations() != nullptr &&
-           options_.is_allowed(row, reporter_.locations()->place(block));
+           options_.is_allowed(row, reporter_.locations()->location(block));
 }
 
 /// Whether a feed is to be warned of here: from here on it counts as told, if no comment allows it.
 bool DangerWatch::first_time_of_feed(const DiagnosticRow& row, const Block& block) {
-    if (!is_allowed(row, block)) return told_.first_time_of_feed(modal_.feed);
+    if (!is_allowed(row, block)) return reported_.first_time_of_feed(modal_.feed);
     dangers_.feed = std::numeric_limits<double>::quiet_NaN();  // the next cut is looked at again
     return false;
 }
@@ -110,7 +110,8 @@ void DangerWatch::watch_feed(const Block& block) {
 }
 
 void DangerWatch::watch_cutting_speed(const Block& block, double from, double to) {
-    if (told_.has_reported(Once::SpeedLimit) || channel_.spindles.highest_speed() > 0 || contour_)
+    if (reported_.has_reported(RunNotice::SpeedLimit) || channel_.spindles.highest_speed() > 0 ||
+        contour_)
         return;
     if (spindle_.mode != path::SpindleMode::Cw && spindle_.mode != path::SpindleMode::Ccw) return;
     const double radius = from * to < 0 ? 0 : std::abs(to);
@@ -120,7 +121,7 @@ void DangerWatch::watch_cutting_speed(const Block& block, double from, double to
     const bool is_in_centre = !std::isfinite(wanted);
     if (!(mm_min > 0) || (!is_in_centre && !(most > 0 && wanted > most))) return;
     if (is_allowed(diag::NoSpeedLimit, block)) return;
-    told_.count_as_reported(Once::SpeedLimit);
+    reported_.count_as_reported(RunNotice::SpeedLimit);
     const std::string shown =
         is_in_centre ? "infinitely many" : std::to_string(std::llround(wanted));
     (block.has(Slot::X) ? reporter_.report(diag::NoSpeedLimit, block, Slot::X)
@@ -140,14 +141,14 @@ void DangerWatch::watch_length(const Block& block, Axis axis) {
         reporter_.report(diag::IncrementTakesLength, block, word)
             .arg(tool_.current != 0 ? tool_.current : ToolOffsets::tool_of(number));
     const bool is_by_number = tool_.source == Tool::Source::Offset && number != 0;
-    dangers_.says_lengths |= is_by_number;
+    dangers_.has_lengths |= is_by_number;
     if (is_by_number && is_lathe_) watch_turret_offset(block, number);
     if (!is_by_number || tool_.current == 0 || number == tool_.current || is_lathe_) return;
-    const bool says_offset = block.find(Function::LengthOffset) != nullptr;
-    const Function said =
-        says_offset ? Function::LengthOffset : nc::programmed_in(block, nc::Group::LengthComp);
-    (said != Function::None ? reporter_.report(diag::OtherToolsLength, block, said)
-                            : reporter_.report(diag::OtherToolsLength, block))
+    const bool has_offset = block.find(Function::LengthOffset) != nullptr;
+    const Function function =
+        has_offset ? Function::LengthOffset : nc::programmed_in(block, nc::Group::LengthComp);
+    (function != Function::None ? reporter_.report(diag::OtherToolsLength, block, function)
+                                : reporter_.report(diag::OtherToolsLength, block))
         .arg(number)
         .arg(tool_.current);
 }
@@ -156,7 +157,7 @@ void DangerWatch::watch_missing_length(const Block& block) {
     if (contour_ || block.is_of_cycle()) return;
     dangers_.cut_tool = tool_.current;
     const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
-    if (has_length || tool_.current == 0 || is_lathe_ || !dangers_.says_lengths) return;
+    if (has_length || tool_.current == 0 || is_lathe_ || !dangers_.has_lengths) return;
     reporter_.report(diag::LengthForgotten, block).arg(tool_.current);
 }
 
@@ -192,7 +193,7 @@ void DangerWatch::watch_dwell(const Block& block) {
 void DangerWatch::watch_tap(const Block& block, Function function) {
     const double pitch = modal_.feed / spindle_.speed;
     if (!(pitch < danger::kLeastPitch)) return;
-    const double unit = units_ == Units::Inch ? kMmPerInch : 1;
+    const double unit = units_ == ProgrammedUnits::Inch ? kMmPerInch : 1;
     (block.has(Slot::Feed) ? reporter_.report(diag::TapPitchTiny, block, Slot::Feed)
                            : reporter_.report(diag::TapPitchTiny, block, function))
         .arg(round_to(pitch, 6))
@@ -202,9 +203,11 @@ void DangerWatch::watch_tap(const Block& block, Function function) {
 }
 
 void DangerWatch::watch_diameter(const Block& block, Function function) {
-    if (options_.has_named_machine || is_lathe_ || told_.has_reported(Once::DiameterOnMill)) return;
+    if (options_.has_named_machine || is_lathe_ ||
+        reported_.has_reported(RunNotice::DiameterOnMill))
+        return;
     if (is_allowed(diag::DiameterOnMill, block)) return;
-    told_.count_as_reported(Once::DiameterOnMill);
+    reported_.count_as_reported(RunNotice::DiameterOnMill);
     reporter_.report(diag::DiameterOnMill, block, function)
         .arg(reporter_.word_of(block, function))
         .fix("`-m lathe` runs it on one");
@@ -217,12 +220,12 @@ void DangerWatch::watch_radius(const Block& block, std::int64_t number) {
     const bool is_other_tool = std::ranges::any_of(
         machine_.tools, [&](const auto& tool) { return tool.number == number; });
     if (is_of_length || !is_other_tool) return;
-    if (told_.has_reported(NoticeEach::OtherToolsRadius, number)) return;
+    if (reported_.has_reported(NoticeEach::OtherToolsRadius, number)) return;
     if (is_allowed(diag::OtherToolsRadius, block)) return;
-    told_.count_as_reported(NoticeEach::OtherToolsRadius, number);
-    const bool is_said_here = block.find(Function::RadiusOffset) != nullptr;
-    (is_said_here ? reporter_.report(diag::OtherToolsRadius, block, Function::RadiusOffset)
-                  : reporter_.report(diag::OtherToolsRadius, block, function_of(comp_.side)))
+    reported_.count_as_reported(NoticeEach::OtherToolsRadius, number);
+    const bool is_given_here = block.find(Function::RadiusOffset) != nullptr;
+    (is_given_here ? reporter_.report(diag::OtherToolsRadius, block, Function::RadiusOffset)
+                   : reporter_.report(diag::OtherToolsRadius, block, function_of(comp_.side)))
         .arg(number)
         .arg(tool_.current);
 }
@@ -242,9 +245,9 @@ void DangerWatch::watch_spindle_stop(const Block& block) {
         channel_.transformation.is_transformed())
         return;
     const double below = below_retract();
-    const Vec3 way =
+    const Vec3 delta =
         Vec3(position_.base()[0], position_.base()[1], position_.base()[2]) - dangers_.rapid_end;
-    const double aside = std::sqrt(std::max(0.0, way.squaredNorm() - below * below));
+    const double aside = std::sqrt(std::max(0.0, delta.squaredNorm() - below * below));
     if (below <= danger::kRetractSlack || aside <= danger::kRetractSlack) return;
     reporter_.report(diag::SpindleStopsInCut, block, Function::SpindleStop)
         .arg(format_shortest(round_to(below, kShownDecimals)));

@@ -20,7 +20,7 @@ struct Dangers {
     /// The length that the latest motion of its axis had, and the tool that was in.
     std::int64_t length = 0;
     std::int64_t tool = 0;
-    bool says_lengths = false;              // the program has called a length by its number
+    bool has_lengths = false;               // the program has called a length by its number
     std::int64_t cut_tool = 0;              // whose cuts were looked at for a length
     std::vector<std::int64_t> own_offsets;  // of a lathe: numbers that tools have called as theirs
 

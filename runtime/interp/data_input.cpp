@@ -20,8 +20,8 @@ namespace {
 
 /// A parameter of bits is written as eight digits, the highest bit first: 1000 is bit 3.
 bool bit_of(double digits, int bit) {
-    const double place = std::floor(std::abs(digits) / std::pow(10.0, bit));
-    return std::fmod(place, 10) != 0;
+    const double parameter = std::floor(std::abs(digits) / std::pow(10.0, bit));
+    return std::fmod(parameter, 10) != 0;
 }
 
 }  // namespace
@@ -55,13 +55,13 @@ void BlockFunctions::write_parameter(const Block& block, const Invocation& invoc
         rules_.arc_tolerance = value == 0 ? 1e6 : value * 0.001;
         return;
     }
-    if (!told_.first_time(NoticeEach::Parameter, number)) return;
+    if (!reported_.first_time(NoticeEach::Parameter, number)) return;
     reporter_.report(diag::ParameterIdle, block, Function::ParameterData).arg(number);
 }
 
 /// Lives of tools are the control's matter: no tool wears here.
-void BlockFunctions::tell_life_data(const Block& block) {
-    if (told_.first_time(Once::LifeData))
+void BlockFunctions::report_life_data(const Block& block) {
+    if (reported_.first_time(RunNotice::LifeData))
         reporter_.report(diag::LifeDataIdle, block, Function::LifeData);
 }
 

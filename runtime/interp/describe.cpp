@@ -41,7 +41,7 @@ std::string_view spindle_name(path::SpindleMode mode) {
 constexpr std::array<std::string_view, machine::kMostSpindles + 1> kSpindles = {
     "", "spindle 1", "spindle 2", "spindle 3", "spindle 4"};
 
-std::string spindle_text(const Spindle& spindle) {
+std::string spindle_text(const ProgrammedSpindle& spindle) {
     std::string text(spindle_name(spindle.mode));
     if (spindle.has_cutting_speed) {
         text += ", " + number(spindle.cutting_speed) + " m/min";
@@ -96,7 +96,7 @@ std::vector<StateItem> Answers::state() const {
     add("corners", corners_text(modal_, channel_.smoothing.blending(path::Op::Line)));
     add("spindle", spindle_text(spindle_));
     if (!other_spindles_.empty()) add("master spindle", std::to_string(spindle_.number));
-    for (const Spindle& other : other_spindles_)
+    for (const ProgrammedSpindle& other : other_spindles_)
         add(kSpindles.at(static_cast<std::size_t>(other.number)), spindle_text(other));
     add("coolant", std::string(coolant_name(coolant_)));
     add("tool", tool_.current == 0 ? "none" : std::to_string(tool_.current));

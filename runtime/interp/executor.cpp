@@ -59,7 +59,7 @@ Executor::Executor(Channel& channel)
       through_(channel.state.cycle.through),
       taps_rigidly_(channel.state.cycle.taps_rigidly),
       unplaced_(channel.state.motion.unplaced),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       axes_(channel.state.axes),
       length_shift_(channel.state.motion.length_shift),
       modal_cycles_(channel.state.cycle.modal_cycles),
@@ -178,15 +178,16 @@ void Executor::end_of_blocks() {
     nowhere.line = reporter_.locations() != nullptr
                        ? static_cast<std::uint32_t>(reporter_.locations()->lines())
                        : 0;
-    TextLocation place =
-        reporter_.locations() != nullptr ? reporter_.locations()->place(nowhere) : TextLocation{};
-    reporter_.report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(place));
+    TextLocation location = reporter_.locations() != nullptr
+                                ? reporter_.locations()->location(nowhere)
+                                : TextLocation{};
+    reporter_.report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(location));
 }
 
 bool Executor::acts(const Block& block) const {
     if (block.kind != Block::Kind::Nc) return false;
-    return block.skip < 0 ||
-           ((1u << block.skip | block.further_skip_levels) & options_.skip_levels) == 0;
+    return block.skip_level < 0 ||
+           ((1u << block.skip_level | block.further_skip_levels) & options_.skip_levels) == 0;
 }
 
 void Executor::execute(const Block& block) {
@@ -240,7 +241,7 @@ void Executor::run_functions(const Block& said) {
     actions.was_rapid = modal_.motion == Function::Rapid;
     actions.feed_before = modal_.feed;
     actions.had_feed = modal_.has_feed;
-    actions.spindle_before = spindle_.told.mode;
+    actions.spindle_before = spindle_.commanded.mode;
     actions.coolant_before = coolant_;
     if (block.has(Slot::Feed)) channel_.feed.set_feed(block);
     if (actions.tooth_feed) channel_.feed.set_tooth_feed(block, *actions.tooth_feed);

@@ -49,13 +49,13 @@ class Executor {
     const InterpreterOptions& options_;
     Reporter& reporter_;
     const nc::Rules& rules_;
-    Output& output_;
+    CommandOutput& output_;
     ProgramClocks& clocks_;
     std::uint64_t& block_count_;
     Modal& modal_;
     Position& position_;
     const control::Frames& frames_;
-    const Spindle& spindle_;
+    const ProgrammedSpindle& spindle_;
     const Tool& tool_;
     const WorkArea& area_;
     PositionWords& position_words_;
@@ -68,7 +68,7 @@ class Executor {
     const std::optional<ThroughRun>& through_;
     const bool& taps_rigidly_;
     const AxisMask& unplaced_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
     const AxisData& axes_;
     const AxisValues& length_shift_;
     const ModalCycles& modal_cycles_;

@@ -104,7 +104,7 @@ void FeedCharacteristics::settle() {
         ++ready_;
         return;
     }
-    const Run run = run_from(ready_);
+    const BlockMotions run = run_from(ready_);
     // Reading has moved what is held.
     if (kind_of(held_[ready_]) == FeedCharacteristic::Spline) settle_spline(run);
     else settle_block(run);
@@ -120,8 +120,8 @@ bool FeedCharacteristics::continues(const Command& command, const Command& next)
 }
 
 /// The motions of the block that begins here; reads until it is known where it ends.
-FeedCharacteristics::Run FeedCharacteristics::run_from(std::size_t first) {
-    Run run{first, first, 0};
+FeedCharacteristics::BlockMotions FeedCharacteristics::run_from(std::size_t first) {
+    BlockMotions run{first, first, 0};
     for (std::size_t i = first; i < first + kMostOfBlock; ++i) {
         if (i == held_.size() && !read()) break;
         if (breaks(held_[i])) break;
@@ -162,13 +162,13 @@ void FeedCharacteristics::note(const Command& command) {
 }
 
 /// Over the way of the block: from the feed before to F.
-FeedPolynomial FeedCharacteristics::polynomial_of(const Run& run, double from) const {
+FeedPolynomial FeedCharacteristics::polynomial_of(const BlockMotions& run, double from) const {
     const path::Motion& motion = held_[run.first].motion();
     const path::FeedLaw& law = motion.dynamics->law;
     return {from, motion.feed - from - law.square - law.cube, law.square, law.cube};
 }
 
-void FeedCharacteristics::settle_block(const Run& run) {
+void FeedCharacteristics::settle_block(const BlockMotions& run) {
     const Command& command = held_[run.first];
     const path::Motion& motion = command.motion();
     const bool goes_on = reached_ && reached_->mode == motion.feed_mode;
@@ -182,13 +182,13 @@ void FeedCharacteristics::settle_block(const Run& run) {
 }
 
 /// The blocks of a spline, as many as are settled at once: its slopes by those that come behind.
-void FeedCharacteristics::settle_spline(const Run& first) {
+void FeedCharacteristics::settle_spline(const BlockMotions& first) {
     const path::Motion& start = held_[first.first].motion();
     const path::FeedMode mode = start.feed_mode;
     const bool goes_on = reached_ && reached_->mode == mode;
-    std::vector<Run> runs{first};
+    std::vector<BlockMotions> runs{first};
     std::vector<path::SplineNode> nodes{{0, Vec3(goes_on ? reached_->feed : start.feed, 0, 0)}};
-    const auto add = [&](const Run& run) {
+    const auto add = [&](const BlockMotions& run) {
         const double length = std::max(run.length, kStill);
         nodes.push_back(
             {nodes.back().parameter + length, Vec3(held_[run.first].motion().feed, 0, 0)});
@@ -207,7 +207,7 @@ void FeedCharacteristics::settle_spline(const Run& first) {
                                    held_[i].motion().feed_mode == mode &&
                                    kind_of(held_[i]) == FeedCharacteristic::Polynomial;
         if (!is_open && !is_polynomial) break;
-        const Run next = run_from(i);
+        const BlockMotions next = run_from(i);
         if (is_open) {
             runs.push_back(next);
             add(next);
@@ -233,14 +233,14 @@ void FeedCharacteristics::settle_spline(const Run& first) {
 
 /// The motions of a block have this feed over the way of all of them, and may go out. False: the
 /// feed falls to 0, which was told, and nothing is held from there on.
-bool FeedCharacteristics::lay(const Run& run, const FeedPolynomial& feed) {
+bool FeedCharacteristics::lay(const BlockMotions& run, const FeedPolynomial& feed) {
     const double lowest = path::feed_range(feed, 0, 1).least;
-    double way = 0;
+    double distance = 0;
     for (std::size_t i = ready_; i < run.end; ++i) {
         Command& command = held_[i];
         if (!command.is_motion()) continue;
         if (!(lowest > 0)) {
-            tell_(command, lowest);
+            report_(command, lowest);
             held_.resize(i);
             is_drained_ = true;
             ready_ = i;
@@ -248,9 +248,9 @@ bool FeedCharacteristics::lay(const Run& run, const FeedPolynomial& feed) {
         }
         path::Motion& motion = command.motion();
         const double length = length_of(motion, at_);
-        const double from = run.length > 0 ? way / run.length : 0;
-        way += length;
-        const double to = i + 1 == run.end || !(run.length > 0) ? 1 : way / run.length;
+        const double from = run.length > 0 ? distance / run.length : 0;
+        distance += length;
+        const double to = i + 1 == run.end || !(run.length > 0) ? 1 : distance / run.length;
         path::FeedLaw law;
         law.feed = part_of(feed, from, to);
         if (law.is_constant() && law.feed[0] == motion.feed) law = {};

@@ -22,13 +22,13 @@ class FeedCharacteristics {
     /// Asked whether a command with a course may be among those that were pulled.
     using Asks = std::function<bool()>;
     /// Told of a motion whose feed would fall to this, 0 or less, in the unit of F; an alarm.
-    using Tells = std::function<void(const path::Command&, double)>;
+    using Reports = std::function<void(const path::Command&, double)>;
 
     /// All outlive this.
-    FeedCharacteristics(Stream<path::Command>& commands, Asks has_varying_feed, Tells tell)
+    FeedCharacteristics(Stream<path::Command>& commands, Asks has_varying_feed, Reports report)
         : commands_(commands),
           has_varying_feed_(std::move(has_varying_feed)),
-          tell_(std::move(tell)) {}
+          report_(std::move(report)) {}
 
     /// Commands whose feed law says the feed along each of them.
     ///
@@ -37,7 +37,7 @@ class FeedCharacteristics {
 
   private:
     /// The motions of one block.
-    struct Run {
+    struct BlockMotions {
         std::size_t first = 0;  // in what is held; its last motion is before `end`
         std::size_t end = 0;
         double length = 0;
@@ -50,18 +50,18 @@ class FeedCharacteristics {
     };
     bool read();
     void settle();
-    Run run_from(std::size_t first);
+    BlockMotions run_from(std::size_t first);
     void note(const path::Command& command);
-    void settle_block(const Run& run);
-    void settle_spline(const Run& first);
-    [[nodiscard]] bool lay(const Run& run, const path::FeedPolynomial& feed);
-    path::FeedPolynomial polynomial_of(const Run& run, double from) const;
+    void settle_block(const BlockMotions& run);
+    void settle_spline(const BlockMotions& first);
+    [[nodiscard]] bool lay(const BlockMotions& run, const path::FeedPolynomial& feed);
+    path::FeedPolynomial polynomial_of(const BlockMotions& run, double from) const;
     double length_of(const path::Motion& motion, const AxisValues& from) const;
     bool continues(const path::Command& command, const path::Command& next) const;
 
     Stream<path::Command>& commands_;
     Asks has_varying_feed_;
-    Tells tell_;
+    Reports report_;
     std::vector<path::Command> batch_;
     std::vector<path::Command> held_;
     std::size_t taken_ = 0;  // of those held, that are out

@@ -85,7 +85,7 @@ double Spindles::bounded_speed(const Block& block) {
     if (!(wanted > 0)) return wanted;
     double speed = std::max(wanted, spindle_.least);
     if (spindle_.most > 0) speed = std::min(speed, spindle_.most);
-    if (speed != wanted && told_.first_time_of_bound(wanted))
+    if (speed != wanted && reported_.first_time_of_bound(wanted))
         reporter_.report(diag::SpeedBounded, block).arg(wanted).arg(speed);
     return speed;
 }
@@ -97,10 +97,11 @@ void Spindles::update_spindle(const Block& block) {
     const double speed = spindle_.has_cutting_speed ? spindle_.cutting_speed
                          : is_bounded               ? bounded_speed(block)
                                                     : spindle_.speed;
-    const Spindle::Told now{spindle_.mode, runs ? speed : 0, runs && spindle_.has_cutting_speed};
-    if (now == spindle_.told) return;
+    const ProgrammedSpindle::Commanded now{spindle_.mode, runs ? speed : 0,
+                                           runs && spindle_.has_cutting_speed};
+    if (now == spindle_.commanded) return;
     if (runs && !(speed > 0)) reporter_.report(diag::SpindleWithoutSpeed, block);
-    spindle_.told = now;
+    spindle_.commanded = now;
     path::Spindle& spindle = put_spindle(block);
     spindle.mode = now.mode;
     spindle.speed = now.speed;
@@ -129,7 +130,7 @@ void Spindles::stand_spindle(const Block& block, Function function, double angle
     if (block.is_of_cycle() && !block.context->taps) check_edge_turns(block);
     spindle_.angle_deg = angle;
     turn(SpindleMode::Orient);
-    spindle_.told = {SpindleMode::Orient, 0, false};
+    spindle_.commanded = {SpindleMode::Orient, 0, false};
     path::Spindle& spindle = put_spindle(block);
     spindle.mode = SpindleMode::Orient;
     spindle.speed = 0;
@@ -143,7 +144,7 @@ void Spindles::check_edge_turns(const Block& block) {
     const path::Vec3 turned = frames_.total().direction(across).normalized();
     constexpr double kTurned = 1e-6;
     if ((turned - across).norm() < kTurned && !frames_.is_mirrored(modal_.plane)) return;
-    if (!told_.first_time(Once::TurnedEdge)) return;
+    if (!reported_.first_time(RunNotice::TurnedEdge)) return;
     reporter_.report(diag::EdgeNotTurned, block)
         .arg(frames_.is_mirrored(modal_.plane) ? "mirrored" : "turned");
 }

@@ -62,10 +62,10 @@ void FeedWords::count_degrees(const Block& block, path::Motion& motion) const {
     const bool counts_all = rules_.feed_of_all_axes && !turns_alone && (moving & ~kLinearXYZ) != 0;
     const bool has_inches = block.has_inch_feed && turning != 0 && (turns_alone || counts_all);
     if (!counts_all && !has_inches) return;
-    path::Dynamics& said = motion.dynamics.made();
-    if (counts_all) said.feed_axes = axes_.present;
+    path::Dynamics& programmed = motion.dynamics.made();
+    if (counts_all) programmed.feed_axes = axes_.present;
     constexpr double kSame = 1e-9;  // mm: a program may say the control's radius
-    for (double& radius : said.feed_radius)
+    for (double& radius : programmed.feed_radius)
         if (has_inches && std::abs(radius - path::kRadiusOfDegrees) < kSame) radius *= kMmPerInch;
 }
 

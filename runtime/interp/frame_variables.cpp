@@ -5,24 +5,26 @@
 
 namespace kadr::interp {
 
-using nc::Quantity;
+using nc::SystemQuantity;
 using Write = ControlAccess::Write;
 
 namespace {
 
-constexpr bool is_global(Quantity quantity) {
-    return quantity == Quantity::GlobalBaseFrame || quantity == Quantity::GlobalBaseNow ||
-           quantity == Quantity::GlobalBaseMask;
+constexpr bool is_global(SystemQuantity quantity) {
+    return quantity == SystemQuantity::GlobalBaseFrame ||
+           quantity == SystemQuantity::GlobalBaseNow || quantity == SystemQuantity::GlobalBaseMask;
 }
 
-constexpr bool is_numbered_base(Quantity quantity) {
-    return quantity == Quantity::ChannelBaseFrame || quantity == Quantity::ChannelBaseNow ||
-           quantity == Quantity::GlobalBaseFrame || quantity == Quantity::GlobalBaseNow;
+constexpr bool is_numbered_base(SystemQuantity quantity) {
+    return quantity == SystemQuantity::ChannelBaseFrame ||
+           quantity == SystemQuantity::ChannelBaseNow ||
+           quantity == SystemQuantity::GlobalBaseFrame || quantity == SystemQuantity::GlobalBaseNow;
 }
 
 /// Whether what is written waits until a work offset is called.
-constexpr bool waits_for_call(Quantity quantity) {
-    return quantity == Quantity::ChannelBaseFrame || quantity == Quantity::GlobalBaseFrame;
+constexpr bool waits_for_call(SystemQuantity quantity) {
+    return quantity == SystemQuantity::ChannelBaseFrame ||
+           quantity == SystemQuantity::GlobalBaseFrame;
 }
 
 bool has_base_frame(std::int64_t number) {
@@ -31,7 +33,7 @@ bool has_base_frame(std::int64_t number) {
 
 /// The frame of a number.
 template <typename Bases>
-auto& numbered(Bases& bases, Quantity quantity, std::int64_t number) {
+auto& numbered(Bases& bases, SystemQuantity quantity, std::int64_t number) {
     const auto i = static_cast<std::size_t>(number);
     return is_global(quantity) ? bases.global[i] : bases.channel[i];
 }
@@ -47,7 +49,7 @@ control::ControlFrame ProgrammedFrames::total_frame() const {
     return chain(control::plain_frame(frames_.tables()), chain(outside, chain(planes, inside)));
 }
 
-std::optional<control::ControlFrame> ProgrammedFrames::frame(Quantity quantity,
+std::optional<control::ControlFrame> ProgrammedFrames::frame(SystemQuantity quantity,
                                                              std::int64_t number) {
     if (is_numbered_base(quantity)) {
         if (!has_base_frame(number)) return std::nullopt;
@@ -56,30 +58,30 @@ std::optional<control::ControlFrame> ProgrammedFrames::frame(Quantity quantity,
         return numbered(bases, quantity, number);
     }
     switch (quantity) {
-        case Quantity::SettableFrame: {
+        case SystemQuantity::SettableFrame: {
             if (number < 0 || number > rules_.work_offsets) return std::nullopt;
             const auto i = static_cast<std::size_t>(number);
             return i < work_offsets_.size() ? work_offsets_[i] : control::ControlFrame();
         }
-        case Quantity::ActiveFrame: return frames_.work_offset();
-        case Quantity::BaseFrame: return frames_.bases().channel[0];
-        case Quantity::AllBaseFrames: return frames_.bases().numbered();
-        case Quantity::ExternalFrame: return frames_.bases().external;
-        case Quantity::SetFrame: return frames_.bases().set;
-        case Quantity::TableFrame: return control::plain_frame(frames_.tables());
-        case Quantity::ToolFrame: return control::plain_frame(frames_.tool_frame());
-        case Quantity::PlaneFrame: return control::plain_frame(frames_.tilt());
-        case Quantity::ProgrammableFrame: return frames_.programmable();
-        case Quantity::InnerFrame: return frames_.inner();
-        case Quantity::TotalFrame: return total_frame();
+        case SystemQuantity::ActiveFrame: return frames_.work_offset();
+        case SystemQuantity::BaseFrame: return frames_.bases().channel[0];
+        case SystemQuantity::AllBaseFrames: return frames_.bases().numbered();
+        case SystemQuantity::ExternalFrame: return frames_.bases().external;
+        case SystemQuantity::SetFrame: return frames_.bases().set;
+        case SystemQuantity::TableFrame: return control::plain_frame(frames_.tables());
+        case SystemQuantity::ToolFrame: return control::plain_frame(frames_.tool_frame());
+        case SystemQuantity::PlaneFrame: return control::plain_frame(frames_.tilt());
+        case SystemQuantity::ProgrammableFrame: return frames_.programmable();
+        case SystemQuantity::InnerFrame: return frames_.inner();
+        case SystemQuantity::TotalFrame: return total_frame();
         default: return std::nullopt;
     }
 }
 
-Write ProgrammedFrames::set_frame(Quantity quantity, std::int64_t number,
+Write ProgrammedFrames::set_frame(SystemQuantity quantity, std::int64_t number,
                                   const control::ControlFrame& frame, bool acts_at_once) {
     channel_.splines.finish_open_spline();
-    if (quantity == Quantity::SettableFrame) {
+    if (quantity == SystemQuantity::SettableFrame) {
         if (number < 0 || number > rules_.work_offsets) return Write::NoSuchEntry;
         work_offset_at(number) = frame;
         work_offset_changed(number, acts_at_once);
@@ -105,23 +107,24 @@ Write ProgrammedFrames::set_frame(Quantity quantity, std::int64_t number,
 }
 
 /// Frames of which there is one each. False: nobody sets this one.
-bool ProgrammedFrames::set_plain_frame(Quantity quantity, const control::ControlFrame& frame) {
+bool ProgrammedFrames::set_plain_frame(SystemQuantity quantity,
+                                       const control::ControlFrame& frame) {
     control::BaseFrames bases = frames_.bases();
     switch (quantity) {
-        case Quantity::ActiveFrame: frames_.select_work_offset(frame); return true;
-        case Quantity::ProgrammableFrame: frames_.set_programmable(frame); return true;
-        case Quantity::InnerFrame: frames_.select_inner(frame); return true;
-        case Quantity::BaseFrame: bases.channel[0] = frame; break;
-        case Quantity::ExternalFrame: bases.external = frame; break;
-        case Quantity::SetFrame: bases.set = frame; break;
-        case Quantity::TableFrame: frames_.set_tables(frame.whole()); return true;
-        case Quantity::ToolFrame: {
+        case SystemQuantity::ActiveFrame: frames_.select_work_offset(frame); return true;
+        case SystemQuantity::ProgrammableFrame: frames_.set_programmable(frame); return true;
+        case SystemQuantity::InnerFrame: frames_.select_inner(frame); return true;
+        case SystemQuantity::BaseFrame: bases.channel[0] = frame; break;
+        case SystemQuantity::ExternalFrame: bases.external = frame; break;
+        case SystemQuantity::SetFrame: bases.set = frame; break;
+        case SystemQuantity::TableFrame: frames_.set_tables(frame.whole()); return true;
+        case SystemQuantity::ToolFrame: {
             const path::Frame whole = frame.whole();
             const bool is_nothing = path::is_nothing(whole);
             frames_.set_tool_frame(is_nothing ? std::nullopt : std::optional(whole));
             return true;
         }
-        case Quantity::PlaneFrame: frames_.set_tilted_plane(frame.whole()); return true;
+        case SystemQuantity::PlaneFrame: frames_.set_tilted_plane(frame.whole()); return true;
         default: return false;
     }
     frames_.select_bases(bases);
@@ -141,7 +144,7 @@ void ProgrammedFrames::select_stored_bases() {
     frames_.select_bases(bases);
 }
 
-Write ProgrammedFrames::set_base_mask(Quantity quantity, double mask) {
+Write ProgrammedFrames::set_base_mask(SystemQuantity quantity, double mask) {
     constexpr double kMost = 0xffff;
     if (!(mask >= 0 && mask <= kMost)) return Write::TooLarge;
     channel_.splines.finish_open_spline();

@@ -69,7 +69,7 @@ BlockFunctions::BlockFunctions(Channel& channel)
       is_scanning_(channel.state.motion.is_scanning),
       taps_rigidly_(channel.state.cycle.taps_rigidly),
       dynamics_(channel.state.motion.dynamics),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       axes_(channel.state.axes),
       modal_cycles_(channel.state.cycle.modal_cycles) {}
 
@@ -141,7 +141,7 @@ void BlockFunctions::apply(const Block& block, const nc::Effect& effect, Actions
         case Kind::WorkOffset:
             channel_.frames.select_work_offset(
                 block, count_of(block, invocation, parameter_of<Function::WorkOffset>("number")));
-            channel_.transformation.offset_is_said();
+            channel_.transformation.offset_is_given();
             break;
         case Kind::WritesWorkOffset: actions.data = &invocation; break;
         case Kind::CorrectsWorkOffset: channel_.motions.use_probed(block, invocation); break;
@@ -218,11 +218,11 @@ void BlockFunctions::set_member(const Block& block, const nc::Effect& effect, Ac
         case Group::Compressor:
             channel_.smoothing.choose_smoothing(block, effect.invocation_in(block));
             break;
-        case Group::Turning:
+        case Group::OrientInterpolation:
         case Group::OrientAngles:
         case Group::OrientSystem:
         case Group::Spinning: channel_.transformation.choose(member); break;
-        case Group::Once:
+        case Group::NonModal:
         case Group::LengthComp:
         case Group::WorkOffsets:
         case Group::CycleMode:
@@ -274,7 +274,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
             break;
         case Function::SmoothApproach:
         case Function::SmoothRetract:
-            if (actions.soft != nullptr || smooth_approach_.is_active()) {
+            if (actions.smooth_approach != nullptr || smooth_approach_.is_active()) {
                 reporter_.report(diag::SoftTwice, block, invocation.function);
                 return;
             }
@@ -282,7 +282,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
                 reporter_.report(diag::IsoNotSupported, block).arg("a soft approach on a lathe");
                 return;
             }
-            actions.soft = &invocation;
+            actions.smooth_approach = &invocation;
             break;
         case Function::ApproachRadius:  // beside the approach, in approach_moves.cpp
         case Function::ApproachClearance:
@@ -368,7 +368,9 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
             break;
         case Function::AlignTool:
         case Function::AlignToolAtTip: actions.align = &invocation; break;
-        case Function::Rotation3d: channel_.tilted_planes.turn_in_space(block, invocation); break;
+        case Function::Rotation3d:
+            channel_.tilted_planes.rotate_about_axis(block, invocation);
+            break;
         case Function::Swivel: channel_.tilted_planes.swivel(block, invocation); break;
         case Function::ToolFrame: channel_.tilted_planes.frame_along_tool(block, invocation); break;
         case Function::ToolFrameOff:
@@ -416,14 +418,14 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
             break;
         case Function::MeasureLength: actions.measure = &invocation; break;
         case Function::ParameterData: write_parameter(block, invocation); break;
-        case Function::LifeData: tell_life_data(block); break;
+        case Function::LifeData: report_life_data(block); break;
         case Function::ReferencePoint:
         case Function::ReferenceReturn:
         case Function::ReferenceCheck:
         case Function::ReferenceLeave: actions.reference = &invocation; break;
         case Function::RapidOnce: actions.at_rapid = true; break;
         case Function::ToolOffsetIncrease:
-            actions.way_offset =
+            actions.tool_offset_increase =
                 block.argument(invocation, parameter_of<Function::ToolOffsetIncrease>("times"));
             break;
         case Function::TapFloating: actions.taps = true; break;
@@ -434,7 +436,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
         case Function::AxisJerk: dynamics_.set_axis_limit(block, invocation); break;
         case Function::FeedAxes: dynamics_.choose_feed_axes(block, invocation); break;
         case Function::FeedRadius: dynamics_.set_feed_radius(block, invocation); break;
-        case Function::FeedCourse: dynamics_.choose_feed_course(block, invocation); break;
+        case Function::FeedCourse: dynamics_.choose_feed_characteristic(block, invocation); break;
         case Function::AxisSpeed:
         case Function::AxisFeed:
         case Function::AxisOverride: dynamics_.set_axis_speed(block, invocation); break;
@@ -695,7 +697,7 @@ void BlockFunctions::act_before_motion(const Block& block, const Actions& action
         reporter_.report(diag::CuttingSpeedMissing, block, Function::CuttingSpeedOn);
         return;
     }
-    if (actions.spindle) told_.renew_spindle();
+    if (actions.spindle) reported_.renew_spindle();
     if (actions.spindle && is_running(*actions.spindle)) channel_.spindles.turn(*actions.spindle);
     if (!actions.stops_behind) stop_spindle_and_coolant(block, actions);
     channel_.spindles.update_spindle(block);
@@ -705,7 +707,7 @@ void BlockFunctions::act_before_motion(const Block& block, const Actions& action
     if (reporter_.has_ended()) return;
     if (actions.flood) set_coolant(block, path::CoolantMode::Flood);
     if (actions.mist) set_coolant(block, path::CoolantMode::Mist);
-    issue_functions(block, actions, Side::Before);
+    issue_functions(block, actions, MotionMoment::Before);
     if (actions.message != nullptr)
         channel_.stages.put(Op::Message, block).message().text = block.text;
     if (actions.dwell != nullptr) {
@@ -721,7 +723,7 @@ void BlockFunctions::act_before_motion(const Block& block, const Actions& action
 
 void BlockFunctions::act_after_motion(const Block& block, const Actions& actions) {
     if (actions.stops_behind) stop_spindle_and_coolant(block, actions);
-    issue_functions(block, actions, Side::Behind);
+    issue_functions(block, actions, MotionMoment::Behind);
     if (actions.stop == Actions::Stop::Always) channel_.stages.put(Op::Stop, block);
     if (actions.stop == Actions::Stop::Optional && options_.optional_stop) {
         channel_.stages.put(Op::OptionalStop, block);

@@ -42,9 +42,9 @@ class Executed final : public Stream<path::Command> {
 /// One channel of a control: its state, its parts, and the road of the blocks through them.
 struct Interpreter::State {
     State(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
-          const nc::BlockLocations* places, CycleExpander* expander,
+          const nc::BlockLocations* locations, CycleExpander* expander,
           const InterpreterOptions& options, DiagnosticSink& sink)
-        : channel_state(dialect, machine, blocks, places, expander, options, sink) {
+        : channel_state(dialect, machine, blocks, locations, expander, options, sink) {
         executor.start();
     }
 
@@ -91,10 +91,10 @@ struct Interpreter::State {
 };
 
 Interpreter::Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
-                         Stream<nc::Block>& blocks, const nc::BlockLocations* places,
+                         Stream<nc::Block>& blocks, const nc::BlockLocations* locations,
                          CycleExpander* cycles, const InterpreterOptions& options,
                          DiagnosticSink& sink)
-    : state_(new State(dialect, machine, blocks, places, cycles, options, sink)) {}
+    : state_(new State(dialect, machine, blocks, locations, cycles, options, sink)) {}
 
 Interpreter::~Interpreter() = default;
 
@@ -114,20 +114,20 @@ std::vector<ProbeTouch> Interpreter::touches_ahead() const {
 std::uint64_t Interpreter::blocks() const { return state_->channel_state.motion.block_count; }
 
 double Interpreter::elapsed() { return state_->asked().answers.run_time(); }
-std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t first,
+std::optional<double> Interpreter::quantity(nc::SystemQuantity quantity, std::int64_t first,
                                             std::int64_t second) {
     return state_->asked().answers.quantity(quantity, first, second);
 }
-ControlAccess::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_t first,
+ControlAccess::Write Interpreter::set_quantity(nc::SystemQuantity quantity, std::int64_t first,
                                                std::int64_t second, double value,
                                                bool acts_at_once) {
     return state_->asked().answers.set_quantity(quantity, first, second, value, acts_at_once);
 }
-std::optional<control::ControlFrame> Interpreter::frame(nc::Quantity quantity,
+std::optional<control::ControlFrame> Interpreter::frame(nc::SystemQuantity quantity,
                                                         std::int64_t number) {
     return state_->asked().frames.frame(quantity, number);
 }
-ControlAccess::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t number,
+ControlAccess::Write Interpreter::set_frame(nc::SystemQuantity quantity, std::int64_t number,
                                             const control::ControlFrame& frame, bool acts_at_once) {
     return state_->asked().frames.set_frame(quantity, number, frame, acts_at_once);
 }
@@ -144,10 +144,10 @@ void Interpreter::keep_frames() { state_->asked().frames.keep_frames(); }
 void Interpreter::restore_frames(bool is_wanted) {
     state_->asked().frames.restore_frames(is_wanted);
 }
-std::optional<std::string> Interpreter::text(nc::Quantity quantity, std::int64_t index) {
+std::optional<std::string> Interpreter::text(nc::SystemQuantity quantity, std::int64_t index) {
     return state_->answers.text(quantity, index);
 }
-ControlAccess::Write Interpreter::set_text(nc::Quantity quantity, std::int64_t index,
+ControlAccess::Write Interpreter::set_text(nc::SystemQuantity quantity, std::int64_t index,
                                            std::string_view text) {
     return state_->asked().answers.set_text(quantity, index, text);
 }

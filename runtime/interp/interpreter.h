@@ -49,9 +49,9 @@ struct CycleCall {
     double speed = 0;                                     // of the spindle, rpm
     path::SpindleMode spindle = path::SpindleMode::Stop;  // Cw and Ccw: it turns
     SourceId source;
-    std::optional<TextLocation> place;  // of the block that calls it; nothing: nobody knows
-    const CycleShape* shape = nullptr;  // of a cycle that takes one
-    bool x_is_diameter = true;          // X of the position, and of the words that act
+    std::optional<TextLocation> location;  // of the block that calls it; nothing: nobody knows
+    const CycleShape* shape = nullptr;     // of a cycle that takes one
+    bool x_is_diameter = true;             // X of the position, and of the words that act
 };
 
 /// Expands a machining cycle into blocks. The one thing that the runtime needs from the compiler;
@@ -95,7 +95,7 @@ struct InterpreterOptions {
     bool in_step = false;  // no block is read before the one in front of it is executed
     /// Whether a comment silences a warning at its place, so that it is not said once and for all
     /// there. Empty: none does.
-    std::function<bool(const DiagnosticRow& row, const TextLocation& place)> is_allowed = {};
+    std::function<bool(const DiagnosticRow& row, const TextLocation& location)> is_allowed = {};
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.
@@ -110,8 +110,8 @@ class Interpreter final : public Stream<path::Command>, public ControlAccess {
     /// All references outlive the interpreter. `place_of` gives the place of a block for messages.
     /// `cycles` may be null: a cycle call is then an alarm.
     Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
-                Stream<nc::Block>& blocks, const nc::BlockLocations* places, CycleExpander* cycles,
-                const InterpreterOptions& options, DiagnosticSink& sink);
+                Stream<nc::Block>& blocks, const nc::BlockLocations* locations,
+                CycleExpander* cycles, const InterpreterOptions& options, DiagnosticSink& sink);
     ~Interpreter() override;
 
     std::size_t pull(std::span<path::Command> out) override;
@@ -128,16 +128,17 @@ class Interpreter final : public Stream<path::Command>, public ControlAccess {
 
     // What a program asks while it runs.
     double elapsed() override;
-    std::optional<double> quantity(nc::Quantity quantity, std::int64_t first,
+    std::optional<double> quantity(nc::SystemQuantity quantity, std::int64_t first,
                                    std::int64_t second) override;
-    Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second, double value,
-                       bool acts_at_once) override;
-    std::optional<control::ControlFrame> frame(nc::Quantity quantity, std::int64_t number) override;
-    Write set_frame(nc::Quantity quantity, std::int64_t number, const control::ControlFrame& frame,
-                    bool acts_at_once) override;
+    Write set_quantity(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
+                       double value, bool acts_at_once) override;
+    std::optional<control::ControlFrame> frame(nc::SystemQuantity quantity,
+                                               std::int64_t number) override;
+    Write set_frame(nc::SystemQuantity quantity, std::int64_t number,
+                    const control::ControlFrame& frame, bool acts_at_once) override;
     bool is_length(std::int64_t axis) const override;
-    std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) override;
-    Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text) override;
+    std::optional<std::string> text(nc::SystemQuantity quantity, std::int64_t index) override;
+    Write set_text(nc::SystemQuantity quantity, std::int64_t index, std::string_view text) override;
     std::optional<std::int64_t> axis_number(Axis axis) const override;
     bool has_spindle(std::int64_t number) const override;
     double word_factor(std::int64_t axis) const override;

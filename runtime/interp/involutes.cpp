@@ -58,7 +58,8 @@ void Motions::put_involute(const Block& block, const path::InvoluteWords& words,
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     if (!channel_.checks.require_box_within_limits(block, path::bounds(involute))) return;
     position_.note_motion();
-    path::Motion& motion = channel_.stages.put(path::Op::Involute, block, &target.turn).motion();
+    path::Motion& motion =
+        channel_.stages.put(path::Op::Involute, block, &target.orientation).motion();
     motion.to = target.base;
     motion.moved = target.moved;
     motion.exact_stop = exact_stop;

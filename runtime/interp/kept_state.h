@@ -12,7 +12,7 @@ namespace kadr::interp {
 /// stay what the blocks of a table have said (unsure).
 struct KeptState {
     Position position;
-    Spindle spindle;
+    ProgrammedSpindle spindle;
     Tool tool;
     AxisValues length_shift{};
     path::CoolantMode coolant = path::CoolantMode::Off;

@@ -152,7 +152,7 @@ void append_contact(std::string& out, const path::ContactMotion& motion) {
 void append_virtual(std::string& out, const path::VirtualAxes& axes) {
     switch (axes.kind) {
         case path::VirtualKind::None: return;
-        case path::VirtualKind::Face: return append_word(out, "on", "face");
+        case path::VirtualKind::Polar: return append_word(out, "on", "face");
         case path::VirtualKind::Cylinder:
             append_word(out, "on", "cylinder");
             append_field(out, "radius", axes.size);
@@ -178,10 +178,10 @@ void append_target(std::string& out, const path::Motion& motion, AxisMask axes) 
     out += '}';
     if (motion.machine_coordinates) out += ",\"machine_coordinates\":true";
     if (motion.virtual_axes().is_on()) return append_virtual(out, motion.virtual_axes());
-    if (motion.turning == path::Turning::None) return;
+    if (motion.orient_kind == path::OrientKind::None) return;
     append_key(out, "tool");
     append_numbers(out, {motion.direction.data(), 3});
-    if (motion.turning == path::Turning::Straight) out += ",\"point_to_point\":true";
+    if (motion.orient_kind == path::OrientKind::Straight) out += ",\"point_to_point\":true";
     if (motion.contact) append_contact(out, *motion.contact);
 }
 
@@ -254,10 +254,10 @@ void append_ending(std::string& out, const path::Motion& motion) {
         const bool by_distance = blending.kind == path::BlendKind::Distance;
         append_field(out, by_distance ? "blend_distance" : "blend_tolerance", blending.size);
         if (blending.with_tangents) out += ",\"blend_tangents\":true";
-        if (motion.turning != path::Turning::None && std::isfinite(blending.orientation))
+        if (motion.orient_kind != path::OrientKind::None && std::isfinite(blending.orientation))
             append_field(out, "blend_orientation", deg_from_rad(blending.orientation));
     }
-    if (blending.smooths_orientation && motion.turning > path::Turning::Straight &&
+    if (blending.smooths_orientation && motion.orient_kind > path::OrientKind::Straight &&
         !motion.exact_stop)
         append_field(out, "smooth_orientation", deg_from_rad(blending.orientation));
     if (motion.compress > 0) append_field(out, "compress", motion.compress);
@@ -316,7 +316,7 @@ void append_motion(std::string& out, const path::Motion& motion, AxisMask axes) 
     append_feed(out, motion);
     if (motion.op() != Op::Thread) return;
     const path::ThreadShape& thread = motion.thread();
-    if (thread.lead_change != 0) append_field(out, "lead_change", thread.lead_change);
+    if (thread.pitch_change != 0) append_field(out, "lead_change", thread.pitch_change);
     if (thread.start_deg != 0) append_field(out, "start", thread.start_deg);
 }
 

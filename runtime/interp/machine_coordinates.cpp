@@ -36,11 +36,11 @@ Done ProgrammedFrames::take_frames_off(const Block& block) {
             .arg("a spline in machine coordinates");
         return kFailed;
     }
-    const nc::Invocation* said = block.find(Function::MachineCoordinates);
+    const nc::Invocation* invocation = block.find(Function::MachineCoordinates);
     frames_off_.emplace(FramesOff{frames_, position_});
     frames_ = frames_.machine_frames(
-        said != nullptr
-            ? count_of(block, *said, parameter_of<Function::MachineCoordinates>("keeps"))
+        invocation != nullptr
+            ? count_of(block, *invocation, parameter_of<Function::MachineCoordinates>("keeps"))
             : 0);
     frame_changed();
     position_.name();

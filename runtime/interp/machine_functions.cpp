@@ -42,7 +42,7 @@ std::int64_t code_of(const nc::Block& block, const nc::Invocation& invocation) {
 
 /// What is on already need not be switched on.
 bool BlockFunctions::has_changed(std::int64_t code, const Actions& actions) const {
-    if (code >= 3 && code <= 5) return spindle_.told.mode != actions.spindle_before;
+    if (code >= 3 && code <= 5) return spindle_.commanded.mode != actions.spindle_before;
     if (code >= 7 && code <= 9) return coolant_ != actions.coolant_before;
     return true;
 }
@@ -52,18 +52,19 @@ bool BlockFunctions::is_awaited(const nc::Block& block, const nc::Invocation& in
     return known != nullptr && known->waits;
 }
 
-void BlockFunctions::issue_functions(const nc::Block& block, const Actions& actions, Side side) {
+void BlockFunctions::issue_functions(const nc::Block& block, const Actions& actions,
+                                     MotionMoment side) {
     if (machine_.functions.empty()) return;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const std::int64_t code = code_of(block, block.functions[i]);
         const machine::MachineFunction* known = machine_.find_function(code);
         if (known == nullptr) continue;
         const FunctionTime behind =
-            side == Side::Before ? FunctionTime::BeforeMotion : FunctionTime::AfterMotion;
+            side == MotionMoment::Before ? FunctionTime::BeforeMotion : FunctionTime::AfterMotion;
         FunctionStep step = known->waits ? FunctionStep::Both : FunctionStep::Issue;
         if (known->acts == FunctionTime::WithMotion) {
-            if (side == Side::Behind && !known->waits) continue;
-            step = side == Side::Before ? FunctionStep::Issue : FunctionStep::Await;
+            if (side == MotionMoment::Behind && !known->waits) continue;
+            step = side == MotionMoment::Before ? FunctionStep::Issue : FunctionStep::Await;
         } else if (known->acts != behind) {
             continue;
         }
@@ -90,7 +91,7 @@ void BlockFunctions::pass_machine_function(const Block& block, std::int64_t numb
         }
     }
     if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
-    if (!told_.first_time(NoticeEach::MachineFunction, number)) return;
+    if (!reported_.first_time(NoticeEach::MachineFunction, number)) return;
     reporter_.report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
 }
 

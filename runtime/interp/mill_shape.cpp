@@ -32,8 +32,8 @@ constexpr std::int64_t kFlankWear = 20;
 
 }  // namespace
 
-Result<MillShape, MillShapeFault> face_cutter(const ToolOffsets& offsets, std::int64_t number,
-                                              double extra) {
+Result<MillShape, MillShapeFault> mill_shape(const ToolOffsets& offsets, std::int64_t number,
+                                             double extra) {
     Shape shape{0, End::Ball, false};
     for (const Shape& row : kShapes)
         if (row.type == offsets.type(number)) shape = row;

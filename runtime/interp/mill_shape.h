@@ -28,7 +28,7 @@ enum class MillShapeFault : std::uint8_t {
 /// ball, of which the caller tells the user (unsure: said of a published manual from memory).
 ///
 /// extra  mm, added to the radius
-Result<MillShape, MillShapeFault> face_cutter(const ToolOffsets& offsets, std::int64_t number,
-                                              double extra);
+Result<MillShape, MillShapeFault> mill_shape(const ToolOffsets& offsets, std::int64_t number,
+                                             double extra);
 
 }  // namespace kadr::interp

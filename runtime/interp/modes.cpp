@@ -66,12 +66,12 @@ OrientInterpolation orient_interpolation_of(Function function) {
     return mode_of<OrientInterpolation>(kOrientInterpolations, function);
 }
 
-Function function_of(OrientInterpolation way) {
-    return kOrientInterpolations.at(static_cast<std::size_t>(way));
+Function function_of(OrientInterpolation interpolation) {
+    return kOrientInterpolations.at(static_cast<std::size_t>(interpolation));
 }
 
-bool is_on_cone(OrientInterpolation way) {
-    return nc::has_fact(function_of(way), nc::Fact::ConeOrientation);
+bool is_on_cone(OrientInterpolation interpolation) {
+    return nc::has_fact(function_of(interpolation), nc::Fact::ConeOrientation);
 }
 
 ToolAngles tool_angles_of(Function function) { return mode_of<ToolAngles>(kToolAngles, function); }
@@ -108,9 +108,9 @@ nc::CompCorner comp_corner_of(Function function) {
     return mode_of<nc::CompCorner>(kCompCorners, function);
 }
 
-Units units_of(Function function) {
-    if (function == Function::Inch) return Units::Inch;
-    return function == Function::Metric ? Units::Metric : Units::Unsaid;
+ProgrammedUnits units_of(Function function) {
+    if (function == Function::Inch) return ProgrammedUnits::Inch;
+    return function == Function::Metric ? ProgrammedUnits::Metric : ProgrammedUnits::Unsaid;
 }
 
 }  // namespace kadr::interp

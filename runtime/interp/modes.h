@@ -41,8 +41,8 @@ enum class OrientInterpolation : std::uint8_t {
     Point,
 };
 OrientInterpolation orient_interpolation_of(nc::Function function);
-nc::Function function_of(OrientInterpolation way);
-bool is_on_cone(OrientInterpolation way);
+nc::Function function_of(OrientInterpolation interpolation);
+bool is_on_cone(OrientInterpolation interpolation);
 
 /// How the angles of the tool are understood.
 enum class ToolAngles : std::uint8_t { Euler, Zyz, Rpy, Xyz };
@@ -70,7 +70,7 @@ nc::CompStart comp_start_of(nc::Function function);
 nc::CompCorner comp_corner_of(nc::Function function);
 
 /// Of the lengths in the text, as far as the program has said it.
-enum class Units : std::uint8_t { Unsaid, Metric, Inch };
-Units units_of(nc::Function function);
+enum class ProgrammedUnits : std::uint8_t { Unsaid, Metric, Inch };
+ProgrammedUnits units_of(nc::Function function);
 
 }  // namespace kadr::interp

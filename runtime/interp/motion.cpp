@@ -74,7 +74,7 @@ Motions::Motions(Channel& channel)
       units_(channel.state.motion.units),
       dynamics_(channel.state.motion.dynamics),
       unplaced_(channel.state.motion.unplaced),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       axes_(channel.state.axes),
       length_shift_(channel.state.motion.length_shift),
       preset_(channel.state.motion.preset),
@@ -100,9 +100,9 @@ MotionCase Motions::case_of(const Block& block, const Actions& actions, SlotMask
         motion == Function::Polynomial && block.find(Function::PolynomialAxis) != nullptr;
     const bool is_through = motion == Function::AkimaSpline || motion == Function::CubicSpline;
     of.only_turns = is_through && channel_.splines.only_turns(block);
-    if (actions.soft != nullptr)
-        of.smooth =
-            actions.soft->function == Function::SmoothApproach ? Smooth::Approach : Smooth::Retract;
+    if (actions.smooth_approach != nullptr)
+        of.smooth = actions.smooth_approach->function == Function::SmoothApproach ? Smooth::Approach
+                                                                                  : Smooth::Retract;
     of.refers = actions.reference != nullptr;
     of.measures = actions.measure != nullptr;
     of.probes = actions.probes;
@@ -129,7 +129,7 @@ void Motions::move(const Block& block, const Actions& actions) {
     SlotMask arc_words = block.given & kArcSlots;
     const bool has_arc = arc_words != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
     const bool may_move = targets != 0 || actions.tool.turns() || has_arc;
-    if (may_move && !channel_.tool_motion.require_point_to_point_way(block, actions)) return;
+    if (may_move && !channel_.tool_motion.require_point_to_point_motion(block, actions)) return;
     // They have told where the compensation ends.
     if (arc_words != 0 && channel_.compensation.leave_direction(block))
         arc_words &= ~nc::kCenterSlots;
@@ -151,7 +151,7 @@ void Motions::move_otherwise(const Block& block, const Actions& actions, MotionK
     const SlotMask targets = block.given & nc::kTargetSlots;
     switch (kind) {
         case MotionKind::ApproachInSpace:
-            reporter_.report(diag::CompSpaceStart, block, actions.soft->function);
+            reporter_.report(diag::CompSpaceStart, block, actions.smooth_approach->function);
             return;
         case MotionKind::Approach: return channel_.approaches.approach_smoothly(block, actions);
         case MotionKind::Retract: return channel_.approaches.retract_smoothly(block, actions);
@@ -211,7 +211,8 @@ std::optional<Target> Motions::target_of(const Block& block, const Actions& acti
         channel_.tilted_planes.check_carried(block);
     }
     channel_.dangers.watch_turn_of_part(block, target);
-    if (actions.way_offset != 0 && !increase_by_tool_offset(block, actions.way_offset, target))
+    if (actions.tool_offset_increase != 0 &&
+        !increase_by_tool_offset(block, actions.tool_offset_increase, target))
         return std::nullopt;
     return target;
 }
@@ -287,7 +288,7 @@ void Motions::line(const Block& block, const Target& programmed, Op op, bool exa
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     if (spindle_.has_cutting_speed && op != Op::Probe) [[unlikely]]
         channel_.dangers.watch_cutting_speed(block, position_.here()[0], target.here[0]);
-    if (target.turn.waiting != nullptr &&
+    if (target.orientation.waiting != nullptr &&
         !channel_.tool_motion.lay_directions(
             block, straight_path(linear(position_.base()), linear(target.base)), target))
         return;
@@ -297,7 +298,7 @@ void Motions::line(const Block& block, const Target& programmed, Op op, bool exa
     }
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     position_.note_motion();
-    path::Motion& motion = channel_.stages.put(op, block, &target.turn).motion();
+    path::Motion& motion = channel_.stages.put(op, block, &target.orientation).motion();
     motion.to = target.base;
     motion.moved = target.moved;
     motion.exact_stop = exact_stop;

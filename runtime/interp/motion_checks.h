@@ -53,14 +53,14 @@ class MotionChecks {
     const Modal& modal_;
     const Position& position_;
     const control::Frames& frames_;
-    const Spindle& spindle_;
+    const ProgrammedSpindle& spindle_;
     const Tool& tool_;
     WorkArea& area_;
     const RadiusCompState& comp_;
     const bool& is_scanning_;
-    Units& units_;
+    ProgrammedUnits& units_;
     const bool& taps_rigidly_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
     const Dangers& dangers_;
     const AxisData& axes_;
     const AxisValues& length_shift_;

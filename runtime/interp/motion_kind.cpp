@@ -10,7 +10,7 @@ using nc::Function;
 namespace {
 
 /// Ways that other functions say than the motion code.
-std::optional<MotionKind> way_of_functions(const MotionCase& of) {
+std::optional<MotionKind> kind_by_functions(const MotionCase& of) {
     using Smooth = MotionCase::Smooth;
     if (of.smooth != Smooth::None && of.is_in_space) return MotionKind::ApproachInSpace;
     if (of.smooth == Smooth::Approach) return MotionKind::Approach;
@@ -21,7 +21,7 @@ std::optional<MotionKind> way_of_functions(const MotionCase& of) {
     return std::nullopt;
 }
 
-std::optional<MotionKind> way_of_cycle(const MotionCase& of) {
+std::optional<MotionKind> kind_by_cycle(const MotionCase& of) {
     if (of.calls_behind_motions) return MotionKind::CallBehindMotions;
     if (of.cancels_cycle) return MotionKind::CancelledCycle;
     if (of.calls_cycle) return MotionKind::CycleCall;
@@ -31,7 +31,7 @@ std::optional<MotionKind> way_of_cycle(const MotionCase& of) {
 }
 
 /// Blocks that are collected, or become curves of their own.
-std::optional<MotionKind> way_of_spline(const MotionCase& of) {
+std::optional<MotionKind> kind_by_spline(const MotionCase& of) {
     if (of.is_in_machine_coordinates && !of.has_no_frames) return std::nullopt;
     if (of.motion == Function::Spline && (of.has_target || of.has_knot)) return MotionKind::Spline;
     const bool goes_through =
@@ -47,7 +47,7 @@ bool stays(const MotionCase& of) {
     return !of.has_target && !of.turns_tool && !has_arc;
 }
 
-MotionKind way_to_target(const MotionCase& of) {
+MotionKind kind_by_target(const MotionCase& of) {
     if (of.is_in_machine_coordinates && !of.has_no_frames) return MotionKind::MachineCoordinates;
     if (of.suspends_length) return MotionKind::WithoutLength;
     if (of.is_rapid_once) return MotionKind::RapidOnce;
@@ -67,13 +67,13 @@ MotionKind way_to_target(const MotionCase& of) {
 }  // namespace
 
 MotionKind classify(const MotionCase& of) {
-    if (const auto kind = way_of_functions(of)) return *kind;
-    if (const auto kind = way_of_cycle(of)) return *kind;
+    if (const auto kind = kind_by_functions(of)) return *kind;
+    if (const auto kind = kind_by_cycle(of)) return *kind;
     if (of.resets_orientation) return MotionKind::OrientationReset;
     if (of.has_tool_words && !nc::has_fact(of.motion, Fact::TakesOrientation))
         return MotionKind::TurnBesideThread;
-    if (const auto kind = way_of_spline(of)) return *kind;
-    return stays(of) ? MotionKind::Stays : way_to_target(of);
+    if (const auto kind = kind_by_spline(of)) return *kind;
+    return stays(of) ? MotionKind::Stays : kind_by_target(of);
 }
 
 }  // namespace kadr::interp

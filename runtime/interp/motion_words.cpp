@@ -60,11 +60,11 @@ double MotionWords::x_scale(const Block& block, bool is_distance) const {
 Done MotionWords::require_rotary_approaches(const Block& block) {
     if (block.rotary_approaches == 0) return kDone;
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-        const nc::RotaryApproach way = block.rotary_approach(axis);
-        const double place = block.at(nc::slot_of(axis));
-        const bool is_free = way == nc::RotaryApproach::AsProgrammed;
-        if (is_free || (place >= 0 && place < 360)) continue;
-        reporter_.report(diag::RotaryRange, block, nc::slot_of(axis)).arg(place);
+        const nc::RotaryApproach approach = block.rotary_approach(axis);
+        const double parameter = block.at(nc::slot_of(axis));
+        const bool is_free = approach == nc::RotaryApproach::AsProgrammed;
+        if (is_free || (parameter >= 0 && parameter < 360)) continue;
+        reporter_.report(diag::RotaryRange, block, nc::slot_of(axis)).arg(parameter);
         return kFailed;
     }
     return kDone;
@@ -73,13 +73,13 @@ Done MotionWords::require_rotary_approaches(const Block& block) {
 /// Rotary axes go to a place of their turn on the way that the word says.
 void MotionWords::turn_rotary(const Block& block, Target& target) const {
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-        const nc::RotaryApproach way = block.rotary_approach(axis);
-        if (way == nc::RotaryApproach::AsProgrammed || !block.has(nc::slot_of(axis))) continue;
+        const nc::RotaryApproach approach = block.rotary_approach(axis);
+        if (approach == nc::RotaryApproach::AsProgrammed || !block.has(nc::slot_of(axis))) continue;
         const std::size_t i = index(axis);
         double turn = std::fmod(block.values[i] - view_.position.here()[i], 360);
-        if (way == nc::RotaryApproach::Shortest) turn = std::remainder(turn, 360);
-        if (way == nc::RotaryApproach::Positive && turn < 0) turn += 360;
-        if (way == nc::RotaryApproach::Negative && turn > 0) turn -= 360;
+        if (approach == nc::RotaryApproach::Shortest) turn = std::remainder(turn, 360);
+        if (approach == nc::RotaryApproach::Positive && turn < 0) turn += 360;
+        if (approach == nc::RotaryApproach::Negative && turn > 0) turn -= 360;
         target.here[i] = view_.position.here()[i] + turn;
         target.base[i] = target.here[i] + view_.frames.shift_values()[i];
     }

@@ -33,7 +33,7 @@ struct MotionView {
     const path::VirtualAxes& virtual_axes;
     const nc::Rules& rules;
     const nc::DialectTables& tables;
-    Units units;
+    ProgrammedUnits units;
 
     /// The block's own motion and dimensions act.
     void take(const nc::Block& block);
@@ -85,7 +85,7 @@ class MotionWords {
     // polynomial_words.cpp
     struct Polynomials {
         Target target;
-        std::vector<path::Pole> poles;  // homogeneous, in the programmed system
+        std::vector<path::ControlPoint> control_points;  // homogeneous, in the programmed system
     };
     std::optional<Polynomials> polynomials_of(const nc::Block& block);
 

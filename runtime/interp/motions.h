@@ -63,8 +63,8 @@ class Motions {
     void tap(const nc::Block& block, const Target& target);
     void thread(const nc::Block& block, const Target& target, const Actions& actions);
     Done require_thread_spindle(const nc::Block& block);
-    std::optional<double> thread_change(const nc::Block& block, double pitch, double way);
-    std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
+    std::optional<double> thread_change(const nc::Block& block, double pitch, double distance);
+    std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& delta);
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
     void put_arc(const nc::Block& block, const path::Arc& programmed, const Target& target,
                  bool exact_stop);
@@ -76,7 +76,7 @@ class Motions {
     void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
     void thread_along_arc(const nc::Block& block, const Target& target, const Actions& actions);
     std::optional<path::Arc> arc_of_thread(const nc::Block& block, const Target& target);
-    std::optional<Lead> pitch_of_arc(const nc::Block& block, const path::Vec3& way);
+    std::optional<ThreadPitch> pitch_of_arc(const nc::Block& block, const path::Vec3& delta);
     void move_without_length(const nc::Block& block, const Target& target, bool exact_stop);
     void measure_length(const nc::Block& block, const nc::Invocation& invocation);
     void involute(const nc::Block& block, const Target& programmed, bool exact_stop);
@@ -94,7 +94,7 @@ class Motions {
     Modal& modal_;
     Position& position_;
     control::Frames& frames_;
-    const Spindle& spindle_;
+    const ProgrammedSpindle& spindle_;
     const Tool& tool_;
     const Orienting& orienting_;
     const Tilting& tilted_plane_;
@@ -103,10 +103,10 @@ class Motions {
     const Corners& corners_;
     const RadiusCompState& comp_;
     const Compensation3d& comp_3d_;
-    const Units& units_;
+    const ProgrammedUnits& units_;
     const ProgrammedDynamics& dynamics_;
     AxisMask& unplaced_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
     AxisData& axes_;
     const AxisValues& length_shift_;
     AxisValues& preset_;

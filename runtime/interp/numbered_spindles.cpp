@@ -55,16 +55,16 @@ Spindles::Spindles(Channel& channel)
       spindle_(channel.state.spindle.spindle),
       other_spindles_(channel.state.spindle.other_spindles),
       owes_speed_(channel.state.spindle.owes_speed),
-      told_(channel.state.told) {}
+      reported_(channel.state.reported) {}
 
 void Spindles::set_up_spindles() {
     for (const machine::MachineSpindle& spindle : machine_.spindles)
         other_spindles_.emplace_back().number = spindle.number;
 }
 
-const Spindle* Spindles::spindle_at(std::int64_t number) const {
+const ProgrammedSpindle* Spindles::spindle_at(std::int64_t number) const {
     if (number == 0 || number == spindle_.number) return &spindle_;
-    const auto found = std::ranges::find(other_spindles_, number, &Spindle::number);
+    const auto found = std::ranges::find(other_spindles_, number, &ProgrammedSpindle::number);
     return found == other_spindles_.end() ? nullptr : &*found;
 }
 
@@ -76,7 +76,7 @@ template <typename Act>
 void Spindles::with_spindle(const Block& block, const Invocation& invocation, Act act) {
     const std::int64_t number = count_of(block, invocation, kSpindle);
     if (number == spindle_.number) return act();
-    const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
+    const auto other = std::ranges::find(other_spindles_, number, &ProgrammedSpindle::number);
     if (other == other_spindles_.end()) {
         reporter_.report(diag::SpindleMissing, block, invocation.function).arg(number);
         return;
@@ -106,7 +106,7 @@ void Spindles::select_master(const Block& block, const Invocation& invocation) {
     const std::int64_t number = std::llround(
         block.argument(invocation, parameter_of<Function::MasterSpindle>("spindle"), 1));
     if (number == spindle_.number) return;
-    const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
+    const auto other = std::ranges::find(other_spindles_, number, &ProgrammedSpindle::number);
     if (other == other_spindles_.end()) {
         reporter_.report(diag::SpindleMissing, block, invocation.function).arg(number);
         return;
@@ -118,13 +118,13 @@ void Spindles::select_master(const Block& block, const Invocation& invocation) {
     }
     const SpeedLimits limits = speed_limits();
     std::swap(spindle_, *other);
-    told_.renew_spindle();
-    told_.exchange_bound(spindle_.speed);  // of which was told when it was said
+    reported_.renew_spindle();
+    reported_.exchange_bound(spindle_.speed);  // of which was told when it was said
     path::Spindle& spindle = put_spindle(block);
     // One that stands at an angle does not go there again.
     const bool runs = is_running(spindle_.mode);
     spindle.mode = runs ? spindle_.mode : SpindleMode::Stop;
-    spindle.speed = runs ? spindle_.told.speed : 0;
+    spindle.speed = runs ? spindle_.commanded.speed : 0;
     spindle.has_cutting_speed = false;
     spindle.angle_deg = 0;
     put_speed_limits(block, limits);
@@ -160,15 +160,15 @@ void Spindles::act_on_spindle(const Block& block, const Invocation& invocation) 
 }
 
 void Spindles::update_other_spindles(const Block& block) {
-    for (Spindle& other : other_spindles_) {
+    for (ProgrammedSpindle& other : other_spindles_) {
         if (!names_spindle(block, other.number)) continue;
-        const double warned = told_.exchange_bound(0);
+        const double warned = reported_.exchange_bound(0);
         std::swap(spindle_, other);
         is_master_away_ = true;
         update_spindle(block);
         is_master_away_ = false;
         std::swap(spindle_, other);
-        told_.exchange_bound(warned);
+        reported_.exchange_bound(warned);
     }
     for (std::size_t i = 0; i < block.function_count && !reporter_.has_ended(); ++i) {
         const Invocation& invocation = block.functions[i];
@@ -187,7 +187,8 @@ void Spindles::dwell_by_spindle(const Block& block, const Invocation& invocation
     with_spindle(block, invocation, [&] {
         const double revolutions =
             block.argument(invocation, parameter_of<Function::SpindleDwell>("revolutions"));
-        const double speed = spindle_.has_cutting_speed ? turning_speed() : spindle_.told.speed;
+        const double speed =
+            spindle_.has_cutting_speed ? turning_speed() : spindle_.commanded.speed;
         const bool turns = is_running(spindle_.mode) && speed > 0;
         if (revolutions < 0 || !turns) {
             reporter_.report(diag::DwellInvalid, block, invocation.function)

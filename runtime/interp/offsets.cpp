@@ -18,7 +18,7 @@ using nc::Function;
 using nc::Invocation;
 using nc::parameter_of;
 using nc::parameter_of_all;
-using nc::Quantity;
+using nc::SystemQuantity;
 using Write = ControlAccess::Write;
 
 /// Which offset of a tool is written.
@@ -29,7 +29,7 @@ bool ToolInUse::has_edge(std::int64_t tool, std::int64_t edge) const {
     return tool >= 1 && tool <= rules_.tool_offsets && edge >= 0 && edge <= ToolOffsets::kMostEdges;
 }
 
-Write ToolInUse::set_edge_offset(Quantity quantity, std::int64_t tool, std::int64_t edge,
+Write ToolInUse::set_edge_offset(SystemQuantity quantity, std::int64_t tool, std::int64_t edge,
                                  double value) {
     if (!has_edge(tool, edge)) return Write::NoSuchEntry;
     const std::int64_t number = ToolOffsets::of_edge(tool, edge);
@@ -38,7 +38,7 @@ Write ToolInUse::set_edge_offset(Quantity quantity, std::int64_t tool, std::int6
 
 Write ToolInUse::set_tool_offset(ToolOffsets::Column column, std::int64_t number, double value) {
     if (number < 1 || ToolOffsets::tool_of(number) > rules_.tool_offsets) return Write::NoSuchEntry;
-    const double mm_per_unit = units_ == Units::Inch ? kMmPerInch / 10 : 1;
+    const double mm_per_unit = units_ == ProgrammedUnits::Inch ? kMmPerInch / 10 : 1;
     constexpr double kRounding = 1e-9;  // of a value that was worked out in inches
     if (rules_.most_tool_offset > 0 &&
         std::abs(value) > rules_.most_tool_offset * mm_per_unit + kRounding)
@@ -68,18 +68,20 @@ Write ToolInUse::set_active_datum(std::int64_t datum, double value) {
     return Write::Done;
 }
 
-Write ToolInUse::set_extra(Quantity quantity, std::int64_t first, double value) {
-    if (quantity == Quantity::ExtraLength && (first < 1 || first > 3)) return Write::NoSuchEntry;
-    if (quantity == Quantity::ExtraAlong) {
+Write ToolInUse::set_extra(SystemQuantity quantity, std::int64_t first, double value) {
+    if (quantity == SystemQuantity::ExtraLength && (first < 1 || first > 3))
+        return Write::NoSuchEntry;
+    if (quantity == SystemQuantity::ExtraAlong) {
         const auto axis = channel_.answers.axis_of(first);
         if (!axis || index(*axis) > 2) return Write::NoSuchEntry;
         extra_.lengths.setZero();
         extra_.along[static_cast<Eigen::Index>(index(*axis))] = value;
-    } else if (quantity != Quantity::ExtraRadius) {
+    } else if (quantity != SystemQuantity::ExtraRadius) {
         extra_.along.setZero();
-        extra_.lengths[quantity == Quantity::ExtraBoth ? 0 : first - 1] = value;
+        extra_.lengths[quantity == SystemQuantity::ExtraBoth ? 0 : first - 1] = value;
     }
-    const bool is_of_radius = quantity == Quantity::ExtraRadius || quantity == Quantity::ExtraBoth;
+    const bool is_of_radius =
+        quantity == SystemQuantity::ExtraRadius || quantity == SystemQuantity::ExtraBoth;
     if (is_of_radius) extra_.radius = value;
     expect_length();
     if (is_of_radius && comp_.is_on())
@@ -102,24 +104,25 @@ void ToolInUse::write_tool_offset(const Block& block, const Invocation& invocati
 void ToolInUse::write_lathe_offset(const Block& block, const Invocation& invocation) {
     struct Word {
         std::size_t parameter;
-        Quantity geometry;
-        Quantity wear;
+        SystemQuantity geometry;
+        SystemQuantity wear;
         bool is_added = false;
     };
     static constexpr std::array kWords = {
-        Word{parameter_of<Function::LatheOffsetData>("x"), Quantity::CrossGeometry,
-             Quantity::CrossWear},
-        Word{parameter_of<Function::LatheOffsetData>("z"), Quantity::LengthGeometry,
-             Quantity::LengthWear},
-        Word{parameter_of<Function::LatheOffsetData>("radius"), Quantity::RadiusGeometry,
-             Quantity::RadiusWear},
-        Word{parameter_of<Function::LatheOffsetData>("tip"), Quantity::ToolTip, Quantity::ToolTip},
-        Word{parameter_of<Function::LatheOffsetData>("dx"), Quantity::CrossGeometry,
-             Quantity::CrossWear, true},
-        Word{parameter_of<Function::LatheOffsetData>("dz"), Quantity::LengthGeometry,
-             Quantity::LengthWear, true},
-        Word{parameter_of<Function::LatheOffsetData>("dradius"), Quantity::RadiusGeometry,
-             Quantity::RadiusWear, true},
+        Word{parameter_of<Function::LatheOffsetData>("x"), SystemQuantity::CrossGeometry,
+             SystemQuantity::CrossWear},
+        Word{parameter_of<Function::LatheOffsetData>("z"), SystemQuantity::LengthGeometry,
+             SystemQuantity::LengthWear},
+        Word{parameter_of<Function::LatheOffsetData>("radius"), SystemQuantity::RadiusGeometry,
+             SystemQuantity::RadiusWear},
+        Word{parameter_of<Function::LatheOffsetData>("tip"), SystemQuantity::ToolTip,
+             SystemQuantity::ToolTip},
+        Word{parameter_of<Function::LatheOffsetData>("dx"), SystemQuantity::CrossGeometry,
+             SystemQuantity::CrossWear, true},
+        Word{parameter_of<Function::LatheOffsetData>("dz"), SystemQuantity::LengthGeometry,
+             SystemQuantity::LengthWear, true},
+        Word{parameter_of<Function::LatheOffsetData>("dradius"), SystemQuantity::RadiusGeometry,
+             SystemQuantity::RadiusWear, true},
     };
     const bool is_geometry =
         block.argument(invocation, parameter_of<Function::LatheOffsetData>("geometry")) != 0;
@@ -129,7 +132,8 @@ void ToolInUse::write_lathe_offset(const Block& block, const Invocation& invocat
         const auto column =
             *tool_offsets_.column_of(is_geometry ? word.geometry : word.wear, number);
         double value = block.argument(invocation, word.parameter);
-        if (word.geometry == Quantity::CrossGeometry) value *= axes_.word_scale[index(Axis::X)];
+        if (word.geometry == SystemQuantity::CrossGeometry)
+            value *= axes_.word_scale[index(Axis::X)];
         if (word.is_added) value += tool_offsets_.value(column, number);
         put_tool_offset(block, invocation, column, value);
         if (reporter_.has_ended()) return;

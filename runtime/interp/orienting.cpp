@@ -35,7 +35,7 @@ using path::Vec3;
 namespace {
 
 /// The joints of one side of the machine; those of the other stand at 0.
-Vec3 joints_on(const Chain& chain, machine::Side side, const Vec3& joints) {
+Vec3 joints_on(const Chain& chain, machine::ChainSide side, const Vec3& joints) {
     Vec3 found = Vec3::Zero();
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         const auto i = static_cast<Eigen::Index>(k);
@@ -47,7 +47,7 @@ Vec3 joints_on(const Chain& chain, machine::Side side, const Vec3& joints) {
 /// From where the table stands into the workpiece.
 path::Frame table_frame(const Chain& chain, const Vec3& joints) {
     machine::ChainPosition position;
-    position.rotary = joints_on(chain, machine::Side::Table, joints);
+    position.rotary = joints_on(chain, machine::ChainSide::Table, joints);
     const auto place_of = [&](const Vec3& linear) {
         position.linear = linear;
         return machine::forward(chain, position, Vec3::Zero()).tip;
@@ -87,7 +87,7 @@ Transformation::Transformation(Channel& channel)
       tilted_plane_(channel.state.tool.tilted_plane),
       virtual_(channel.state.tool.virtual_axes),
       comp_(channel.state.stage.comp),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       length_shift_(channel.state.motion.length_shift) {}
 
 Vec3 Transformation::joints_of(const AxisValues& base) const {
@@ -96,7 +96,7 @@ Vec3 Transformation::joints_of(const AxisValues& base) const {
 
 std::array<std::size_t, 2> Transformation::joints_in_order() const {
     const Chain& chain = machine_.kinematics->chain;
-    const bool both_on_head = chain.joints[machine::kR1].side == machine::Side::Head;
+    const bool both_on_head = chain.joints[machine::kR1].side == machine::ChainSide::Head;
     if (both_on_head || !chain.has(machine::kR2)) return {machine::kR1, machine::kR2};
     return {machine::kR2, machine::kR1};
 }
@@ -140,10 +140,10 @@ Done Transformation::require_transformation(const Block& block, const nc::Invoca
             .arg(machine_.name);
         return kFailed;
     }
-    const Vec3 said(block.argument(invocation, kX), block.argument(invocation, kX + 1),
-                    block.argument(invocation, kX + 2));
+    const Vec3 programmed(block.argument(invocation, kX), block.argument(invocation, kX + 1),
+                          block.argument(invocation, kX + 2));
     if ((invocation.given >> kX & 7u) != 0) {
-        const auto direction = machine::unit_of(said);
+        const auto direction = machine::unit_of(programmed);
         const Vec3& own = machine_.kinematics->chain.tool_direction;
         if (!direction) {
             reporter_.report(diag::OrientationZero, block, function, kX);
@@ -151,7 +151,7 @@ Done Transformation::require_transformation(const Block& block, const nc::Invoca
         }
         if ((*direction - own).norm() > kSameDirection) {
             reporter_.report(diag::BaseDirection, block, function, kX)
-                .arg(written_direction(said))
+                .arg(written_direction(programmed))
                 .arg(written_direction(own));
             return kFailed;
         }
@@ -234,8 +234,8 @@ void Transformation::begin_length_transformation(const Block& block,
         parameter_of_all<"offset", Function::TcpLength, Function::TcpVector>();
     constexpr std::size_t kPlane =
         parameter_of_all<"plane", Function::TcpLength, Function::TcpVector>();
-    orienting_.turning = block.argument(invocation, kPlane) == 1 ? OrientInterpolation::Plane
-                                                                 : OrientInterpolation::Axes;
+    orienting_.interpolation = block.argument(invocation, kPlane) == 1 ? OrientInterpolation::Plane
+                                                                       : OrientInterpolation::Axes;
     orienting_.lead = orienting_.takes_vectors
                           ? block.argument(invocation, parameter_of<Function::TcpVector>("lead"))
                           : 0;
@@ -261,7 +261,9 @@ void Transformation::begin_length_transformation(const Block& block,
 
 void Transformation::choose(Function member) {
     switch (nc::group_of(member)) {
-        case nc::Group::Turning: orienting_.turning = orient_interpolation_of(member); break;
+        case nc::Group::OrientInterpolation:
+            orienting_.interpolation = orient_interpolation_of(member);
+            break;
         case nc::Group::OrientAngles:
             orienting_.angles = tool_angles_of(member);
             if (member == Function::AnglesEuler || member == Function::AnglesZyz)
@@ -290,7 +292,7 @@ void Transformation::take_position(const AxisValues& base) {
 void Transformation::end_length_transformation(Actions& actions) {
     const Chain& chain = machine_.kinematics->chain;
     const AxisValues axes = machine_axes();
-    const Vec3 head = joints_on(chain, machine::Side::Head, joints_of(axes));
+    const Vec3 head = joints_on(chain, machine::ChainSide::Head, joints_of(axes));
     const Vec3 length = rules_.length_moves_alone
                             ? Vec3(machine::rotation_of(chain, head) * tool_.lengths)
                             : tool_.lengths;
@@ -304,7 +306,7 @@ void Transformation::end_length_transformation(Actions& actions) {
 
 void Transformation::check_offset_programmed(const Block& block) {
     if (!std::exchange(orienting_.owes_offset, false)) return;
-    if (!told_.first_time(Once::WorkOffset)) return;
+    if (!reported_.first_time(RunNotice::WorkOffset)) return;
     DiagnosticBuilder warning = reporter_.report(diag::TransformationOffset, block);
     const std::string offset = write::spelling_of_offset(dialect_, work_offset_);
     if (!offset.empty()) warning.fix("say it there: `" + offset + "`");

@@ -12,7 +12,7 @@
 
 namespace kadr::interp {
 
-class Output {
+class CommandOutput {
   public:
     /// Starts a batch; what the last one had no room for comes first.
     void open(std::span<path::Command> out) {

@@ -40,10 +40,10 @@ bool Executor::is_plain_state() const {
 /// Words of axes alone, each a place, for a line or a rapid.
 bool Executor::is_plain_block(const Block& block) const {
     const SlotMask others = block.given & ~SlotMask{axes_.present};
-    const bool is_of_places =
+    const bool is_of_positions =
         block.given != 0 && others == 0 && block.incremental == 0 && block.rotary_approaches == 0;
-    return block.kind == Block::Kind::Nc && block.function_count == 0 && block.skip < 0 &&
-           block.x_measure == nc::XMeasure::Modal && is_of_places;
+    return block.kind == Block::Kind::Nc && block.function_count == 0 && block.skip_level < 0 &&
+           block.x_measure == nc::XMeasure::Modal && is_of_positions;
 }
 
 /// A block that is not a plain one is left alone.
@@ -53,8 +53,9 @@ Executor::Plainly Executor::move_plainly(const Block& block) {
     if (!*is_plain_) return Plainly::NotPlain;
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_rapid = motion == Function::Rapid;
-    if (is_rapid ? !told_.has_reported(Once::Rapid) && spindle_.mode == path::SpindleMode::Stop
-                 : motion != Function::Line)
+    if (is_rapid
+            ? !reported_.has_reported(RunNotice::Rapid) && spindle_.mode == path::SpindleMode::Stop
+            : motion != Function::Line)
         return Plainly::NotPlain;
     if (!is_rapid && channel_.feed.may_count_degrees(block)) return Plainly::NotPlain;
     if (options_.max_blocks != 0 && block_count_ >= options_.max_blocks) return Plainly::NotPlain;

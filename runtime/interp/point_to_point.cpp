@@ -57,7 +57,7 @@ bool ToolMotion::goes_straight(const Block& block, const Actions& actions) const
     return goes_straight(is_rapid ? Op::Rapid : Op::Line);
 }
 
-Done ToolMotion::require_point_to_point_way(const Block& block, const Actions& actions) {
+Done ToolMotion::require_point_to_point_motion(const Block& block, const Actions& actions) {
     const bool is_wanted = orienting_.point_to_point == PointToPoint::All ||
                            (orienting_.point_to_point == PointToPoint::Rapids &&
                             (actions.at_rapid || modal_.motion == Function::Rapid));
@@ -71,7 +71,8 @@ Done ToolMotion::require_point_to_point_way(const Block& block, const Actions& a
         orienting_.has_length)
         return kDone;
     std::string why;
-    if (actions.soft != nullptr) why = reporter_.word_of(block, actions.soft->function);
+    if (actions.smooth_approach != nullptr)
+        why = reporter_.word_of(block, actions.smooth_approach->function);
     else if (comp_.is_on()) why = reporter_.spelling_of(function_of(comp_.side));
     else if (actions.probes) why = reporter_.word_of(block, Function::Probe);
     else if (!actions.at_rapid && modal_.motion != Function::Rapid &&
@@ -137,9 +138,10 @@ machine::JointLimits ToolMotion::signed_limits(const ToolWords& tool) const {
 /// Where the axes stand for the tool that the block says. What leads a tool along a path leads
 /// none here.
 Done ToolMotion::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
-    const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || spins_with_path(tool);
+    const bool is_led = is_led_by_surface(tool) || tool.point.is_given() || spins_with_path(tool);
     if (is_led || tool.lead) {
-        const Function word = tool.lead ? Function::ToolLead : function_of(orienting_.turning);
+        const Function word =
+            tool.lead ? Function::ToolLead : function_of(orienting_.interpolation);
         reporter_.report(diag::PointMotion, block)
             .arg(spins_with_path(tool) ? reporter_.spelling_of(function_of(orienting_.spin))
                  : tool.lead           ? reporter_.word_of(block, word)
@@ -166,7 +168,7 @@ Done ToolMotion::lay_point_to_point(const Block& block, const ToolWords& tool, T
 Done ToolMotion::stand_along(const Block& block, const ToolWords& tool, const Vec3& to,
                              Target& target) {
     const Chain& chain = machine_.kinematics->chain;
-    machine::PathQuery query = query_to(to, tool.angles.is_said() ? &tool : nullptr);
+    machine::PathQuery query = query_to(to, tool.angles.is_given() ? &tool : nullptr);
     query.mode = machine::PathMode::Axis;
     const auto nearest = machine::choose_path(chain, query);
     if (!nearest) {
@@ -192,19 +194,19 @@ Done ToolMotion::turn_by_signs(const Block& block, const ToolWords& tool, Target
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k) || !block.has(nc::slot_of(chain.joints[k].axis))) continue;
         const std::size_t i = index(chain.joints[k].axis);
-        double& place = target.base[i];
+        double& parameter = target.base[i];
         const auto fits = [&](double at) {
             constexpr double kSlack = 1e-9;  // rad
             return rad_from_deg(at) >= limits[k].lower - kSlack &&
                    rad_from_deg(at) <= limits[k].upper + kSlack;
         };
-        for (const double other : {place - kWhole, place + kWhole})
-            if (!fits(place) && fits(other)) place = other;
-        if (!fits(place)) {
+        for (const double other : {parameter - kWhole, parameter + kWhole})
+            if (!fits(parameter) && fits(other)) parameter = other;
+        if (!fits(parameter)) {
             reporter_.report(diag::AxisChoiceMissing, block);
             return kFailed;
         }
-        target.here[i] = place - frames_.shift_values()[i];
+        target.here[i] = parameter - frames_.shift_values()[i];
     }
     return kDone;
 }

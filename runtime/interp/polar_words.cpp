@@ -67,12 +67,12 @@ std::optional<Block> MotionWords::with_polar_slots(const Block& block, Polar& po
 Block MotionWords::at_polar(const Block& block, const Polar& polar) const {
     const path::PlaneAxes plane = path::axes_of(view_.plane);
     const double angle = rad_from_deg(polar.angle_deg);
-    const path::Vec2 place =
+    const path::Vec2 point =
         polar.pole + polar.radius * path::Vec2(std::cos(angle), std::sin(angle));
     Block made = block;
     made.given &= ~nc::kPolarSlots;
-    set_coordinate(made, plane.first, place.x());
-    set_coordinate(made, plane.second, place.y());
+    set_coordinate(made, plane.first, point.x());
+    set_coordinate(made, plane.second, point.y());
     return made;
 }
 

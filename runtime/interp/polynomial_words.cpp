@@ -16,8 +16,8 @@ using nc::Invocation;
 using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
+using path::ControlPoint;
 using path::linear;
-using path::Pole;
 
 namespace {
 
@@ -52,10 +52,10 @@ std::size_t degree_of(const Terms& terms) {
 }
 
 /// (begin + way·q) times a polynomial.
-Terms line_times(double begin, double way, const Terms& by) {
+Terms line_times(double begin, double distance, const Terms& by) {
     Terms product{};
     for (std::size_t k = 0; k < kTerms; ++k)
-        product[k] = begin * by[k] + (k > 0 ? way * by[k - 1] : 0);
+        product[k] = begin * by[k] + (k > 0 ? distance * by[k - 1] : 0);
     return product;
 }
 
@@ -156,14 +156,14 @@ std::optional<MotionWords::Polynomials> MotionWords::polynomials_of(const Block&
         reporter_.report(diag::PolynomialDegree, block).arg(static_cast<int>(degree));
         return std::nullopt;
     }
-    Polynomials course{*target, std::vector<Pole>(degree + 1)};
+    Polynomials polynomials{*target, std::vector<ControlPoint>(degree + 1)};
     for (std::size_t j = 0; j <= degree; ++j) {
-        Pole& pole = course.poles[j];
+        ControlPoint& control_point = polynomials.control_points[j];
         for (std::size_t i = 0; i < 3; ++i)
-            pole[static_cast<Eigen::Index>(i)] = bernstein(axes[i], degree, j);
-        pole[3] = bernstein(weight, degree, j);
+            control_point[static_cast<Eigen::Index>(i)] = bernstein(axes[i], degree, j);
+        control_point[3] = bernstein(weight, degree, j);
     }
-    return course;
+    return polynomials;
 }
 
 }  // namespace kadr::interp

@@ -27,8 +27,8 @@
 namespace kadr::interp {
 
 using nc::Block;
+using path::ControlPoint;
 using path::linear;
-using path::Pole;
 using path::Vec3;
 
 namespace {
@@ -43,56 +43,64 @@ constexpr double kFollowed = 1e-3;
 constexpr int kMostFollowedCuts = 10;
 
 /// The control points of both halves, homogeneous.
-std::array<std::vector<Pole>, 2> halves(std::vector<Pole> poles) {
-    std::array<std::vector<Pole>, 2> halves;
-    std::vector<Pole> behind(poles.size());
-    for (std::size_t k = 0; k < poles.size(); ++k) {
-        halves[0].push_back(poles[0]);
-        behind[poles.size() - 1 - k] = poles[poles.size() - 1 - k];
-        for (std::size_t i = 0; i + k + 1 < poles.size(); ++i)
-            poles[i] = (poles[i] + poles[i + 1]) / 2;
+std::array<std::vector<ControlPoint>, 2> halves(std::vector<ControlPoint> control_points) {
+    std::array<std::vector<ControlPoint>, 2> halves;
+    std::vector<ControlPoint> behind(control_points.size());
+    for (std::size_t k = 0; k < control_points.size(); ++k) {
+        halves[0].push_back(control_points[0]);
+        behind[control_points.size() - 1 - k] = control_points[control_points.size() - 1 - k];
+        for (std::size_t i = 0; i + k + 1 < control_points.size(); ++i)
+            control_points[i] = (control_points[i] + control_points[i + 1]) / 2;
     }
     halves[1] = std::move(behind);
     return halves;
 }
 
 /// Of the whole, the curve between two parameters.
-struct Piece {
-    std::vector<Pole> poles;  // homogeneous
+struct PolynomialPiece {
+    std::vector<ControlPoint> control_points;  // homogeneous
     double from = 0;
     double to = 1;
 };
 
-std::array<Piece, 2> halves(const Piece& piece) {
-    auto [before, behind] = halves(piece.poles);
+std::array<PolynomialPiece, 2> halves(const PolynomialPiece& piece) {
+    auto [before, behind] = halves(piece.control_points);
     const double middle = (piece.from + piece.to) / 2;
-    return {Piece{std::move(before), piece.from, middle},
-            Piece{std::move(behind), middle, piece.to}};
+    return {PolynomialPiece{std::move(before), piece.from, middle},
+            PolynomialPiece{std::move(behind), middle, piece.to}};
 }
 
 /// Cuts a curve until the weights of all its control points are positive.
-bool cut_to_positive(const Piece& piece, int cuts, std::vector<Piece>& out) {
-    const std::vector<Pole>& poles = piece.poles;
-    if (!(poles.front()[3] > kLeastWeight) || !(poles.back()[3] > kLeastWeight)) return false;
-    const bool is_positive =
-        std::ranges::all_of(poles, [](const Pole& pole) { return pole[3] > kLeastWeight; });
+bool cut_to_positive(const PolynomialPiece& piece, int cuts, std::vector<PolynomialPiece>& out) {
+    const std::vector<ControlPoint>& control_points = piece.control_points;
+    if (!(control_points.front()[3] > kLeastWeight) || !(control_points.back()[3] > kLeastWeight))
+        return false;
+    const bool is_positive = std::ranges::all_of(
+        control_points,
+        [](const ControlPoint& control_point) { return control_point[3] > kLeastWeight; });
     if (is_positive) {
         out.push_back(piece);
         return true;
     }
     if (cuts == 0) return false;
-    return std::ranges::all_of(
-        halves(piece), [&](const Piece& half) { return cut_to_positive(half, cuts - 1, out); });
+    return std::ranges::all_of(halves(piece), [&](const PolynomialPiece& half) {
+        return cut_to_positive(half, cuts - 1, out);
+    });
 }
 
-path::SplineSpan span_of(const std::vector<Pole>& poles, const path::Frame& frame) {
-    const auto point = [&](const Pole& pole) { return frame(pole.head<3>() / pole[3]); };
+path::SplineSpan span_of(const std::vector<ControlPoint>& control_points,
+                         const path::Frame& frame) {
+    const auto point = [&](const ControlPoint& control_point) {
+        return frame(control_point.head<3>() / control_point[3]);
+    };
     path::SplineSpan span;
-    span.start = point(poles.front());
-    span.end = point(poles.back());
-    span.shape.degree = static_cast<int>(poles.size()) - 1;
-    for (std::size_t i = 0; i < poles.size(); ++i) span.shape.weights[i] = poles[i][3];
-    for (std::size_t i = 1; i + 1 < poles.size(); ++i) span.shape.inner[i - 1] = point(poles[i]);
+    span.start = point(control_points.front());
+    span.end = point(control_points.back());
+    span.shape.degree = static_cast<int>(control_points.size()) - 1;
+    for (std::size_t i = 0; i < control_points.size(); ++i)
+        span.shape.weights[i] = control_points[i][3];
+    for (std::size_t i = 1; i + 1 < control_points.size(); ++i)
+        span.shape.inner[i - 1] = point(control_points[i]);
     return span;
 }
 
@@ -117,46 +125,49 @@ SpanLength span_length(const path::SplineSpan& span) {
                                  : span_length(path::make_spline(span.start, span.end, span.shape));
 }
 
-/// Cuts pieces until axes that go by `way` over the whole parameter are nowhere further than
+/// Cuts pieces until axes that go by `distance` over the whole parameter are nowhere further than
 /// kFollowed from where the parameter wants them.
-void cut_evenly(const Piece& piece, double way, const path::Frame& frame, int cuts,
-                std::vector<Piece>& out) {
-    const double own_way = way * (piece.to - piece.from);
-    if (cuts == 0 || span_length(span_of(piece.poles, frame)).uneven * own_way <= kFollowed) {
+void cut_evenly(const PolynomialPiece& piece, double distance, const path::Frame& frame, int cuts,
+                std::vector<PolynomialPiece>& out) {
+    const double own_distance = distance * (piece.to - piece.from);
+    if (cuts == 0 ||
+        span_length(span_of(piece.control_points, frame)).uneven * own_distance <= kFollowed) {
         out.push_back(piece);
         return;
     }
-    for (const Piece& half : halves(piece)) cut_evenly(half, way, frame, cuts - 1, out);
+    for (const PolynomialPiece& half : halves(piece))
+        cut_evenly(half, distance, frame, cuts - 1, out);
 }
 
 /// A span, and what its command says beside it.
 struct ProgrammedSpan {
     path::SplineSpan span;
-    ControlPointBlock said;
+    ControlPointBlock control_point;
 };
 
 /// The pieces as spans, which begin and end where the block does.
 ///
 /// shares_time  the feed is that of the block's time, which the pieces share by their lengths
-std::vector<ProgrammedSpan> programmed_spans(const std::vector<Piece>& pieces,
+std::vector<ProgrammedSpan> programmed_spans(const std::vector<PolynomialPiece>& pieces,
                                              const path::Frame& frame, const AxisValues& from,
-                                             const ControlPointBlock& said, bool shares_time) {
+                                             const ControlPointBlock& control_point,
+                                             bool shares_time) {
     std::vector<ProgrammedSpan> spans;
     std::vector<double> lengths;
     double whole = 0;
-    for (const Piece& piece : pieces) {
+    for (const PolynomialPiece& piece : pieces) {
         ProgrammedSpan& span =
-            spans.emplace_back(ProgrammedSpan{span_of(piece.poles, frame), said});
+            spans.emplace_back(ProgrammedSpan{span_of(piece.control_points, frame), control_point});
         for (std::size_t i = 3; i < kAxes && &piece != &pieces.back(); ++i)
-            span.said.to[i] = from[i] + (said.to[i] - from[i]) * piece.to;
+            span.control_point.to[i] = from[i] + (control_point.to[i] - from[i]) * piece.to;
     }
     spans.front().span.start = linear(from);
-    spans.back().span.end = linear(said.to);
+    spans.back().span.end = linear(control_point.to);
     if (!shares_time || spans.size() == 1) return spans;
     for (const ProgrammedSpan& span : spans)
         whole += lengths.emplace_back(span_length(span.span).whole);
     for (std::size_t i = 0; i < spans.size(); ++i)
-        if (lengths[i] > 0) spans[i].said.feed = said.feed * whole / lengths[i];
+        if (lengths[i] > 0) spans[i].control_point.feed = control_point.feed * whole / lengths[i];
     return spans;
 }
 
@@ -172,15 +183,16 @@ std::vector<double> shares_of(const std::vector<ProgrammedSpan>& spans) {
 
 std::vector<ControlPointBlock*> blocks_of(std::vector<ProgrammedSpan>& spans) {
     std::vector<ControlPointBlock*> blocks;
-    for (ProgrammedSpan& span : spans) blocks.push_back(&span.said);
+    for (ProgrammedSpan& span : spans) blocks.push_back(&span.control_point);
     return blocks;
 }
 
 /// The greatest way of an axis beside X, Y and Z, mm or deg.
-double greatest_other_way(const AxisValues& from, const AxisValues& to) {
-    double way = 0;
-    for (std::size_t i = 3; i < kAxes; ++i) way = std::max(way, std::abs(to[i] - from[i]));
-    return way;
+double greatest_other_travel(const AxisValues& from, const AxisValues& to) {
+    double distance = 0;
+    for (std::size_t i = 3; i < kAxes; ++i)
+        distance = std::max(distance, std::abs(to[i] - from[i]));
+    return distance;
 }
 
 }  // namespace
@@ -189,34 +201,34 @@ void Splines::polynomial(const Block& block, const ToolWords& tool, bool exact_s
     if (!channel_.checks.require_feed(block, "polynomial")) return;
     channel_.cornering.leave_corners(diag::CornerNotContour);
     if (reporter_.has_ended()) return;
-    std::optional<MotionWords::Polynomials> course =
+    std::optional<MotionWords::Polynomials> polynomials =
         channel_.motions.motion_words().polynomials_of(block);
-    if (!course) return;
-    Target* const target = &course->target;
-    std::vector<Pole>& poles = course->poles;
-    const std::size_t degree = poles.size() - 1;
-    std::vector<Piece> positive;
-    if (!cut_to_positive({std::move(poles)}, kMostCuts, positive)) {
+    if (!polynomials) return;
+    Target* const target = &polynomials->target;
+    std::vector<ControlPoint>& control_points = polynomials->control_points;
+    const std::size_t degree = control_points.size() - 1;
+    std::vector<PolynomialPiece> positive;
+    if (!cut_to_positive({std::move(control_points)}, kMostCuts, positive)) {
         reporter_.report(diag::PolynomialZero, block);
         return;
     }
-    const double way = greatest_other_way(position_.base(), target->base);
-    std::vector<Piece> pieces;
-    for (const Piece& piece : positive)
-        cut_evenly(piece, way, frames_.total(), kMostFollowedCuts, pieces);
+    const double distance = greatest_other_travel(position_.base(), target->base);
+    std::vector<PolynomialPiece> pieces;
+    for (const PolynomialPiece& piece : positive)
+        cut_evenly(piece, distance, frames_.total(), kMostFollowedCuts, pieces);
     if (!channel_.tool_motion.require_orientation_along(block, tool)) return;
     if (tool_.has_changed) channel_.tool.activate_length(block, target->moved);
     if (!channel_.checks.require_within_limits(block, target->base, target->moved)) return;
-    ControlPointBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
-    said.modes = orienting_;
+    ControlPointBlock control_point{block.line, block.source, modal_.feed, target->base, {}, {}};
+    control_point.modes = orienting_;
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
     std::vector<ProgrammedSpan> spans =
-        programmed_spans(pieces, frames_.total(), position_.base(), said, shares_time);
+        programmed_spans(pieces, frames_.total(), position_.base(), control_point, shares_time);
     if (!channel_.tool_motion.share_orientation(block, tool, shares_of(spans), blocks_of(spans)))
         return;
     for (std::size_t i = 0; i < spans.size() && !reporter_.has_ended(); ++i) {
         const bool is_last = i + 1 == spans.size();
-        put_span(spans[i].span, spans[i].said, target->moved, is_last && exact_stop);
+        put_span(spans[i].span, spans[i].control_point, target->moved, is_last && exact_stop);
     }
     if (reporter_.has_ended()) return;
     if (orienting_.is_on)

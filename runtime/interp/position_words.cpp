@@ -71,23 +71,23 @@ void PositionWords::set_pole(const Block& block, const Invocation& invocation,
         words.reporter().report(diag::PoleAngleTooLarge, block, Function::Pole).arg(angle_deg);
         return;
     }
-    path::Vec2 place{radius * std::cos(rad_from_deg(angle_deg)),
+    path::Vec2 point{radius * std::cos(rad_from_deg(angle_deg)),
                      radius * std::sin(rad_from_deg(angle_deg))};
     if (!is_polar) {
         const auto word = [&](Axis axis) {
             return block.argument(invocation, kX + index(axis)) *
                    words.view().axes.word_scale[index(axis)];
         };
-        place = {word(plane.first), word(plane.second)};
+        point = {word(plane.first), word(plane.second)};
     }
     const double from = block.argument(invocation, parameter_of<Function::Pole>("from"));
-    if (from == kHere) place += words.position_in_plane();
-    if (from == kPole) place += polar_.pole;
-    polar_.pole = place;
+    if (from == kHere) point += words.position_in_plane();
+    if (from == kPole) point += polar_.pole;
+    polar_.pole = point;
     polar_.angle_deg = 0;
     if (!words.view().rules.center_stays) return;
-    centers_[index(plane.first)] = place.x();
-    centers_[index(plane.second)] = place.y();
+    centers_[index(plane.first)] = point.x();
+    centers_[index(plane.second)] = point.y();
 }
 
 /// From here on the words of the plane's axes are radius and angle; until they are said, they are
@@ -216,8 +216,9 @@ const Block* PositionWords::with_polar_axes(const Block& block, MotionWords& wor
     }
     if (block.has(angle)) {
         // The reader took the number for a length.
-        const double angle_deg =
-            words.view().units == Units::Inch ? block.at(angle) / kMmPerInch : block.at(angle);
+        const double angle_deg = words.view().units == ProgrammedUnits::Inch
+                                     ? block.at(angle) / kMmPerInch
+                                     : block.at(angle);
         polar_.angle_deg =
             words.is_distance(block, angle) ? polar_.angle_deg + angle_deg : angle_deg;
     }
@@ -228,10 +229,10 @@ const Block* PositionWords::with_polar_axes(const Block& block, MotionWords& wor
 /// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if
 /// it says no radius; words that stand beside no arc have done all that they do.
 const Block& PositionWords::with_center(const Block& block, const MotionWords& words) {
-    const SlotMask said = block.given & nc::kCenterSlots;
+    const SlotMask programmed = block.given & nc::kCenterSlots;
     for (std::size_t i = 0; i < centers_.size(); ++i) {
         const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
-        if ((said & bit(slot)) == 0) continue;
+        if ((programmed & bit(slot)) == 0) continue;
         const double from = (block.absolute & bit(slot)) != 0 ? 0 : words.view().position.here()[i];
         centers_[i] = from + block.at(slot);
     }
@@ -239,7 +240,7 @@ const Block& PositionWords::with_center(const Block& block, const MotionWords& w
     const bool is_moved = (block.given & nc::kTargetSlots) != 0 || block.motion != Function::None;
     const bool turns = is_arc(motion) && is_moved;
     if (turns && block.has(Slot::Radius)) return block;
-    if (!turns && said == 0) return block;
+    if (!turns && programmed == 0) return block;
     centered_ = block;
     centered_.given &= ~nc::kCenterSlots;
     if (!turns) return centered_;
@@ -284,10 +285,10 @@ const Block* PositionWords::with_angle(const Block& block, const nc::Invocation&
         words.reporter().report(diag::AngleAndEnd, block, Function::ContourAngle);
         return nullptr;
     }
-    const Vec2 way = to - from;
+    const Vec2 delta = to - from;
     const double part = has_first ? along.x() : along.y();
     const double length =
-        std::abs(part) < kParallelLines ? -1 : (has_first ? way.x() : way.y()) / part;
+        std::abs(part) < kParallelLines ? -1 : (has_first ? delta.x() : delta.y()) / part;
     if (!(length >= 0)) {
         words.reporter().report(diag::AngleWithoutCorner, block, Function::ContourAngle);
         return nullptr;

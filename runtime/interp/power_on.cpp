@@ -37,7 +37,7 @@ void BlockFunctions::power_on() {
     }
     for (const nc::DialectGroup& group : tables.groups) {
         for (const Function function : group.power_on)
-            if (nc::info(function).group == Group::Once) begin_with(function);
+            if (nc::info(function).group == Group::NonModal) begin_with(function);
     }
     channel_.tool.expect_length(tool_.source != Tool::Source::None);
 }

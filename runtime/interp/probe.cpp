@@ -35,12 +35,13 @@ const ProbeTouch* Probe::take_touch(const Block& block) {
 }
 
 Probe::Event Probe::touch_of_event(const Block& block, const ProgrammedMove& move,
-                                   const AxisData& axes, Units units, Reporter& reporter) {
+                                   const AxisData& axes, ProgrammedUnits units,
+                                   Reporter& reporter) {
     const ProbeTouch* const found = take_touch(block);
     if (found == nullptr) return {};
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((found->axes >> i & 1u) == 0) continue;
-        const bool is_inch = units == Units::Inch && !is_rotary(static_cast<Axis>(i));
+        const bool is_inch = units == ProgrammedUnits::Inch && !is_rotary(static_cast<Axis>(i));
         const double unit = axes.word_scale[i] * (is_inch ? kMmPerInch : 1);
         const double at = found->at[i] * unit;
         const double from = move.from[i];
@@ -76,7 +77,7 @@ std::vector<ProbeTouch> Probe::touches_ahead() const {
 std::optional<double> Probe::touch_of_scene(const SceneMove& move) const {
     const double radius = scene_->radius.value_or(move.tool_radius);
     Vec3 to_center = Vec3::Zero();
-    if (!scene_->is_center_told)
+    if (!scene_->is_center_given)
         to_center[static_cast<Eigen::Index>(index(move.tool_axis))] = radius;
     const control::ControlFrame to_part = inverse(*part_);
     const auto local = [&](const Vec3& tip) -> Vec3 {

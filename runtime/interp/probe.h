@@ -29,13 +29,13 @@ class Probe {
 
     /// What is said of a block.
     struct Event {
-        bool is_said = false;
+        bool is_given = false;
         std::optional<double> part;  // of the path; nothing: it does not trigger
     };
     /// The part of the path that is said for the block. Of several for one block each is for one
     /// run of it, the last one for all behind.
     Event touch_of_event(const nc::Block& block, const ProgrammedMove& move, const AxisData& axes,
-                         Units units, Reporter& reporter);
+                         ProgrammedUnits units, Reporter& reporter);
 
     /// A part stays where it is, whatever becomes of the offset that tells its nominal position.
     bool has_part() const { return part_.has_value(); }

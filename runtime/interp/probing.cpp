@@ -37,20 +37,20 @@ Target Motions::part_of_move(const Target& target, double part) const {
 
 /// What the probe meets on its way.
 ///
-/// way  in the coordinates of the block's words, which are the machine's under G53
-Probing Motions::probe_along(const Block& block, const Target& target, const ProgrammedMove& way) {
+/// move  in the coordinates of the block's words, which are the machine's under G53
+Probing Motions::probe_along(const Block& block, const Target& target, const ProgrammedMove& move) {
     Probing probing;
     const Invocation& call = *block.find(Function::Probe);
     probing.goes_on = block.argument(call, parameter_of<Function::Probe>("through")) != 0;
     if (!probe_.knows_touches()) {
-        if (told_.first_time(Once::Touch))
+        if (reported_.first_time(RunNotice::Touch))
             reporter_.report(diag::TouchMissing, block, Function::Probe);
         probing.touched = target;
         return probing;
     }
     const bool springs_back = block.argument(call, parameter_of<Function::Probe>("input")) < 0;
-    auto [is_said, part] = probe_.touch_of_event(block, way, axes_, units_, reporter_);
-    if (!is_said && probe_.scene() != nullptr) part = touch_of_scene(target, springs_back);
+    auto [is_given, part] = probe_.touch_of_event(block, move, axes_, units_, reporter_);
+    if (!is_given && probe_.scene() != nullptr) part = touch_of_scene(target, springs_back);
     if (part) probing.touched = part_of_move(target, *part);
     return probing;
 }
@@ -82,9 +82,9 @@ void Motions::note_probed(const Probing& probing) {
     probed.tip = position_.here();
     for (std::size_t i = 0; i < kAxes; ++i) {
         probed.head[i] =
-            *channel_.answers.place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));
-        probed.machine[i] =
-            *channel_.answers.place_of(nc::Quantity::MachinePosition, static_cast<Axis>(i));
+            *channel_.answers.position_of(nc::SystemQuantity::HeadPosition, static_cast<Axis>(i));
+        probed.machine[i] = *channel_.answers.position_of(nc::SystemQuantity::MachinePosition,
+                                                          static_cast<Axis>(i));
     }
     probe_.find(probed);
     position_ = end;
@@ -121,10 +121,10 @@ void Motions::use_probed(const Block& block, const Invocation& invocation) {
             if (!axis || number < 0 || number > rules_.work_offsets) return;
             const double found = probe_.found()->tip[index(*axis)];
             const bool is_middle = invocation.function == Function::OffsetToMiddle;
-            const double place = is_middle ? (probe_.kept() + found) / 2 : found;
+            const double along = is_middle ? (probe_.kept() + found) / 2 : found;
             const double before = channel_.frames.work_offset_at(number).shift[index(*axis)];
             channel_.frames.set_work_offset(
-                number, *axis, before + place - block.argument(invocation, kAt), false);
+                number, *axis, before + along - block.argument(invocation, kAt), false);
             return;
         }
         default: return;

@@ -87,10 +87,12 @@ void ProgrammedDynamics::set_override(const Block& block, const Invocation& invo
     (is_feed ? dynamics.feed : dynamics.rapid) = percent * kPercent;
 }
 
-void ProgrammedDynamics::choose_feed_course(const Block& block, const Invocation& invocation) {
-    state_.course = static_cast<path::FeedCharacteristic>(std::clamp<std::int64_t>(
+void ProgrammedDynamics::choose_feed_characteristic(const Block& block,
+                                                    const Invocation& invocation) {
+    state_.feed_characteristic = static_cast<path::FeedCharacteristic>(std::clamp<std::int64_t>(
         count_of(block, invocation, parameter_of<Function::FeedCourse>("kind")), 0, 2));
-    state_.has_feed_characteristic |= state_.course != path::FeedCharacteristic::Constant;
+    state_.has_feed_characteristic |=
+        state_.feed_characteristic != path::FeedCharacteristic::Constant;
 }
 
 /// Of the motions from here on.
@@ -102,11 +104,11 @@ std::optional<Axis> ProgrammedDynamics::known_axis(const Block& block, const Inv
     const std::int64_t said = std::llround(block.argument(invocation, parameter));
     // A name stands below zero, and so it is for words that name one axis each.
     const std::int64_t named = said > 0 ? -said : said;
-    const auto place = static_cast<std::size_t>(-named - 1);
-    if (named < 0 && place < kAxes && (axes_.present >> place & 1u) != 0)
-        return static_cast<Axis>(place);
+    const auto index = static_cast<std::size_t>(-named - 1);
+    if (named < 0 && index < kAxes && (axes_.present >> index & 1u) != 0)
+        return static_cast<Axis>(index);
     reporter_.report(diag::AxisMissing, block, invocation.function)
-        .arg(named < 0 && place < kAxes ? kAxisNames[place] : std::string_view("of this number"));
+        .arg(named < 0 && index < kAxes ? kAxisNames[index] : std::string_view("of this number"));
     return std::nullopt;
 }
 
@@ -160,7 +162,7 @@ void ProgrammedDynamics::set_axis_speed(const Block& block, const Invocation& in
                 .arg(kMost);
             return;
         }
-        positioning.is_said = true;
+        positioning.is_given = true;
         positioning.part[i] = percent / 100;
         return;
     }
@@ -177,7 +179,7 @@ void ProgrammedDynamics::set_axis_speed(const Block& block, const Invocation& in
     }
     AxisValues& speeds = is_positioning ? positioning.speed : programmed_dynamics().speed;
     speeds[i] = turns ? rad_from_deg(speed) / 60 : feed_from_mm_min(speed);
-    positioning.is_said |= is_positioning;
+    positioning.is_given |= is_positioning;
 }
 
 Write ProgrammedDynamics::suppress_panel(double value) {
@@ -212,7 +214,7 @@ void ProgrammedDynamics::put_panel(path::Motion& motion, const Block& block,
 /// what the program leaves them of the machine's.
 void ProgrammedDynamics::put_positioning(path::Motion& motion) const {
     const PanelState::Positioning& positioning = state_.positioning;
-    if (!positioning.is_said) return;
+    if (!positioning.is_given) return;
     AxisValues& parts = motion.dynamics.made().velocity;
     for (const machine::MachineAxis& axis : machine_.axes) {
         const std::size_t i = index(axis.axis);
@@ -234,11 +236,11 @@ void ProgrammedDynamics::put_feed_law(path::Motion& motion, const Acting& acting
     const std::uint32_t block = acting.block;
     const bool is_polynomial = state_.polynomial.kind != path::FeedCharacteristic::Constant &&
                                state_.polynomial.block == block;
-    if (state_.course == path::FeedCharacteristic::Constant && !is_polynomial) return;
+    if (state_.feed_characteristic == path::FeedCharacteristic::Constant && !is_polynomial) return;
     const bool can_have_one = motion.op() >= Op::Line && motion.op() <= Op::Parametric;
     if (!can_have_one || acting.feed_mode == path::FeedMode::PerRevolution) return;
     path::FeedLaw& law = motion.dynamics.made().law;
-    law = is_polynomial ? state_.polynomial : path::FeedLaw{state_.course, block};
+    law = is_polynomial ? state_.polynomial : path::FeedLaw{state_.feed_characteristic, block};
 }
 
 }  // namespace kadr::interp

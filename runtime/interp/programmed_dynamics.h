@@ -27,7 +27,7 @@ class ProgrammedDynamics {
     void set_axis_limit(const nc::Block& block, const nc::Invocation& invocation);
     void choose_feed_axes(const nc::Block& block, const nc::Invocation& invocation);
     void set_feed_radius(const nc::Block& block, const nc::Invocation& invocation);
-    void choose_feed_course(const nc::Block& block, const nc::Invocation& invocation);
+    void choose_feed_characteristic(const nc::Block& block, const nc::Invocation& invocation);
     /// AxisSpeed, AxisFeed, AxisOverride.
     void set_axis_speed(const nc::Block& block, const nc::Invocation& invocation);
     /// The feed of one block, which the law names, as a polynomial.
@@ -42,7 +42,7 @@ class ProgrammedDynamics {
     bool has_exact_stop() const { return state_.has_exact_stop; }
     bool has_feed_characteristic() const { return state_.has_feed_characteristic; }
     /// Whether an axis positions at a speed of its own.
-    bool has_positioning() const { return state_.positioning.is_said; }
+    bool has_positioning() const { return state_.positioning.is_given; }
 
     /// What acts beside it.
     struct Acting {

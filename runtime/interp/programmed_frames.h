@@ -18,14 +18,14 @@ class ProgrammedFrames {
     /// From the base system to the programmed one; S 6.1.
     control::ControlFrame total_frame() const;
     /// A frame by its variable; nothing: there is none of this number.
-    std::optional<control::ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
+    std::optional<control::ControlFrame> frame(nc::SystemQuantity quantity, std::int64_t number);
     /// acts_at_once  or with the next call of a work offset
-    ControlAccess::Write set_frame(nc::Quantity quantity, std::int64_t number,
+    ControlAccess::Write set_frame(nc::SystemQuantity quantity, std::int64_t number,
                                    const control::ControlFrame& frame, bool acts_at_once);
     /// Back to those of the latest keep_frames, or not: they are kept no longer.
     void restore_frames(bool is_wanted);
     /// Which base frames act, a bit for each number.
-    ControlAccess::Write set_base_mask(nc::Quantity quantity, double mask);
+    ControlAccess::Write set_base_mask(nc::SystemQuantity quantity, double mask);
     /// A block of data writes it: G10 L2.
     void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
     /// By its number; 0 is the external one. Made where there is none.
@@ -86,7 +86,7 @@ class ProgrammedFrames {
         control::Frames frames;
         Position before;
     };
-    bool set_plain_frame(nc::Quantity quantity, const control::ControlFrame& frame);
+    bool set_plain_frame(nc::SystemQuantity quantity, const control::ControlFrame& frame);
     void select_stored_bases();
     control::ControlFrame work_offset_frame(std::int64_t number) const;
     void work_offset_changed(std::int64_t number, bool acts_at_once);

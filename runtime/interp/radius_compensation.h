@@ -62,7 +62,7 @@ class RadiusCompensation {
     Done require_no_peripheral_arc(const nc::Block& block);
     /// Where the settled blocks have led the cutter: beside the contour.
     AxisValues cutter_position() const {
-        return comp_3d_.is_on() ? comp_3d_.place() : compensation_.place();
+        return comp_3d_.is_on() ? comp_3d_.position() : compensation_.position();
     }
     bool is_any_comp_on() const { return compensation_.is_on() || comp_3d_.is_on(); }
 
@@ -91,7 +91,7 @@ class RadiusCompensation {
     const ToolOffsets& tool_offsets_;
     Reporter& reporter_;
     const nc::Rules& rules_;
-    Output& output_;
+    CommandOutput& output_;
     const Modal& modal_;
     const Position& position_;
     const control::Frames& frames_;
@@ -99,12 +99,12 @@ class RadiusCompensation {
     const ExtraTool& extra_;
     Orienting& orienting_;
     const Tilting& tilted_plane_;
-    path::Contact& face_;
+    path::Contact& surface_;
     Corners& corners_;
     RadiusCompState& comp_;
     Compensation& compensation_;
     Compensation3d& comp_3d_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
 };
 
 }  // namespace kadr::interp

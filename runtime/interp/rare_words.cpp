@@ -19,8 +19,8 @@ using nc::Block;
 using nc::Function;
 using nc::Invocation;
 using nc::parameter_of;
-using nc::Quantity;
 using nc::SlotMask;
+using nc::SystemQuantity;
 using path::Op;
 
 /// The axes of the block go to its place with their bare spindle; the length acts again with the
@@ -65,14 +65,15 @@ void Motions::preset_axes(const Block& block, const Invocation& invocation) {
                 .arg(kAxisNames[index(*axis)]);
             return;
         }
-        const double wanted = block.argument(invocation, kTo + i) * axes_.word_scale[index(*axis)] *
-                              (is_rotary(*axis) || units_ != Units::Inch ? 1 : kMmPerInch);
-        const double now = *channel_.answers.place_of(Quantity::MachinePosition, *axis);
+        const double wanted =
+            block.argument(invocation, kTo + i) * axes_.word_scale[index(*axis)] *
+            (is_rotary(*axis) || units_ != ProgrammedUnits::Inch ? 1 : kMmPerInch);
+        const double now = *channel_.answers.position_of(SystemQuantity::MachinePosition, *axis);
         frames_.preset(*axis, now - wanted);
         preset_[index(*axis)] += now - wanted;
     }
     channel_.frames.frame_changed();
-    if (told_.first_time(Once::Preset))
+    if (reported_.first_time(RunNotice::Preset))
         reporter_.report(diag::PresetLimits, block, Function::Preset);
 }
 
@@ -102,7 +103,7 @@ void Motions::measure_length(const Block& block, const Invocation& invocation) {
         return;
     }
     if (!motion_words().require_axes(block, targets)) return;
-    if (told_.first_time(Once::Measure)) reporter_.report(diag::MeasureFinds, block);
+    if (reported_.first_time(RunNotice::Measure)) reporter_.report(diag::MeasureFinds, block);
     line(block, motion_words().target_of(block, targets), Op::Rapid, true);
 }
 

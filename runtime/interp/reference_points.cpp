@@ -72,12 +72,12 @@ void Motions::move_in_machine_coordinates(const Block& block) {
     target.here = frames_.from_base(target.base);
     Probing probing;
     if (probes) {
-        ProgrammedMove way{position_.base(), target.base};
+        ProgrammedMove move{position_.base(), target.base};
         for (std::size_t i = 0; i < kAxes && !has_length; ++i) {
-            way.from[i] += length_shift_[i];
-            way.to[i] += length_shift_[i];
+            move.from[i] += length_shift_[i];
+            move.to[i] += length_shift_[i];
         }
-        probing = probe_along(block, target, way);
+        probing = probe_along(block, target, move);
     }
     if (probing.ends_move()) {
         target = *probing.touched;

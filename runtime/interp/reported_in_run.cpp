@@ -7,14 +7,14 @@ namespace kadr::interp {
 namespace {
 
 template <typename Value>
-bool is_among(const std::vector<Value>& told, const Value& value) {
-    return std::ranges::find(told, value) != told.end();
+bool is_among(const std::vector<Value>& reported, const Value& value) {
+    return std::ranges::find(reported, value) != reported.end();
 }
 
 template <typename Value>
-bool is_added(std::vector<Value>& told, const Value& value) {
-    if (is_among(told, value)) return false;
-    told.push_back(value);
+bool is_added(std::vector<Value>& reported, const Value& value) {
+    if (is_among(reported, value)) return false;
+    reported.push_back(value);
     return true;
 }
 

@@ -12,7 +12,7 @@
 namespace kadr::interp {
 
 /// What is told once, or once more when it is renewed.
-enum class Once : std::uint8_t {
+enum class RunNotice : std::uint8_t {
     ArcIsLine,
     DiameterOnMill,  // a program that turns runs on a mill
     LifeData,
@@ -42,7 +42,7 @@ enum class NoticeEach : std::uint8_t {
     Parameter,        // … of the control
 };
 
-class ReportedInRun : public ReportedOnce<Once> {
+class ReportedInRun : public ReportedOnce<RunNotice> {
   public:
     using ReportedOnce::count_as_reported;
     using ReportedOnce::first_time;
@@ -61,8 +61,8 @@ class ReportedInRun : public ReportedOnce<Once> {
 
     /// What was said of a standing spindle is said anew when it stands again.
     void renew_spindle() {
-        renew(Once::SpindleStopped);
-        renew(Once::Rapid);
+        renew(RunNotice::SpindleStopped);
+        renew(RunNotice::Rapid);
     }
     /// The speed counts as the latest one that was told; returns the one before.
     double exchange_bound(double speed) {

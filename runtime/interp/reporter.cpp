@@ -13,9 +13,9 @@ using nc::Function;
 using nc::Slot;
 
 DiagnosticBuilder Reporter::report(const DiagnosticRow& row, const Block& block) {
-    TextLocation place =
-        locations_ != nullptr ? locations_->place(block) : TextLocation{{}, block.line, 1, 1, {}};
-    DiagnosticBuilder builder = report(row, std::move(place));
+    TextLocation location = locations_ != nullptr ? locations_->location(block)
+                                                  : TextLocation{{}, block.line, 1, 1, {}};
+    DiagnosticBuilder builder = report(row, std::move(location));
     if (block.is_of_cycle())
         builder.note("inside the cycle `" + std::string(block.context->cycle) + "`");
     return note_calls(std::move(builder), block);
@@ -23,13 +23,13 @@ DiagnosticBuilder Reporter::report(const DiagnosticRow& row, const Block& block)
 
 DiagnosticBuilder Reporter::report(const DiagnosticRow& row, const Block& block, Slot slot) {
     if (locations_ == nullptr || block.is_of_cycle()) return report(row, block);
-    return note_calls(report(row, locations_->place(block, slot)), block);
+    return note_calls(report(row, locations_->location(block, slot)), block);
 }
 
 DiagnosticBuilder Reporter::report(const DiagnosticRow& row, const Block& block,
                                    Function function) {
     if (locations_ == nullptr || block.is_of_cycle()) return report(row, block);
-    return note_calls(report(row, locations_->place(block, function)), block);
+    return note_calls(report(row, locations_->location(block, function)), block);
 }
 
 namespace {
@@ -72,22 +72,22 @@ std::string_view argument_in(std::string_view call, std::size_t argument) {
 DiagnosticBuilder Reporter::report(const DiagnosticRow& row, const Block& block, Function function,
                                    std::size_t argument) {
     if (locations_ == nullptr || block.is_of_cycle()) return report(row, block);
-    TextLocation place = locations_->place(block, function);
-    const std::string call = characters(place.text, place.column - 1, place.length);
-    const std::string_view said = argument_in(call, argument);
-    const auto before = static_cast<std::size_t>(said.data() - call.data());
-    place.column +=
+    TextLocation location = locations_->location(block, function);
+    const std::string call = characters(location.text, location.column - 1, location.length);
+    const std::string_view text = argument_in(call, argument);
+    const auto before = static_cast<std::size_t>(text.data() - call.data());
+    location.column +=
         static_cast<std::uint32_t>(count_code_points(std::string_view(call).substr(0, before)));
-    place.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, count_code_points(said)));
-    return note_calls(report(row, std::move(place)), block);
+    location.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, count_code_points(text)));
+    return note_calls(report(row, std::move(location)), block);
 }
 
 std::string Reporter::word_of(const Block& block, Function function) const {
     const std::string name(nc::info(function).name);
-    const bool is_said = block.motion == function || block.find(function) != nullptr;
-    if (locations_ == nullptr || block.is_of_cycle() || !is_said) return name;
-    const TextLocation place = locations_->place(block, function);
-    const std::string word = characters(place.text, place.column - 1, place.length);
+    const bool is_given = block.motion == function || block.find(function) != nullptr;
+    if (locations_ == nullptr || block.is_of_cycle() || !is_given) return name;
+    const TextLocation location = locations_->location(block, function);
+    const std::string word = characters(location.text, location.column - 1, location.length);
     return word.empty() ? name : word;
 }
 
@@ -103,14 +103,14 @@ std::string Reporter::spelling_of(Function function) const {
 /// Adds where the program of the block was called.
 DiagnosticBuilder Reporter::note_calls(DiagnosticBuilder builder, const Block& block) const {
     if (locations_ == nullptr) return builder;
-    for (TextLocation& place : locations_->calls(block))
-        builder.note(std::move(place), "called here");
+    for (TextLocation& location : locations_->calls(block))
+        builder.note(std::move(location), "called here");
     return builder;
 }
 
-DiagnosticBuilder Reporter::report(const DiagnosticRow& row, TextLocation place) {
+DiagnosticBuilder Reporter::report(const DiagnosticRow& row, TextLocation location) {
     if (row.severity == Severity::Alarm) stop();
-    DiagnosticBuilder builder = sink_->report(row, std::move(place));
+    DiagnosticBuilder builder = sink_->report(row, std::move(location));
     if (std::optional<nc::AlarmText> alarm = dialect_.alarm(row)) {
         builder.alarm(std::move(alarm->number), std::move(alarm->text));
     }

@@ -28,7 +28,7 @@ class Reporter {
                              nc::Function function);
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
                              nc::Function function, std::size_t argument);
-    DiagnosticBuilder report(const DiagnosticRow& row, TextLocation place);
+    DiagnosticBuilder report(const DiagnosticRow& row, TextLocation location);
 
     /// A function as the text of the block says it; by the vocabulary where no text does.
     std::string word_of(const nc::Block& block, nc::Function function) const;

@@ -16,8 +16,8 @@ inline void turn(const path::Mat3& by, AxisValues& values) {
 inline void turn(const path::Mat3& by, path::Motion& motion) {
     turn(by, motion.to);
     motion.direction = by * motion.direction;
-    if (motion.tool_turn) {
-        for (path::Vec3* of_turn : {&motion.tool_turn->from, &motion.tool_turn->axis})
+    if (motion.orient_details) {
+        for (path::Vec3* of_turn : {&motion.orient_details->from, &motion.orient_details->axis})
             *of_turn = by * *of_turn;
     }
     const auto turn_circle = [&](auto& circle) {

@@ -37,7 +37,7 @@ Done TiltedPlanes::require_nested_length(const Block& block, Function function) 
     return kFailed;
 }
 
-void TiltedPlanes::turn_in_space(const Block& block, const Invocation& invocation) {
+void TiltedPlanes::rotate_about_axis(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kCenter = parameter_of<Function::Rotation3d>("x");
     constexpr std::size_t kAxis = parameter_of<Function::Rotation3d>("i");
     constexpr std::size_t kAngle = parameter_of<Function::Rotation3d>("angle");

@@ -22,9 +22,9 @@ using path::Vec3;
 void RunClock::follow_virtual(const path::VirtualAxes& axes) {
     if (axes == axes_) return;
     const double rotary = rad_from_deg(at_[index(axes.rotary)]);
-    const Vec3 place =
+    const Vec3 point =
         path::virtual_position(axes, path::real_position(axes_, linear(at_)), rotary);
-    for (std::size_t i = 0; i < 3; ++i) at_[i] = place[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < 3; ++i) at_[i] = point[static_cast<Eigen::Index>(i)];
     axes_ = axes;
 }
 
@@ -89,26 +89,26 @@ void RunClock::add(const path::Command& command) {
 }
 
 double RunClock::time_of(const path::Motion& motion, const AxisValues& to) const {
-    const bool is_straight = motion.turning == path::Turning::Straight;
+    const bool is_straight = motion.orient_kind == path::OrientKind::Straight;
     if (motion.op() == Op::Rapid && is_straight)
-        return rapid(machine_place(at_), machine_place(to));
+        return rapid(machine_position(at_), machine_position(to));
     if (motion.op() == Op::Rapid) return rapid(at_, to);
     const double feed = motion.feed;
     if (!(feed > 0)) return 0;
     const bool is_by_turns =
         motion.op() == Op::Thread || motion.feed_mode == FeedMode::PerRevolution;
     if (!is_by_turns && motion.feed_mode == FeedMode::InverseTime) return 60 / feed;
-    const double distance = way(motion, to);
+    const double distance = distance_of(motion, to);
     // The pitch grows evenly with the turns, so the mean of both ends is that of the time.
-    const double last = motion.op() != Op::Thread || motion.thread().lead_change == 0
+    const double last = motion.op() != Op::Thread || motion.thread().pitch_change == 0
                             ? feed
-                            : std::sqrt(feed * feed + 2 * motion.thread().lead_change * distance);
+                            : std::sqrt(feed * feed + 2 * motion.thread().pitch_change * distance);
     const double mm_min = is_by_turns ? (feed + last) / 2 * speed_at(to[0]) : feed;
     return mm_min > 0 ? distance / mm_min * 60 : 0;
 }
 
 /// Where the axes of the machine are for a place of the tip under its transformation.
-AxisValues RunClock::machine_place(const AxisValues& at) const {
+AxisValues RunClock::machine_position(const AxisValues& at) const {
     const machine::Chain& chain = machine_.kinematics->chain;
     const machine::ChainPosition position{
         Vec3::Zero(), {at[6], at[7], at[8]}, joints_at(chain, at)};
@@ -131,10 +131,10 @@ double RunClock::rapid(const AxisValues& from, const AxisValues& to) const {
 
 /// Of an arc along it, of a spline its chord, from point to point that of the axes; where no linear
 /// axis moves the angle of the others.
-double RunClock::way(const path::Motion& motion, const AxisValues& to) const {
-    const bool is_straight = motion.turning == path::Turning::Straight;
-    const Vec3 from = linear(is_straight ? machine_place(at_) : at_);
-    const Vec3 end = linear(is_straight ? machine_place(to) : to);
+double RunClock::distance_of(const path::Motion& motion, const AxisValues& to) const {
+    const bool is_straight = motion.orient_kind == path::OrientKind::Straight;
+    const Vec3 from = linear(is_straight ? machine_position(at_) : at_);
+    const Vec3 end = linear(is_straight ? machine_position(to) : to);
     if (motion.op() == Op::Arc) {
         const path::ArcShape& arc = motion.arc();
         // Only the distance across the normal counts.

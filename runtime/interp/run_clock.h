@@ -29,8 +29,8 @@ class RunClock {
     void move(const path::Motion& motion, const AxisValues& to);
     double time_of(const path::Motion& motion, const AxisValues& to) const;
     double rapid(const AxisValues& from, const AxisValues& to) const;
-    double way(const path::Motion& motion, const AxisValues& to) const;
-    AxisValues machine_place(const AxisValues& at) const;
+    double distance_of(const path::Motion& motion, const AxisValues& to) const;
+    AxisValues machine_position(const AxisValues& at) const;
     double speed_at(double x) const;
 
     const machine::Machine& machine_;

@@ -11,66 +11,68 @@
 
 namespace kadr::interp {
 
-using nc::Quantity;
+using nc::SystemQuantity;
 using Write = ControlAccess::Write;
 
-Write Answers::set_quantity(Quantity quantity, std::int64_t first, std::int64_t second,
+Write Answers::set_quantity(SystemQuantity quantity, std::int64_t first, std::int64_t second,
                             double value, bool acts_at_once) {
     switch (quantity) {
-        case Quantity::WorkOffset: {
+        case SystemQuantity::WorkOffset: {
             const auto axis = axis_of(second);
             return axis ? channel_.frames.set_work_offset(first, *axis, value, acts_at_once)
                         : Write::NoSuchEntry;
         }
-        case Quantity::LengthGeometry:
-        case Quantity::LengthWear:
-        case Quantity::RadiusGeometry:
-        case Quantity::RadiusWear:
-        case Quantity::ToolTip:
-        case Quantity::ToolType:
-        case Quantity::FirstLength:
-        case Quantity::FirstWear:
-        case Quantity::SecondLength:
-        case Quantity::SecondWear:
-        case Quantity::ThirdLength:
-        case Quantity::ThirdWear:
-        case Quantity::FirstBase:
-        case Quantity::SecondBase:
-        case Quantity::ThirdBase:
+        case SystemQuantity::LengthGeometry:
+        case SystemQuantity::LengthWear:
+        case SystemQuantity::RadiusGeometry:
+        case SystemQuantity::RadiusWear:
+        case SystemQuantity::ToolTip:
+        case SystemQuantity::ToolType:
+        case SystemQuantity::FirstLength:
+        case SystemQuantity::FirstWear:
+        case SystemQuantity::SecondLength:
+        case SystemQuantity::SecondWear:
+        case SystemQuantity::ThirdLength:
+        case SystemQuantity::ThirdWear:
+        case SystemQuantity::FirstBase:
+        case SystemQuantity::SecondBase:
+        case SystemQuantity::ThirdBase:
             return channel_.tool.set_edge_offset(quantity, first, second, value);
-        case Quantity::CrossGeometry:
-        case Quantity::CrossWear:
+        case SystemQuantity::CrossGeometry:
+        case SystemQuantity::CrossWear:
             return channel_.tool.set_tool_offset(*tool_offsets_.column_of(quantity, first), first,
                                                  value * axes_.word_scale[index(Axis::X)]);
-        case Quantity::EdgeNumberOf: {
+        case SystemQuantity::EdgeNumberOf: {
             const std::int64_t before = tool_offsets_.number_of(first, second);
             const auto number = static_cast<std::int64_t>(std::floor(value));
             if (!tool_offsets_.give_number(first, second, number)) return Write::NoSuchEntry;
             if (tool_.current == first && tool_.edge == before) tool_.edge = number;
             return Write::Done;
         }
-        case Quantity::ToolDatum:
+        case SystemQuantity::ToolDatum:
             return channel_.tool.set_tool_datum(first, second, value) ? Write::Done
                                                                       : Write::NoSuchEntry;
-        case Quantity::ActiveToolDatum: return channel_.tool.set_active_datum(first, value);
-        case Quantity::CarrierDatum:
-        case Quantity::CarrierAxis:
+        case SystemQuantity::ActiveToolDatum: return channel_.tool.set_active_datum(first, value);
+        case SystemQuantity::CarrierDatum:
+        case SystemQuantity::CarrierAxis:
             return channel_.carriers.set_carrier(quantity, first, second, value);
-        case Quantity::FirstExtraLength:
-            return channel_.tool.set_extra(Quantity::ExtraLength, 1, value);
-        case Quantity::ExtraLength:
-        case Quantity::ExtraAlong:
-        case Quantity::ExtraRadius:
-        case Quantity::ExtraBoth: return channel_.tool.set_extra(quantity, first, value);
-        case Quantity::Timer: set_timer(first, value); return Write::Done;
-        case Quantity::EdgeSpeed: return set_edge_speed(value);
-        case Quantity::ChannelBaseMask:
-        case Quantity::GlobalBaseMask: return channel_.frames.set_base_mask(quantity, value);
-        case Quantity::SuppressedPanel: return dynamics_.suppress_panel(value);
-        case Quantity::Milliseconds:
+        case SystemQuantity::FirstExtraLength:
+            return channel_.tool.set_extra(SystemQuantity::ExtraLength, 1, value);
+        case SystemQuantity::ExtraLength:
+        case SystemQuantity::ExtraAlong:
+        case SystemQuantity::ExtraRadius:
+        case SystemQuantity::ExtraBoth: return channel_.tool.set_extra(quantity, first, value);
+        case SystemQuantity::Timer: set_timer(first, value); return Write::Done;
+        case SystemQuantity::EdgeSpeed: return set_edge_speed(value);
+        case SystemQuantity::ChannelBaseMask:
+        case SystemQuantity::GlobalBaseMask: return channel_.frames.set_base_mask(quantity, value);
+        case SystemQuantity::SuppressedPanel: return dynamics_.suppress_panel(value);
+        case SystemQuantity::Milliseconds:
             clocks_.milliseconds_from = value - run_time() * 1000;
             return Write::Done;
-        case Quantity::Hours: clocks_.hours_from = value - run_time() / 3600; return Write::Done;
+        case SystemQuantity::Hours:
+            clocks_.hours_from = value - run_time() / 3600;
+            return Write::Done;
         default: return Write::Refused;
     }
 }

@@ -166,8 +166,8 @@ CycleShape CycleShapes::shape_of(const ShapeRun& run) const {
     for (const Command& command : run.commands) {
         if (!command.is_motion()) continue;
         const Vec2 to = in_plane(command.motion().to);
-        const bool is_way = (to - from).norm() > path::kSamePoint || command.op() == Op::Arc;
-        if (!is_first && is_way) {
+        const bool is_distance = (to - from).norm() > path::kSamePoint || command.op() == Op::Arc;
+        if (!is_first && is_distance) {
             path::Element element = path::line_element(from, to);
             if (command.op() == Op::Arc) {
                 const path::ArcShape& arc = command.motion().arc();

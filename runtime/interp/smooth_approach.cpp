@@ -18,7 +18,7 @@ void SmoothApproach::begin(const ApproachMove& move, path::Plane plane, const Ax
     axes_ = path::axes_of(plane);
     from_ = from;
     to_ = to;
-    has_place_ = has_place;
+    has_point_ = has_place;
     has_level_ = has_level;
     empty_blocks_ = -1;  // its own block is none of them
     fresh_.clear();
@@ -48,9 +48,9 @@ const DiagnosticRow* SmoothApproach::take(Command& command) {
     const bool is_arc = motion.op() == Op::Arc;
     const bool is_straight = motion.op() == Op::Line || motion.op() == Op::Rapid;
     if (motion.machine_coordinates) return &diag::SoftNoPlace;
-    const Vec2 way = in_plane(motion.to) - in_plane(has_place_ ? to_ : from_);
-    const bool moves = is_arc || way.norm() > path::kSamePoint;
-    if (!has_place_) return moves && is_straight ? take_place(motion) : &diag::SoftNoPlace;
+    const Vec2 delta = in_plane(motion.to) - in_plane(has_point_ ? to_ : from_);
+    const bool moves = is_arc || delta.norm() > path::kSamePoint;
+    if (!has_point_) return moves && is_straight ? take_point(motion) : &diag::SoftNoPlace;
     if (!is_arc && !is_straight) return &diag::SoftNoDirection;
     if (!moves) {
         // The level of the contour, if the approach has not said it.
@@ -59,7 +59,7 @@ const DiagnosticRow* SmoothApproach::take(Command& command) {
         has_level_ = true;
         return nullptr;
     }
-    direction_ = way.normalized();
+    direction_ = delta.normalized();
     if (is_arc) {
         const path::ArcShape& arc = motion.arc();
         const Vec2 center{arc.center[static_cast<Eigen::Index>(index(axes_.first))],
@@ -75,13 +75,13 @@ const DiagnosticRow* SmoothApproach::take(Command& command) {
 }
 
 /// The line behind the approach says where the contour begins, and does not move by itself.
-const DiagnosticRow* SmoothApproach::take_place(const path::Motion& motion) {
+const DiagnosticRow* SmoothApproach::take_point(const path::Motion& motion) {
     const std::size_t normal = index(axes_.normal);
-    const bool says_level = std::abs(motion.to[normal] - to_[normal]) > path::kSamePoint;
-    if (has_level_ && says_level) return &diag::SoftNoPlace;
+    const bool has_level = std::abs(motion.to[normal] - to_[normal]) > path::kSamePoint;
+    if (has_level_ && has_level) return &diag::SoftNoPlace;
     to_ = motion.to;
-    has_place_ = true;
-    has_level_ = has_level_ || says_level;
+    has_point_ = true;
+    has_level_ = has_level_ || has_level;
     return nullptr;
 }
 

@@ -33,7 +33,7 @@ class SmoothApproach {
   public:
     bool is_active() const { return is_active_; }
     /// Whether the next line says where the contour begins.
-    bool needs_place() const { return is_active_ && !has_place_; }
+    bool needs_point() const { return is_active_ && !has_point_; }
 
     /// `from` is where the tool is, `to` where the block takes it; both in the base system.
     ///
@@ -50,7 +50,7 @@ class SmoothApproach {
     const ApproachMove& move() const { return move_; }
     const AxisValues& from() const { return from_; }
     /// Where the contour begins, and its direction there.
-    const AxisValues& place() const { return to_; }
+    const AxisValues& position() const { return to_; }
     const path::Vec2& direction() const { return direction_; }
     /// Commands behind the approach. The caller clears them.
     std::vector<path::Command>& waiting() { return held_; }
@@ -62,11 +62,11 @@ class SmoothApproach {
 
   private:
     const DiagnosticRow* take(path::Command& command);
-    const DiagnosticRow* take_place(const path::Motion& motion);
+    const DiagnosticRow* take_point(const path::Motion& motion);
     path::Vec2 in_plane(const AxisValues& values) const;
 
     bool is_active_ = false;
-    bool has_place_ = false;
+    bool has_point_ = false;
     bool has_level_ = false;
     ApproachMove move_;
     path::PlaneAxes axes_;

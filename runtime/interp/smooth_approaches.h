@@ -24,20 +24,21 @@ class SmoothApproaches {
   private:
     std::optional<ApproachMove> approach_move_of(const nc::Block& block, const Actions& actions);
     double base_level(double programmed) const;
-    std::optional<path::ApproachPath> soft_way(const nc::Block& block, const ApproachMove& move,
-                                               const ApproachPoint& at);
+    std::optional<path::ApproachPath> approach_path(const nc::Block& block,
+                                                    const ApproachMove& move,
+                                                    const ApproachPoint& at);
     std::optional<double> approach_level(const nc::Block& block, const ApproachMove& move,
                                          double contour, double tool);
     void put_smooth_approach();
     void put_infeed(path::Command command, AxisValues& here, double level);
     void put_approach_path(path::Command command, const path::Element& element);
     path::Vec2 in_plane(const AxisValues& values) const;
-    void set_in_plane(AxisValues& values, const path::Vec2& place) const;
+    void set_in_plane(AxisValues& values, const path::Vec2& point) const;
 
     Channel& channel_;
     Reporter& reporter_;
     const nc::Rules& rules_;
-    Output& output_;
+    CommandOutput& output_;
     const Modal& modal_;
     Position& position_;
     const control::Frames& frames_;

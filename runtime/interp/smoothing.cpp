@@ -70,12 +70,12 @@ void PathSmoothing::choose_high_speed(const Block& block, const nc::Invocation& 
     const std::int64_t kind =
         std::llround(block.argument(invocation, parameter_of<Function::HighSpeed>("kind")));
     const bool is_on = kind % 10 != 0 && tolerance > 0;
-    const bool says_orientation = is_on && kind / 10 % 10 == 1;
+    const bool has_orientation = is_on && kind / 10 % 10 == 1;
     smoothing_.tolerance = is_on ? std::optional(tolerance) : std::nullopt;
     const double orientation =
         block.argument(invocation, parameter_of<Function::HighSpeed>("orientation"));
     smoothing_.orientation =
-        says_orientation ? std::optional(rad_from_deg(orientation)) : std::nullopt;
+        has_orientation ? std::optional(rad_from_deg(orientation)) : std::nullopt;
     smoothing_.compresses = is_on && kCompresses;
     modal_.set_path_mode(is_on ? kCorners : Function::ContinuousPath);
 }

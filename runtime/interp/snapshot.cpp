@@ -29,7 +29,7 @@ Snapshot Answers::snapshot() const {
     now.has_cutting_speed = spindle_.has_cutting_speed;
     now.speed = spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
     now.master_spindle = channel_.spindles.shown_number();
-    for (const Spindle& other : other_spindles_)
+    for (const ProgrammedSpindle& other : other_spindles_)
         now.spindles.push_back({other.number, other.mode, other.speed});
     if (!now.spindles.empty()) now.spindles.push_back({spindle_.number, now.spindle, now.speed});
     std::ranges::sort(now.spindles, {}, &Snapshot::NumberedSpindle::number);

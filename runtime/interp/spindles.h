@@ -45,7 +45,7 @@ class Spindles {
     /// The spindles of the machine, all standing, the first one as the master.
     void set_up_spindles();
     /// A spindle by its number, 0 the master; null: the machine has none such.
-    const Spindle* spindle_at(std::int64_t number) const;
+    const ProgrammedSpindle* spindle_at(std::int64_t number) const;
     /// Where the machine has several spindles, the number of the one whose turn it is; else 0.
     std::uint8_t shown_number() const;
     /// SETMS: whose sense M3, M4, M5 and S are.
@@ -76,10 +76,10 @@ class Spindles {
     const Modal& modal_;
     const Position& position_;
     const control::Frames& frames_;
-    Spindle& spindle_;
-    std::vector<Spindle>& other_spindles_;
+    ProgrammedSpindle& spindle_;
+    std::vector<ProgrammedSpindle>& other_spindles_;
     bool& owes_speed_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
     bool is_master_away_ = false;  // another spindle has its place for a moment
 };
 

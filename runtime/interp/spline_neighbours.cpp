@@ -20,8 +20,8 @@ using nc::Block;
 using nc::Function;
 using nc::Slot;
 using nc::SlotMask;
+using path::ControlPoint;
 using path::linear;
-using path::Pole;
 using path::Vec3;
 
 namespace {
@@ -35,11 +35,11 @@ Vec3 start_of(const path::Arc& arc) {
 
 /// Towards the first control point that is not where the curve begins, in space: the derivative of
 /// the lowest order that does not vanish.
-Vec3 start_of(const std::vector<Pole>& poles) {
-    const Vec3 start = poles[0].head<3>() / poles[0][3];
-    for (const Pole& pole : poles) {
-        const Vec3 way = pole.head<3>() - pole[3] * start;
-        if (way.norm() > path::kSameKnot) return way;
+Vec3 start_of(const std::vector<ControlPoint>& control_points) {
+    const Vec3 start = control_points[0].head<3>() / control_points[0][3];
+    for (const ControlPoint& control_point : control_points) {
+        const Vec3 delta = control_point.head<3>() - control_point[3] * start;
+        if (delta.norm() > path::kSameKnot) return delta;
     }
     return Vec3::Zero();
 }
@@ -57,8 +57,8 @@ std::optional<Vec3> direction_into_arc(MotionWords& words, const Block& block, T
 std::optional<Vec3> direction_into_next(MotionWords& words, const Block& block) {
     const Function motion = words.view().motion;
     if (motion == Function::Polynomial) {
-        const auto course = words.polynomials_of(block);
-        return course ? std::optional(start_of(course->poles)) : std::nullopt;
+        const auto polynomials = words.polynomials_of(block);
+        return polynomials ? std::optional(start_of(polynomials->control_points)) : std::nullopt;
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0 && !is_arc(motion) && !nc::has_fact(motion, nc::Fact::Involute))
@@ -66,7 +66,7 @@ std::optional<Vec3> direction_into_next(MotionWords& words, const Block& block) 
     if (!words.require_axes(block, targets)) return std::nullopt;
     Target target = words.target_of(block, targets);
     const Vec3 start = linear(words.view().position.here());
-    const Vec3 way = linear(target.here) - start;
+    const Vec3 delta = linear(target.here) - start;
     if (is_arc(motion)) return direction_into_arc(words, block, target);
     if (nc::has_fact(motion, nc::Fact::Involute)) {
         const auto involute = words.involute_words(block);
@@ -85,7 +85,7 @@ std::optional<Vec3> direction_into_next(MotionWords& words, const Block& block) 
     }
     // The first control point of a spline is where the tool is: the curve leaves it for the next.
     const bool is_straight = nc::has_fact(motion, nc::Fact::Straight) || motion == Function::Spline;
-    return is_straight ? std::optional(way) : std::nullopt;
+    return is_straight ? std::optional(delta) : std::nullopt;
 }
 
 }  // namespace
@@ -97,16 +97,16 @@ std::optional<Vec3> Splines::direction_into(const Block& next) {
     MotionView view = channel_.motions.motion_view();
     view.take(next);
     MotionWords words(view, reporter_);
-    std::optional<Vec3> way;
+    std::optional<Vec3> delta;
     if ((next.given & nc::kPolarSlots) != 0) {
         Polar polar = position_words_.polar();
         const std::optional<Block> made = words.with_polar_slots(next, polar);
-        if (made) way = direction_into_next(words, *made);
+        if (made) delta = direction_into_next(words, *made);
     } else {
-        way = direction_into_next(words, next);
+        delta = direction_into_next(words, next);
     }
-    if (!way) return std::nullopt;
-    const Vec3 direction = frames_.total().direction(*way);
+    if (!delta) return std::nullopt;
+    const Vec3 direction = frames_.total().direction(*delta);
     const double length = direction.norm();
     return length > path::kSameKnot ? std::optional(Vec3(direction / length)) : std::nullopt;
 }

@@ -41,11 +41,12 @@ Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& 
     bool is_refused =
         tool.is_any() && (!is_alone || (tool.changes_lead_tilt && channel_.splines.is_in_spline()));
     if (modal_.motion == Function::Spline) {
-        const OrientInterpolation turning = orienting_.turning;
-        const bool is_free =
-            turning == OrientInterpolation::Plane || turning == OrientInterpolation::Axes;
-        const bool spins = tool.spin || tool.spin_by ||
-                           (tool.angles.is_said() && machine_.kinematics->chain.has(machine::kPsi));
+        const OrientInterpolation interpolation = orienting_.interpolation;
+        const bool is_free = interpolation == OrientInterpolation::Plane ||
+                             interpolation == OrientInterpolation::Axes;
+        const bool spins =
+            tool.spin || tool.spin_by ||
+            (tool.angles.is_given() && machine_.kinematics->chain.has(machine::kPsi));
         is_refused |= is_led_by_surface(tool) || (tool.is_any() && !is_free) || spins;
     }
     if (is_refused) {
@@ -54,31 +55,33 @@ Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& 
     }
     if (!orienting_.is_on) return kDone;
     channel_.transformation.check_offset_programmed(block);
-    if (!require_one_turn(block, tool)) return kFailed;
+    if (!require_one_orientation(block, tool)) return kFailed;
     return require_no_idle_words(block, tool);
 }
 
 Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
-                                      ControlPointBlock& pole) {
+                                      ControlPointBlock& control_point) {
     if (!orienting_.is_on) return kDone;
     if (tool.programs_direction()) {
         if (!require_axes_for_direction(block)) return kFailed;
-        const std::optional<Vec3> said = wanted_direction(block, tool);
-        if (!said) return kFailed;
-        pole.direction = *said;
+        const std::optional<Vec3> programmed = wanted_direction(block, tool);
+        if (!programmed) return kFailed;
+        control_point.direction = *programmed;
         return kDone;
     }
     const Vec3 joints = channel_.transformation.joints_of(position_.base());
-    pole.direction =
+    control_point.direction =
         spline_->direction().value_or(machine::tool_vector(machine_.kinematics->chain, joints));
     return kDone;
 }
 
-Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, const path::Curve& span,
-                            AxisValues& to, TurnPlan& turn) {
+Done ToolMotion::orient_along(const Block& at, const ControlPointBlock& control_point,
+                              const path::Curve& span, AxisValues& to, OrientPlan& orientation) {
     const Position read = position_;
-    const FeedWords::Programmed feed = channel_.feed.exchange({said.feed, modal_.has_feed});
-    const OrientModes modes = std::exchange(static_cast<OrientModes&>(orienting_), said.modes);
+    const FeedWords::Programmed feed =
+        channel_.feed.exchange({control_point.feed, modal_.has_feed});
+    const OrientModes modes =
+        std::exchange(static_cast<OrientModes&>(orienting_), control_point.modes);
     position_.stand_at(path::with_linear(position_.base(), path::start(span)));
     position_.see_in(frames_);
     Target target{position_.here(), position_.base(),
@@ -87,14 +90,14 @@ Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, cons
     for (std::size_t i = 0; i < 3; ++i)
         target.base[i] = path::end(span)[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
-    const bool is_laid = lay_span_orientation(at, said, span, target) &&
+    const bool is_laid = lay_span_orientation(at, control_point, span, target) &&
                          channel_.checks.require_within_limits(
                              at, target.base, channel_.transformation.joint_axes());
     (void)channel_.feed.exchange(feed);
     static_cast<OrientModes&>(orienting_) = modes;
     position_ = read;
     if (!is_laid) return kFailed;
-    turn = target.turn;
+    orientation = target.orientation;
     for (AxisMask rest = channel_.transformation.joint_axes(); rest != 0;
          rest = static_cast<AxisMask>(rest & (rest - 1))) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
@@ -104,20 +107,21 @@ Done ToolMotion::turn_along(const Block& at, const ControlPointBlock& said, cons
     return kDone;
 }
 
-Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& said,
+Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& control_point,
                                       const path::Curve& span, Target& target) {
-    target.turn = {};
-    if (said.direction) {
-        if (said.direction->norm() < kNoDirection) {
+    target.orientation = {};
+    if (control_point.direction) {
+        if (control_point.direction->norm() < kNoDirection) {
             reporter_.report(diag::OrientationOpposite, at);
             return kFailed;
         }
-        if (!lay_orientation(at, said.direction->normalized(), target)) return kFailed;
-        orienting_.lean_at_ends(false);
+        if (!lay_orientation(at, control_point.direction->normalized(), target)) return kFailed;
+        orienting_.lead_tilt_at_ends(false);
     } else {
         static const ToolWords kNone;
-        if (!lay_tool_words(at, said.tool ? *said.tool : kNone, target)) return kFailed;
-        if (target.turn.waiting != nullptr) return lay_directions(at, span, target);
+        if (!lay_tool_words(at, control_point.tool ? *control_point.tool : kNone, target))
+            return kFailed;
+        if (target.orientation.waiting != nullptr) return lay_directions(at, span, target);
     }
     settle_orientation(target);
     return kDone;
@@ -132,7 +136,7 @@ Done ToolMotion::share_orientation(const Block& block, const ToolWords& tool,
         if (tool.is_any() || is_led) pieces.back()->tool = tool;
         return kDone;
     }
-    const bool is_plane = orienting_.turning == OrientInterpolation::Plane &&
+    const bool is_plane = orienting_.interpolation == OrientInterpolation::Plane &&
                           tool.programs_direction() && !is_led && !tool.spin && !tool.spin_by;
     if (!is_plane) {
         reporter_.report(diag::IsoNotSupported, block)

@@ -30,7 +30,7 @@ SplineRun::SplineRun(int degree, bool by_knots)
 
 void SplineRun::add_control_point(const path::Vec3& pole, double weight,
                                   const ControlPointBlock& block) {
-    if (spans_.poles() == 0) first_ = block.to;
+    if (spans_.control_points() == 0) first_ = block.to;
     for (std::size_t i = 3; i < kAxes; ++i) {
         if (block.to[i] != first_[i]) led_ = static_cast<AxisMask>(led_ | AxisMask{1} << i);
     }
@@ -66,7 +66,8 @@ std::optional<NurbsFault> SplineRun::add_interval(double interval) {
 
 std::optional<NurbsFault> SplineRun::finish() {
     is_finished_ = true;
-    if (spans_.poles() < static_cast<std::size_t>(degree_) + 1) return NurbsFault::Poles;
+    if (spans_.control_points() < static_cast<std::size_t>(degree_) + 1)
+        return NurbsFault::ControlPoints;
     if (!by_knots_) {
         // The end is clamped, whatever intervals its last blocks brought.
         waiting_.clear();

@@ -48,7 +48,7 @@ class SplineRun {
     SplineRun(int degree, bool by_knots);
 
     bool is_by_knots() const { return by_knots_; }
-    std::size_t poles() const { return spans_.poles(); }
+    std::size_t control_points() const { return spans_.control_points(); }
     int degree() const { return degree_; }
     /// Of the tool, beside the latest pole.
     const std::optional<path::Vec3>& direction() const { return direction_; }

@@ -46,7 +46,7 @@ std::string_view words_of(NurbsFault fault) {
         case NurbsFault::Gap: return "stand more often inside than the degree says";
         case NurbsFault::Counts: return "are not as many as control points and degree + 1";
         case NurbsFault::Degree:
-        case NurbsFault::Poles:
+        case NurbsFault::ControlPoints:
         case NurbsFault::Weight: break;
     }
     return "are wrong";
@@ -184,16 +184,16 @@ Done Splines::add_control_point(const Block& block, SlotMask targets, const Tool
     if (!channel_.checks.require_within_limits(block, target.base,
                                                static_cast<AxisMask>(target.moved & ~kLinearXYZ)))
         return kFailed;
-    const bool is_start = spline_->poles() == 0;
+    const bool is_start = spline_->control_points() == 0;
     if (is_start && (pole - linear(position_.base())).norm() > kSamePlace) {
         reporter_.report(diag::SplineStart, block)
             .arg(round_to((pole - linear(position_.base())).norm(), 4));
         return kFailed;
     }
-    ControlPointBlock said = control_point_block(block, target.base);
-    if (!channel_.tool_motion.orient_control_point(block, tool, said)) return kFailed;
+    ControlPointBlock control_point = control_point_block(block, target.base);
+    if (!channel_.tool_motion.orient_control_point(block, tool, control_point)) return kFailed;
     spline_->moved = static_cast<AxisMask>(spline_->moved | target.moved);
-    spline_->add_control_point(pole, weight, said);
+    spline_->add_control_point(pole, weight, control_point);
     channel_.motions.arrive(target);
     return kDone;
 }
@@ -268,33 +268,33 @@ void Splines::as_programmed(Command& command) const {
     const Command laid = std::exchange(command, spline_commands_.span());
     command.source = laid.source;
     command.line = laid.line;
-    command.motion().turning = laid.motion().turning;
+    command.motion().orient_kind = laid.motion().orient_kind;
     command.motion().direction = laid.motion().direction;
-    command.motion().tool_turn = laid.motion().tool_turn;
+    command.motion().orient_details = laid.motion().orient_details;
 }
 
 /// A span as a command, said by a block.
-void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& said, AxisMask moved,
-                       bool exact_stop) {
+void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& control_point,
+                       AxisMask moved, bool exact_stop) {
     Block at;  // whose place messages show
-    at.line = said.line;
-    at.source = said.source;
+    at.line = control_point.line;
+    at.source = control_point.source;
     const auto& [start, end, shape, last] = span;
     path::Curve curve = path::Point{start};
     if (shape.degree > 3) curve = path::make_quintic(start, end, shape);
     else curve = path::make_spline(start, end, shape);
     if (!channel_.checks.require_box_within_limits(at, path::bounds(curve))) return;
-    AxisValues to = said.to;
+    AxisValues to = control_point.to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = end[static_cast<Eigen::Index>(i)];
-    TurnPlan turn;
+    OrientPlan orientation;
     puts_span_ = true;
-    const bool is_laid =
-        !orienting_.is_on || channel_.tool_motion.turn_along(at, said, curve, to, turn);
+    const bool is_laid = !orienting_.is_on || channel_.tool_motion.orient_along(
+                                                  at, control_point, curve, to, orientation);
     puts_span_ = false;
     if (!is_laid) return;
     position_.note_motion();
-    const bool turns = turn.turning != path::Turning::Axes;
-    Command& command = channel_.stages.put(Op::Spline, at, &turn);
+    const bool turns = orientation.orient_kind != path::OrientKind::Axes;
+    Command& command = channel_.stages.put(Op::Spline, at, &orientation);
     if (is_in_spline()) as_programmed(command);
     path::Motion& motion = command.motion();
     motion.to = to;
@@ -302,7 +302,7 @@ void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& sa
         turns ? static_cast<AxisMask>(moved | kLinearXYZ | channel_.transformation.joint_axes())
               : moved;
     motion.spline() = shape;
-    motion.feed = said.feed;
+    motion.feed = control_point.feed;
     motion.exact_stop = exact_stop;
 }
 
@@ -318,11 +318,11 @@ void Splines::finish_spline() {
 }
 
 void Splines::report_spline(const Block& block, NurbsFault fault) {
-    if (fault == NurbsFault::Poles) {
+    if (fault == NurbsFault::ControlPoints) {
         reporter_.report(diag::SplinePoles, block)
             .arg(spline_->degree())
             .arg(spline_->degree() + 1)
-            .arg(static_cast<int>(spline_->poles()));
+            .arg(static_cast<int>(spline_->control_points()));
     } else {
         reporter_.report(diag::SplineKnots, block).arg(words_of(fault));
     }

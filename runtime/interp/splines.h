@@ -43,8 +43,8 @@ class Splines {
     Done add_control_point(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
     void move_along_spline();
     void finish_spline();
-    void put_span(const path::SplineSpan& span, const ControlPointBlock& said, AxisMask moved,
-                  bool exact_stop);
+    void put_span(const path::SplineSpan& span, const ControlPointBlock& control_point,
+                  AxisMask moved, bool exact_stop);
     void report_spline(const nc::Block& block, path::NurbsFault fault);
     Done start_through(const nc::Block& block);
     void move_through();

@@ -27,7 +27,7 @@ Stages::Stages(Channel& channel)
       block_count_(channel.state.motion.block_count),
       modal_(channel.state.motion.modal),
       position_(channel.state.motion.position),
-      face_(channel.state.stage.face),
+      surface_(channel.state.stage.surface),
       corners_(channel.state.stage.corners),
       comp_(channel.state.stage.comp),
       smooth_approach_(channel.state.stage.smooth_approach),
@@ -82,21 +82,21 @@ namespace {
 /// Neither does it turn the tool, nor is it told in other axes, nor touch with the cutter's side.
 void forget_extras(path::Motion& motion) {
     motion.contact.reset();
-    motion.turn_plainly(path::Turning::None);
+    motion.orient_plainly(path::OrientKind::None);
     motion.direction = path::Vec3::UnitZ();
     motion.virtual_system.reset();
 }
 
 }  // namespace
 
-Command& Stages::put(Op op, const Block& block, const TurnPlan* turn) {
+Command& Stages::put(Op op, const Block& block, const OrientPlan* orientation) {
     if (path::is_motion(op)) dangers_.begin_motion(op, position_.base());
     const bool waits = channel_.splines.is_in_spline() && op != Op::Spline && !puts_span_;
     Command& command = waits                  ? spline_commands_.next()
                        : corners_.is_active() ? corners_.next()
                                               : behind_corners();
     command.become(op);
-    fill_in(command, block, turn);
+    fill_in(command, block, orientation);
     return command;
 }
 
@@ -134,7 +134,7 @@ void Stages::fill_in_modal(path::Motion& motion, const Block& block) {
 }
 
 /// The slot may have held any other command.
-void Stages::fill_in(Command& command, const Block& block, const TurnPlan* turn) {
+void Stages::fill_in(Command& command, const Block& block, const OrientPlan* orientation) {
     fill_in_head(command, block);
     if (!command.is_motion()) return;
     path::Motion& motion = command.motion();
@@ -143,9 +143,9 @@ void Stages::fill_in(Command& command, const Block& block, const TurnPlan* turn)
     if (!is_turned) forget_extras(motion);
     const bool reaches_comp = comp_3d_.is_on() || corners_.is_active();
     if (comp_.is_face_milling_acting() && reaches_comp)
-        motion.contact = path::ContactMotion{face_, path::Vec3::Zero(), path::Vec3::Zero()};
+        motion.contact = path::ContactMotion{surface_, path::Vec3::Zero(), path::Vec3::Zero()};
     else motion.contact.reset();
-    if (is_turned) channel_.tool_motion.put_orientation(motion, turn);
+    if (is_turned) channel_.tool_motion.put_orientation(motion, orientation);
 }
 
 Block Stages::block_at(SourceId source, std::uint32_t line) const {

@@ -25,8 +25,9 @@ class Stages {
     path::Command& behind_corners();
     /// A command in its slot, with what the modal state says of it.
     ///
-    /// turn  of the tool in a motion; null: it stays as it stands
-    path::Command& put(path::Op op, const nc::Block& block, const TurnPlan* turn = nullptr);
+    /// orientation  of the tool in a motion; null: it stays as it stands
+    path::Command& put(path::Op op, const nc::Block& block,
+                       const OrientPlan* orientation = nullptr);
     /// … of a motion where nothing waits, nothing compensates and nothing turns the tool.
     path::Motion& put_straight_out(path::Op op, const nc::Block& block);
     /// Every command that waits, the nearest to the output first.
@@ -39,7 +40,8 @@ class Stages {
         corners_.look_at_waiting(visit);
     }
     /// What the modal state says of a command; one that was something else before forgets it.
-    void fill_in(path::Command& command, const nc::Block& block, const TurnPlan* turn = nullptr);
+    void fill_in(path::Command& command, const nc::Block& block,
+                 const OrientPlan* orientation = nullptr);
     /// A block for messages, at the place of a command. Where that is the call of the cycle that
     /// runs, it is one of the cycle's.
     nc::Block block_at(SourceId source, std::uint32_t line) const;
@@ -52,11 +54,11 @@ class Stages {
 
     Channel& channel_;
     Reporter& reporter_;
-    Output& output_;
+    CommandOutput& output_;
     const std::uint64_t& block_count_;
     const Modal& modal_;
     const Position& position_;
-    const path::Contact& face_;
+    const path::Contact& surface_;
     Corners& corners_;
     const RadiusCompState& comp_;
     SmoothApproach& smooth_approach_;

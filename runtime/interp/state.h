@@ -48,7 +48,7 @@ struct PanelState {
     struct Positioning {
         AxisValues speed;  // mm/s or rad/s; infinite: all that the axis has
         AxisValues part;   // of it
-        bool is_said = false;
+        bool is_given = false;
 
         Positioning() {
             speed.fill(std::numeric_limits<double>::infinity());
@@ -57,7 +57,7 @@ struct PanelState {
     };
     Positioning positioning;
     bool has_feed_characteristic = false;  // whatever follows was said once
-    path::FeedCharacteristic course =
+    path::FeedCharacteristic feed_characteristic =
         path::FeedCharacteristic::Constant;  // of the feeds from here on
     path::FeedLaw polynomial;                // … of its block alone
 };
@@ -70,7 +70,7 @@ struct SpeedLimits {
     friend bool operator==(const SpeedLimits&, const SpeedLimits&) = default;
 };
 
-struct Spindle {
+struct ProgrammedSpindle {
     std::int64_t number = 1;
     path::SpindleMode mode = path::SpindleMode::Stop;
     double speed = 0;                // rpm
@@ -82,13 +82,13 @@ struct Spindle {
     double angle_deg = 0;            // where it stands, if it is oriented
 
     /// What the motion side was told last.
-    struct Told {
+    struct Commanded {
         path::SpindleMode mode = path::SpindleMode::Stop;
         double speed = 0;
         bool has_cutting_speed = false;
-        friend bool operator==(const Told&, const Told&) = default;
+        friend bool operator==(const Commanded&, const Commanded&) = default;
     };
-    Told told;
+    Commanded commanded;
 };
 
 /// The tool and the length that should act, and the length that does.
@@ -170,7 +170,7 @@ struct Smoothing {
 
 /// How words of the orientation are understood, and on which way the tool turns.
 struct OrientModes {
-    OrientInterpolation turning = OrientInterpolation::Plane;
+    OrientInterpolation interpolation = OrientInterpolation::Plane;
     ToolAngles angles = ToolAngles::Euler;
     ToolAngles euler = ToolAngles::Euler;  // what Euler's angles are on this control
     SpinFrom spin = SpinFrom::Fixed;
@@ -183,17 +183,17 @@ struct Orienting : OrientModes {
     bool has_length = false;     // it was switched on as a kind of tool length compensation
     bool takes_vectors = false;  // … whose blocks say the tool's direction
     PointToPoint point_to_point = PointToPoint::None;
-    int configuration = 0;  // wanted there, 1 or 2; 0: any
-    double lead = 0;        // deg, of a direction whose block does not say another one
-    path::Lean lean;        // from the surface normal
-    bool leans = false;     // … at the end of every block, until one says a direction
+    int configuration = 0;           // wanted there, 1 or 2; 0: any
+    double lead = 0;                 // deg, of a direction whose block does not say another one
+    path::LeadTiltAngles lead_tilt;  // from the surface normal
+    bool has_lead_tilt = false;      // … at the end of every block, until one says a direction
     // Behind the latest motion, in the base system:
     std::optional<path::Vec3> normal;      // of the surface; nothing: none was said yet
     path::Vec3 rate = path::Vec3::Zero();  // how the tool's direction changed at its end
     std::optional<path::Vec3> point;       // the second point of the tool's axis
     bool owes_offset = false;              // a work offset is to be said behind the switch
 
-    void lean_at_ends(bool is_wanted) { leans = is_wanted; }
+    void lead_tilt_at_ends(bool is_wanted) { has_lead_tilt = is_wanted; }
 };
 
 /// What the words of one block say of the tool. Components and angles that are not said are 0.
@@ -203,7 +203,7 @@ struct ToolWords {
         std::array<double, 3> values{};
         std::uint8_t parts = 0;
 
-        bool is_said() const { return parts != 0; }
+        bool is_given() const { return parts != 0; }
         path::Vec3 vector() const { return path::Vec3(values.data()); }
         void set(std::size_t part, double to) {
             values[part] = to;
@@ -224,17 +224,17 @@ struct ToolWords {
     std::optional<unsigned> signs;        // bit i: axis i of the machine shall stand below 0
     bool programs_configuration = false;  // of the rotary axes
 
-    bool programs_direction() const { return vector.is_said() || angles.is_said(); }
+    bool programs_direction() const { return vector.is_given() || angles.is_given(); }
     bool programs_surface() const {
-        return changes_lead_tilt || normals[0].is_said() || normals[1].is_said();
+        return changes_lead_tilt || normals[0].is_given() || normals[1].is_given();
     }
     /// Whether the block turns the tool even where no axis is named. A lead and a tilt act on ways.
     bool turns() const {
-        const bool has_normal = normals[0].is_said() || normals[1].is_said();
-        return programs_direction() || has_normal || point.is_said() || spin || spin_by;
+        const bool has_normal = normals[0].is_given() || normals[1].is_given();
+        return programs_direction() || has_normal || point.is_given() || spin || spin_by;
     }
     bool is_any() const {
-        return turns() || changes_lead_tilt || cone_axis.is_said() || between.is_said() ||
+        return turns() || changes_lead_tilt || cone_axis.is_given() || between.is_given() ||
                opening || lead;
     }
 };
@@ -270,13 +270,13 @@ struct Virtual {
 };
 
 /// How the tool turns in a motion, as a Command says it.
-struct TurnPlan {
-    path::Turning turning = path::Turning::Axes;
+struct OrientPlan {
+    path::OrientKind orient_kind = path::OrientKind::Axes;
     path::Vec3 direction = path::Vec3::UnitZ();  // at the end
     path::Vec3 from = path::Vec3::UnitZ();
     path::Vec3 axis = path::Vec3::Zero();
     double angle = 0;
-    path::Lean lean;
+    path::LeadTiltAngles lead_tilt;
     bool is_made = false;  // else the tool stays as it stands
     /// Words that can be laid only where the path of the motion is known; null: there are none.
     const ToolWords* waiting = nullptr;

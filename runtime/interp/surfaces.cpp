@@ -22,7 +22,7 @@ std::optional<Cutter3d> RadiusCompensation::mill_shape_now(const Block& block) {
     if (!comp_.is_face_milling_acting()) return std::nullopt;
     const std::int64_t number = comp_offset().value_or(0);
     const auto found =
-        face_cutter(tool_offsets_, number, extra_.radius + channel_.tool.sum_offset(4));
+        mill_shape(tool_offsets_, number, extra_.radius + channel_.tool.sum_offset(4));
     if (!found) {
         reporter_.report(diag::CompFaceTool, block, function_of(comp_.side))
             .arg(found.error() == MillShapeFault::EdgeTooLarge
@@ -30,7 +30,7 @@ std::optional<Cutter3d> RadiusCompensation::mill_shape_now(const Block& block) {
                      : "its side leans by 90 degrees and more, or inwards");
         return std::nullopt;
     }
-    if (!found->is_known && number != 0 && told_.first_time(Once::ToolShape))
+    if (!found->is_known && number != 0 && reported_.first_time(RunNotice::ToolShape))
         reporter_.report(diag::CompFaceShape, block, function_of(comp_.side))
             .arg(tool_offsets_.type(number));
     Cutter3d cutter;
@@ -60,11 +60,11 @@ Done RadiusCompensation::lay_surface(const Block& block, const ToolWords& tool) 
             .arg("at the end of the block it points the other way than at its start");
         return kFailed;
     }
-    face_ = {};
-    face_.kind = path::ContactKind::Face;
-    face_.guide = (*normals)[0];
-    face_.axis = arc->axis;
-    face_.turn = arc->turn;
+    surface_ = {};
+    surface_.kind = path::ContactKind::Face;
+    surface_.guide = (*normals)[0];
+    surface_.axis = arc->axis;
+    surface_.turn = arc->turn;
     // Where the tool is led by the surface too, that is still to be asked where the block before
     // ended.
     if (!channel_.tool_motion.keeps_lead_tilt_to_surface()) orienting_.normal = (*normals)[1];
@@ -86,8 +86,8 @@ Done RadiusCompensation::require_no_peripheral_arc(const Block& block) {
     bool changes_orientation = false;
     bool turns_table = false;
     for (const machine::RotaryJoint& joint : chain.joints) {
-        changes_orientation |= joint.is_present && joint.side == machine::Side::Head;
-        turns_table |= joint.is_present && joint.side == machine::Side::Table;
+        changes_orientation |= joint.is_present && joint.side == machine::ChainSide::Head;
+        turns_table |= joint.is_present && joint.side == machine::ChainSide::Table;
     }
     if (!changes_orientation || !turns_table) return kDone;
     reporter_.report(diag::SideCompArc, block, modal_.motion);

@@ -50,8 +50,8 @@ Vec3 three(const Block& block, const Invocation& invocation, std::size_t first) 
 }
 
 /// A digit of a decimal number, the units being the first.
-int digit(double number, int place) {
-    return static_cast<int>(std::fmod(std::floor(std::abs(number) / std::pow(10, place)), 10));
+int digit(double number, int index) {
+    return static_cast<int>(std::fmod(std::floor(std::abs(number) / std::pow(10, index)), 10));
 }
 
 /// X, Y and Z as a frame has turned them, without its scale and its mirrors.
@@ -106,7 +106,7 @@ void TiltedPlanes::swivel(const Block& block, const Invocation& invocation) {
                              Frame{*rotation, Vec3::Zero()} *
                              path::translation(three(block, invocation, kShift)));
     tilted_plane_.is_on = true;
-    told_.renew(Once::TiltTurned);
+    reported_.renew(RunNotice::TiltTurned);
     channel_.frames.frame_changed();
 
     constexpr double kMostModes = 1e6;
@@ -212,15 +212,16 @@ Done TiltedPlanes::retract_along_tool(const Block& block, std::optional<double> 
         if (std::abs(along) < 1e-12) continue;
         most = std::min(most, ((along > 0 ? axes_.upper[i] : axes_.lower[i]) - axes[i]) / along);
     }
-    const double way = by.value_or(most);
-    if (!std::isfinite(way) || way < 0 || way > most + 1e-6) {
+    const double distance = by.value_or(most);
+    if (!std::isfinite(distance) || distance < 0 || distance > most + 1e-6) {
         reporter_.report(diag::SwivelRetract, block, Function::Swivel);
         return kFailed;
     }
-    if (way == 0) return kDone;
+    if (distance == 0) return kDone;
     Target target{position_.here(), position_.base(),
                   static_cast<AxisMask>(axes_.present & kLinearXYZ)};
-    for (std::size_t i = 0; i < 3; ++i) target.base[i] += way * tool[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < 3; ++i)
+        target.base[i] += distance * tool[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
     channel_.motions.line(block, target, Op::Rapid, true);
     return Done(!reporter_.has_ended());
@@ -235,8 +236,8 @@ void TiltedPlanes::end_swivel(const Block& block) {
 }
 
 void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invocation) {
-    const double said = block.argument(invocation, parameter_of<Function::ToolFrame>("axis"));
-    const auto axis = static_cast<Eigen::Index>(said) - 1;
+    const double programmed = block.argument(invocation, parameter_of<Function::ToolFrame>("axis"));
+    const auto axis = static_cast<Eigen::Index>(programmed) - 1;
     if (axis < 0 || axis > 2) return;  // no form says it
     Vec3 tool = Vec3::UnitZ();
     if (carrier_.stand) {

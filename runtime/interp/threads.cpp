@@ -47,7 +47,7 @@ void Motions::tap(const Block& block, const Target& target) {
     const bool is_cw = (pitch > 0) == (modal_.motion == Function::TapIn);
     channel_.spindles.turn(is_cw ? SpindleMode::Cw : SpindleMode::Ccw);
     channel_.spindles.update_spindle(block);
-    path::Motion& motion = channel_.stages.put(Op::Line, block, &target.turn).motion();
+    path::Motion& motion = channel_.stages.put(Op::Line, block, &target.orientation).motion();
     motion.to = target.base;
     motion.moved = target.moved;
     motion.feed_mode = FeedMode::PerRevolution;
@@ -61,10 +61,10 @@ void Motions::tap(const Block& block, const Target& target) {
 /// A line geared to the spindle as it turns. Its pitch counts along the axis of the longer way, so
 /// a turn takes the tool so much farther along the line as that is longer.
 void Motions::thread(const Block& block, const Target& target, const Actions& actions) {
-    const Vec3 way = linear(target.here) - linear(position_.here());
-    const std::optional<double> pitch = thread_pitch(block, way);
+    const Vec3 delta = linear(target.here) - linear(position_.here());
+    const std::optional<double> pitch = thread_pitch(block, delta);
     if (!pitch) return;
-    const double along = way.cwiseAbs().maxCoeff();
+    const double along = delta.cwiseAbs().maxCoeff();
     const std::optional<double> change = thread_change(block, *pitch, along);
     if (!change) return;
     if (!require_thread_spindle(block)) return;
@@ -72,15 +72,15 @@ void Motions::thread(const Block& block, const Target& target, const Actions& ac
     if (tool_.has_changed) channel_.tool.activate_length(block, target.moved);
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     position_.note_motion();
-    path::Motion& motion = channel_.stages.put(Op::Thread, block, &target.turn).motion();
+    path::Motion& motion = channel_.stages.put(Op::Thread, block, &target.orientation).motion();
     motion.to = target.base;
     motion.moved = target.moved;
     motion.exact_stop = channel_.smoothing.stops_exactly(actions.exact_stop);
     motion.feed_mode = FeedMode::PerRevolution;
     const double length = (linear(target.base) - linear(position_.base())).norm();
-    const double by_way = along > 0 ? length / along : 1;
-    motion.feed = *pitch * by_way;
-    motion.shape = path::ThreadShape{*change * by_way, actions.thread_start_deg};
+    const double by_distance = along > 0 ? length / along : 1;
+    motion.feed = *pitch * by_distance;
+    motion.shape = path::ThreadShape{*change * by_distance, actions.thread_start_deg};
     arrive(target);
 }
 
@@ -90,34 +90,35 @@ Done Motions::require_thread_spindle(const Block& block) {
         reporter_.report(diag::RevolutionFeedStands, block);
         return kFailed;
     }
-    if (spindle_.has_cutting_speed && told_.first_time(Once::ThreadSpeed))
+    if (spindle_.has_cutting_speed && reported_.first_time(RunNotice::ThreadSpeed))
         reporter_.report(diag::ThreadUnderCuttingSpeed, block);
     return kDone;
 }
 
 /// By how much the pitch changes in a turn; 0 of an even thread. In a turn the tool goes by the
 /// pitch, so its square changes by twice the change times the way: it must not come to zero.
-std::optional<double> Motions::thread_change(const Block& block, double pitch, double way) {
+std::optional<double> Motions::thread_change(const Block& block, double pitch, double distance) {
     if (!nc::has_fact(modal_.motion, nc::Fact::VaryingThread)) return 0;
     const nc::Invocation* const word = block.find(Function::ThreadChange);
     if (word == nullptr) {
         reporter_.report(diag::ThreadChangeMissing, block);
         return std::nullopt;
     }
-    const double said = block.argument(*word, nc::parameter_of<Function::ThreadChange>("change"));
-    const double change = modal_.motion == Function::ThreadDecreasing ? -said : said;
-    if (pitch * pitch + 2 * change * way > 0) return change;
+    const double programmed =
+        block.argument(*word, nc::parameter_of<Function::ThreadChange>("change"));
+    const double change = modal_.motion == Function::ThreadDecreasing ? -programmed : programmed;
+    if (pitch * pitch + 2 * change * distance > 0) return change;
     reporter_.report(diag::ThreadPitchVanishes, block, Function::ThreadChange)
         .arg(round_to(pitch * pitch / (-2 * change), 4));
     return std::nullopt;
 }
 
 /// The pitch that the block or, on some controls, F says; nothing if it was reported missing.
-std::optional<double> Motions::thread_pitch(const Block& block, const Vec3& way) {
+std::optional<double> Motions::thread_pitch(const Block& block, const Vec3& delta) {
     constexpr double kEqualTravels = 1e-6;  // mm: at 45 degrees either axis will do
     const SlotMask words = block.given & nc::kCenterSlots;
     Eigen::Index longest = 0;
-    const double most = way.cwiseAbs().maxCoeff(&longest);
+    const double most = delta.cwiseAbs().maxCoeff(&longest);
     const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
     // The blocks of a cycle are neutral ones: they say it in a word.
     if (rules_.thread_pitch_is_feed && !block.is_of_cycle()) {
@@ -128,7 +129,8 @@ std::optional<double> Motions::thread_pitch(const Block& block, const Vec3& way)
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto word = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
-        const bool is_long = std::abs(way[static_cast<Eigen::Index>(axis)]) >= most - kEqualTravels;
+        const bool is_long =
+            std::abs(delta[static_cast<Eigen::Index>(axis)]) >= most - kEqualTravels;
         if (is_long && block.has(word) && block.at(word) > 0) return block.at(word);
     }
     (words == 0 ? reporter_.report(diag::ThreadPitchMissing, block)

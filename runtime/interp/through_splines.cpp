@@ -31,10 +31,10 @@ using path::Vec3;
 namespace {
 
 /// Direction of a way, if it is one.
-std::optional<Vec3> direction_of(const Vec3& way) {
-    const double length = way.norm();
+std::optional<Vec3> direction_of(const Vec3& delta) {
+    const double length = delta.norm();
     if (!(length > path::kSameKnot)) return std::nullopt;
-    return Vec3(way / length);
+    return Vec3(delta / length);
 }
 
 }  // namespace
@@ -42,10 +42,10 @@ std::optional<Vec3> direction_of(const Vec3& way) {
 void Splines::choose_spline_end(const Block& block, const nc::Invocation& invocation) {
     constexpr std::size_t kKind =
         nc::parameter_of_all<"kind", Function::SplineStart, Function::SplineEnd>();
-    const double said = block.argument(invocation, kKind);
-    const auto kind = said == 0   ? SplineEnd::Kind::Auto
-                      : said == 1 ? SplineEnd::Kind::Natural
-                                  : SplineEnd::Kind::Tangent;
+    const double programmed = block.argument(invocation, kKind);
+    const auto kind = programmed == 0   ? SplineEnd::Kind::Auto
+                      : programmed == 1 ? SplineEnd::Kind::Natural
+                                        : SplineEnd::Kind::Tangent;
     (invocation.function == Function::SplineStart ? spline_ends_.start : spline_ends_.end) = kind;
 }
 

@@ -91,8 +91,8 @@ std::optional<std::array<Axis, 3>> axes_in_order(double digits) {
 }
 
 /// The word of the blocks that say it.
-Function function_of(const OpenPlane& said) {
-    return said.is_by_points ? Function::TiltedPlaneByPoints : Function::TiltedPlaneByVectors;
+Function function_of(const OpenPlane& programmed) {
+    return programmed.is_by_points ? Function::TiltedPlaneByPoints : Function::TiltedPlaneByVectors;
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ TiltedPlanes::TiltedPlanes(Channel& channel)
       orienting_(channel.state.tool.orienting),
       tilted_plane_(channel.state.tool.tilted_plane),
       comp_(channel.state.stage.comp),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       axes_(channel.state.axes),
       length_shift_(channel.state.motion.length_shift) {}
 
@@ -220,42 +220,47 @@ void TiltedPlanes::set_plane_by_blocks(const Block& block, const Invocation& inv
         tilted_plane_.open->is_added = is_added;
         tilted_plane_.open->next = is_by_points && number == 0 ? 0 : 1;
     }
-    OpenPlane& said = *tilted_plane_.open;
-    if (said.is_by_points != is_by_points || said.is_added != is_added || number != said.next) {
+    OpenPlane& programmed = *tilted_plane_.open;
+    if (programmed.is_by_points != is_by_points || programmed.is_added != is_added ||
+        number != programmed.next) {
         reporter_.report(diag::TiltFormat, block, invocation.function)
             .arg("its blocks do not stand in their order");
         return;
     }
-    const std::optional<Vec3> place = origin_of_plane(block, invocation, kOrigin);
-    if (!place) return;
+    const std::optional<Vec3> point = origin_of_plane(block, invocation, kOrigin);
+    if (!point) return;
     if (is_by_points) {
-        said.values[said.next] = *place;
-        if (said.next == 0) said.turn = rad_from_deg(block.argument(invocation, kTurn));
+        programmed.values[programmed.next] = *point;
+        if (programmed.next == 0) programmed.turn = rad_from_deg(block.argument(invocation, kTurn));
     } else {
-        if (said.next == 1) said.origin = *place;
-        said.values[said.next] = three(block, invocation, kVector);
+        if (programmed.next == 1) programmed.origin = *point;
+        programmed.values[programmed.next] = three(block, invocation, kVector);
     }
     const unsigned last = is_by_points ? 3 : 2;
-    if (said.next++ < last) return;
-    const std::optional<Frame> plane = plane_by_blocks(block, said);
+    if (programmed.next++ < last) return;
+    const std::optional<Frame> plane = plane_by_blocks(block, programmed);
     tilted_plane_.open.reset();
     if (!plane) return;
     set_plane(*plane, is_added);
     if (machine_.kinematics) carry(block, channel_.transformation.joints_of(position_.base()));
 }
 
-std::optional<Frame> TiltedPlanes::plane_by_blocks(const Block& block, const OpenPlane& said) {
-    const std::array<Vec3, 3> points = {said.values[1], said.values[2], said.values[3]};
-    const auto plane = said.is_by_points
-                           ? machine::through_points(points)
-                           : machine::by_axes(said.values[1], said.values[2], kSquareTolerance);
+std::optional<Frame> TiltedPlanes::plane_by_blocks(const Block& block,
+                                                   const OpenPlane& programmed) {
+    const std::array<Vec3, 3> points = {programmed.values[1], programmed.values[2],
+                                        programmed.values[3]};
+    const auto plane =
+        programmed.is_by_points
+            ? machine::through_points(points)
+            : machine::by_axes(programmed.values[1], programmed.values[2], kSquareTolerance);
     if (!plane) {
-        reporter_.report(diag::TiltFormat, block, function_of(said)).arg(words_of(plane.error()));
+        reporter_.report(diag::TiltFormat, block, function_of(programmed))
+            .arg(words_of(plane.error()));
         return std::nullopt;
     }
-    if (!said.is_by_points) return path::translation(said.origin) * turned(*plane);
-    return path::translation(points[0]) * turned(*plane) * path::translation(said.values[0]) *
-           path::rotation_in_plane(path::Plane::Xy, said.turn);
+    if (!programmed.is_by_points) return path::translation(programmed.origin) * turned(*plane);
+    return path::translation(points[0]) * turned(*plane) * path::translation(programmed.values[0]) *
+           path::rotation_in_plane(path::Plane::Xy, programmed.turn);
 }
 
 Done TiltedPlanes::require_block_of_open_plane(const Block& block) {
@@ -270,11 +275,11 @@ void TiltedPlanes::tilt_along_tool(const Block& block, const Invocation& invocat
     if (!require_place_for_plane(block, invocation, false)) return;
     if (!require_rotary_axes(block, invocation.function)) return;
     constexpr std::size_t kOrigin = parameter_of<Function::TiltedPlaneAlongTool>("x");
-    const std::optional<Vec3> said = origin_of_plane(block, invocation, kOrigin);
-    if (!said) return;
+    const std::optional<Vec3> programmed = origin_of_plane(block, invocation, kOrigin);
+    if (!programmed) return;
     carry(block, channel_.transformation.joints_of(position_.base()));
     const Vec3 origin =
-        (invocation.given >> kOrigin & 0b111u) != 0 ? *said : linear(position_.here());
+        (invocation.given >> kOrigin & 0b111u) != 0 ? *programmed : linear(position_.here());
     const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, tilted_plane_.joints);
     const Mat3 plane =
         machine::square_to_tool((frames_.total().linear.transpose() * tool).normalized());
@@ -289,7 +294,7 @@ void TiltedPlanes::tilt_along_tool(const Block& block, const Invocation& invocat
 void TiltedPlanes::end_tilted_plane(const Block& block) {
     if (!tilted_plane_.is_on || !end_rotations_3d(block)) return;
     tilted_plane_.is_on = false;
-    told_.renew(Once::TiltTurned);
+    reported_.renew(RunNotice::TiltTurned);
     frames_.set_tilted_plane({});
     drop_carry(block);
     channel_.frames.frame_changed();
@@ -312,10 +317,11 @@ void TiltedPlanes::align(const Block& block, const Invocation& invocation) {
         return;
     }
     if (!require_rotary_axes(block, function)) return;
-    const double way = function == Function::AlignTool
-                           ? block.argument(invocation, parameter_of<Function::AlignTool>("way"))
-                           : 0;
-    const int sense = way == 1 ? 1 : way == 2 ? -1 : 0;
+    const double distance =
+        function == Function::AlignTool
+            ? block.argument(invocation, parameter_of<Function::AlignTool>("way"))
+            : 0;
+    const int sense = distance == 1 ? 1 : distance == 2 ? -1 : 0;
     constexpr std::size_t kOffset = parameter_of<Function::AlignToolAtTip>("offset");
     if (is_about_tip && invocation.has(kOffset)) {
         channel_.tool.choose_offset(std::llround(block.argument(invocation, kOffset)));
@@ -356,7 +362,7 @@ std::optional<Vec3> TiltedPlanes::joints_for_plane(const Block& block, Function 
     const auto joints = machine::choose_swivel(chain, query);
     if (joints) return *joints;
     const machine::PathRefusal& refusal = joints.error();
-    if (refusal.fault == machine::PathFault::Unreachable) {
+    if (refusal.fault == machine::PathChoiceFault::Unreachable) {
         reporter_.report(diag::TiltUnreachable, block, function)
             .arg(chain.orients() ? "its rotary axes do not reach so far"
                                  : "it has one rotary axis, which does not lead there");
@@ -431,7 +437,7 @@ void TiltedPlanes::hold_tip(const Block& block, const Vec3& joints, Op op) {
     motion.moved = moved;
     motion.exact_stop = true;
     motion.feed = op == Op::Rapid ? 0 : modal_.feed;
-    motion.turn_plainly(path::Turning::Axes);
+    motion.orient_plainly(path::OrientKind::Axes);
     motion.direction = machine::tool_vector(chain, joints);
     position_.stand_at(end);
     channel_.frames.frame_changed();
@@ -480,7 +486,7 @@ void TiltedPlanes::stand_at(const Block& block, const AxisValues& axes, bool too
 }
 
 void TiltedPlanes::check_carried(const Block& block) {
-    if (told_.has_reported(Once::TiltTurned) || !machine_.kinematics) return;
+    if (reported_.has_reported(RunNotice::TiltTurned) || !machine_.kinematics) return;
     const nc::SlotMask turned = block.given & channel_.transformation.joint_axes();
     if (turned == 0) return;
     const Vec3 now = tilted_plane_.joints;
@@ -489,13 +495,13 @@ void TiltedPlanes::check_carried(const Block& block) {
         if (!chain.has(k)) continue;
         const nc::Slot slot = nc::slot_of(chain.joints[k].axis);
         if ((turned & bit(slot)) == 0) continue;
-        const double place = deg_from_rad(now[static_cast<Eigen::Index>(k)]);
+        const double parameter = deg_from_rad(now[static_cast<Eigen::Index>(k)]);
         constexpr double kWidth = 0.0005;  // deg: half an increment
-        if (std::abs(std::remainder(block.at(slot) - place, 360)) < kWidth) continue;
-        told_.count_as_reported(Once::TiltTurned);
+        if (std::abs(std::remainder(block.at(slot) - parameter, 360)) < kWidth) continue;
+        reported_.count_as_reported(RunNotice::TiltTurned);
         reporter_.report(diag::TiltTurned, block, slot)
             .arg(kAxisNames[index(chain.joints[k].axis)])
-            .arg(round_to(place, 4));
+            .arg(round_to(parameter, 4));
         return;
     }
 }

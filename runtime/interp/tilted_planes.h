@@ -23,7 +23,7 @@ class TiltedPlanes {
     /// The rotary axes stay.
     void end_tilted_plane(const nc::Block& block);
     /// A rotation about an axis in space, G68 with I, J, K.
-    void turn_in_space(const nc::Block& block, const nc::Invocation& invocation);
+    void rotate_about_axis(const nc::Block& block, const nc::Invocation& invocation);
     /// The rotary axes turn until the tool is along Z of the plane.
     void align(const nc::Block& block, const nc::Invocation& invocation);
     /// Frames lie on the tables as these joints have turned them, and the tool as the heads have;
@@ -46,7 +46,7 @@ class TiltedPlanes {
   private:
     std::optional<path::Frame> plane_by_angles(const nc::Block& block,
                                                const nc::Invocation& invocation);
-    std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const OpenPlane& said);
+    std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const OpenPlane& programmed);
     std::optional<path::Vec3> origin_of_plane(const nc::Block& block,
                                               const nc::Invocation& invocation, std::size_t first);
     Done require_place_for_plane(const nc::Block& block, const nc::Invocation& invocation,
@@ -80,7 +80,7 @@ class TiltedPlanes {
     const Orienting& orienting_;
     Tilting& tilted_plane_;
     const RadiusCompState& comp_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
     const AxisData& axes_;
     const AxisValues& length_shift_;
 };

@@ -46,7 +46,7 @@ Vec3 vector_at(const CarrierData& data, std::size_t first) {
 
 /// How an axis of the machine turns what it carries: a table goes against what its axis says.
 Vec3 turning(const machine::RotaryJoint& joint) {
-    return joint.sign * (joint.side == machine::Side::Head ? 1 : -1) * joint.direction;
+    return joint.sign * (joint.side == machine::ChainSide::Head ? 1 : -1) * joint.direction;
 }
 
 /// The machine's chain as a carrier. Of a head or a table alone axis 1 carries axis 2; of both,
@@ -61,7 +61,7 @@ CarrierData carrier_of(const machine::Chain& chain) {
     for (const std::size_t k : {kR1, kR2}) {
         const machine::RotaryJoint& joint = chain.joints[k];
         if (!joint.is_present) continue;
-        if (joint.side == machine::Side::Head) heads.push_back(&joint);
+        if (joint.side == machine::ChainSide::Head) heads.push_back(&joint);
         else tables.insert(tables.begin(), &joint);
     }
     data.kind = tables.empty() ? "T" : heads.empty() ? "P" : "M";
@@ -234,23 +234,24 @@ Mat3 Carrier::table() const {
 
 Vec3 Carrier::length(const Vec3& lengths) const {
     switch (kind) {
-        case Kind::Tool: return ways[0] + turn(0) * (ways[1] + turn(1) * (ways[2] + lengths));
+        case Kind::Tool:
+            return offsets[0] + turn(0) * (offsets[1] + turn(1) * (offsets[2] + lengths));
         case Kind::Part: return lengths;
         case Kind::Mixed: break;
     }
-    return ways[0] + turn(0) * (ways[1] + lengths);
+    return offsets[0] + turn(0) * (offsets[1] + lengths);
 }
 
 Vec3 Carrier::table_shift() const {
     switch (kind) {
         case Kind::Tool: return Vec3::Zero();
         case Kind::Part: {
-            const Vec3 inner = ways[2] + turn(1) * ways[3];
-            return turn(0) * inner - (ways[2] + ways[3]);
+            const Vec3 inner = offsets[2] + turn(1) * offsets[3];
+            return turn(0) * inner - (offsets[2] + offsets[3]);
         }
         case Kind::Mixed: break;
     }
-    return turn(1) * ways[3] - ways[3];
+    return turn(1) * offsets[3] - offsets[3];
 }
 
 std::optional<Carrier> carrier_of(const CarrierData& data) {
@@ -259,7 +260,7 @@ std::optional<Carrier> carrier_of(const CarrierData& data) {
     else if (data.kind == "P" || data.kind == "p") carrier.kind = Carrier::Kind::Part;
     else if (data.kind == "M" || data.kind == "m") carrier.kind = Carrier::Kind::Mixed;
     else return std::nullopt;
-    for (std::size_t i = 0; i < 4; ++i) carrier.ways[i] = vector_at(data, kWays[i]);
+    for (std::size_t i = 0; i < 4; ++i) carrier.offsets[i] = vector_at(data, kWays[i]);
     for (std::size_t i = 0; i < 2; ++i) {
         const Vec3 direction = vector_at(data, kDirections[i]);
         if (is_axis(direction)) carrier.directions[i] = direction.normalized();

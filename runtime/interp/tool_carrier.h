@@ -54,7 +54,7 @@ struct Carrier {
     enum class Kind : std::uint8_t { Tool, Part, Mixed };  // T, P, M
 
     Kind kind = Kind::Tool;
-    std::array<path::Vec3, 4> ways{};        // l1 to l4, mm
+    std::array<path::Vec3, 4> offsets{};     // l1 to l4, mm
     std::array<path::Vec3, 2> directions{};  // v1, v2: unit vectors; zero: no axis
     std::array<double, 2> zeros{};           // angles at which nothing is turned, rad
     std::array<double, 2> angles{};          // rad

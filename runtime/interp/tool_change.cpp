@@ -43,7 +43,7 @@ ToolInUse::ToolInUse(Channel& channel)
       tilted_plane_(channel.state.tool.tilted_plane),
       comp_(channel.state.stage.comp),
       units_(channel.state.motion.units),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       dangers_(channel.state.stage.dangers),
       axes_(channel.state.axes),
       length_shift_(channel.state.motion.length_shift) {}
@@ -71,7 +71,7 @@ void ToolInUse::check_edge(const Block& block) {
             .arg(tool_.edge);
         return;
     }
-    if (!told_.first_time(NoticeEach::Edge, number)) return;
+    if (!reported_.first_time(NoticeEach::Edge, number)) return;
     reporter_.report(diag::EdgeUnknown, block, Function::ToolEdge)
         .arg(tool_.edge)
         .arg(tool_.current);
@@ -119,11 +119,11 @@ std::int64_t ToolInUse::named_tool(const Block& block) {
     const std::vector<std::int64_t> known = tool_names_.numbers(block.text);
     if (known.empty()) {
         const std::int64_t number = tool_names_.invent(block.text, tool_offsets_.last_tool());
-        told_.count_as_reported(NoticeEach::Tool, number);
+        reported_.count_as_reported(NoticeEach::Tool, number);
         reporter_.report(diag::ToolUnknown, block).arg(block.text);
         return number;
     }
-    if (known.size() > 1 && told_.first_time_of_name(block.text))
+    if (known.size() > 1 && reported_.first_time_of_name(block.text))
         reporter_.report(diag::ToolNameShared, block).arg(block.text).arg(known[0]).arg(known[1]);
     return known[0];
 }
@@ -144,7 +144,7 @@ void ToolInUse::change_tool(const Block& block) {
     }
     if (nc::stops_at_tool_change(rules_, channel_.functions.changer())) {
         channel_.spindles.turn(SpindleMode::Stop);
-        told_.renew_spindle();
+        reported_.renew_spindle();
         channel_.spindles.update_spindle(block);
     }
     // What the block says of the edge itself is said.

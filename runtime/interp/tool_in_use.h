@@ -44,11 +44,11 @@ class ToolInUse {
 
     /// Acts with the next motion; S 5.1. Whether the two kinds of lengths end each other is not
     /// told (unsure).
-    ControlAccess::Write set_extra(nc::Quantity quantity, std::int64_t first, double value);
+    ControlAccess::Write set_extra(nc::SystemQuantity quantity, std::int64_t first, double value);
     /// Whether there may be such a tool and such an edge of it; an edge that is not said is 0.
     bool has_edge(std::int64_t tool, std::int64_t edge) const;
     /// A datum of an edge, as its variable says it; mm.
-    ControlAccess::Write set_edge_offset(nc::Quantity quantity, std::int64_t tool,
+    ControlAccess::Write set_edge_offset(nc::SystemQuantity quantity, std::int64_t tool,
                                          std::int64_t edge, double value);
     /// Of the edge that acts, whose data are the same by its number, $TC_DPx[T,D].
     ControlAccess::Write set_active_datum(std::int64_t datum, double value);
@@ -128,8 +128,8 @@ class ToolInUse {
     const Orienting& orienting_;
     const Tilting& tilted_plane_;
     const RadiusCompState& comp_;
-    const Units& units_;
-    ReportedInRun& told_;
+    const ProgrammedUnits& units_;
+    ReportedInRun& reported_;
     const Dangers& dangers_;
     const AxisData& axes_;
     AxisValues& length_shift_;

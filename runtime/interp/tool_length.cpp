@@ -78,7 +78,7 @@ void ToolInUse::check_length_known(const Block& block) {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
     const std::int64_t tool = ToolOffsets::tool_of(number);
-    if (!told_.first_time(NoticeEach::Tool, tool)) return;
+    if (!reported_.first_time(NoticeEach::Tool, tool)) return;
     reporter_.report(diag::ToolUnknown, block).arg(tool);
 }
 
@@ -117,8 +117,8 @@ Vec3 ToolInUse::activate_length(const Block& block, AxisMask moved) {
 }
 
 Done ToolInUse::activate_length_on_arc(const Block& block, const Vec3& normal, AxisMask moved) {
-    const Vec3 way = activate_length(block, moved);
-    const double aside = (way - way.dot(normal) * normal).norm();
+    const Vec3 delta = activate_length(block, moved);
+    const double aside = (delta - delta.dot(normal) * normal).norm();
     if (aside <= rules_.arc_tolerance) return kDone;
     reporter_.report(diag::ArcLengthChange, block, modal_.motion).arg(round_to(aside, 4));
     return kFailed;

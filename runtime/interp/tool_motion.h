@@ -22,8 +22,8 @@ class ToolMotion {
     /// Whether the tool is led by a surface in every block.
     bool keeps_lead_tilt_to_surface() const;
     /// A direction that words say, in the base system; nothing if it was reported.
-    std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
-                                                nc::Function word);
+    std::optional<path::Vec3> direction_in_base(const nc::Block& block,
+                                                const path::Vec3& programmed, nc::Function word);
     /// What the block says of the tool, as rotary positions at its end and a way there.
     Done orient(const nc::Block& block, const Actions& actions, Target& target);
     /// What the end of the motion says of the tool, for its command and the blocks behind it.
@@ -42,13 +42,13 @@ class ToolMotion {
     /// The rotary axes of the target stand there, rad.
     void put_joints(const path::Vec3& joints, Target& target) const;
     /// plan  of the motion; null: the tool stays as it stands
-    void put_orientation(path::Motion& motion, const TurnPlan* plan);
+    void put_orientation(path::Motion& motion, const OrientPlan* plan);
     /// Whether a motion of this kind goes from point to point.
     bool goes_straight(path::Op op) const;
     /// … the motion of a block.
     bool goes_straight(const nc::Block& block, const Actions& actions) const;
     /// What has a path of its own has no place where axes go from point to point. S 14144.
-    Done require_point_to_point_way(const nc::Block& block, const Actions& actions);
+    Done require_point_to_point_motion(const nc::Block& block, const Actions& actions);
     /// Which position of the rotary axes the block wants: `STAT` from here on, `TU` here. S 7.4.
     void choose_axes(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     /// The tool may turn as it is said beside a spline or a polynomial.
@@ -56,13 +56,13 @@ class ToolMotion {
     /// What a pole of a B-spline says of the tool: a direction, or the one of the pole before it.
     /// Nothing where no transformation turns the tool.
     Done orient_control_point(const nc::Block& block, const ToolWords& tool,
-                              ControlPointBlock& pole);
+                              ControlPointBlock& control_point);
     /// How the tool turns along a span, and where the rotary axes stand at its end: in `to` and in
     /// the position, of which X, Y and Z are behind blocks that have been read meanwhile.
     ///
     /// at  whose place messages show
-    Done turn_along(const nc::Block& at, const ControlPointBlock& said, const path::Curve& span,
-                    AxisValues& to, TurnPlan& turn);
+    Done orient_along(const nc::Block& at, const ControlPointBlock& control_point,
+                      const path::Curve& span, AxisValues& to, OrientPlan& orientation);
     /// What a block says of the tool, shared out to the pieces of its polynomial by their lengths:
     /// the directions in which they end.
     Done share_orientation(const nc::Block& block, const ToolWords& tool,
@@ -73,7 +73,7 @@ class ToolMotion {
     Done require_axes_for_direction(const nc::Block& block);
     void take_lead_tilt(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     void take_opening(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
-    Done require_one_turn(const nc::Block& block, const ToolWords& tool);
+    Done require_one_orientation(const nc::Block& block, const ToolWords& tool);
     Done require_no_idle_words(const nc::Block& block, const ToolWords& tool);
     bool is_led_by_surface(const ToolWords& tool) const;
     machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
@@ -90,15 +90,15 @@ class ToolMotion {
                   Target& target);
     std::optional<machine::OrientationArc> cone_to(const nc::Block& block, const ToolWords& tool,
                                                    const path::Vec3& from, const path::Vec3& to);
-    Done follow_directions(const nc::Block& block, const path::Turn& turn, const path::Curve& curve,
-                           Target& target);
+    Done follow_directions(const nc::Block& block, const path::OrientLaw& orientation,
+                           const path::Curve& curve, Target& target);
     Done apply_lead_tilt_at_end(const nc::Block& block, const ToolWords& tool,
                                 const path::Curve& curve, Target& target);
     std::optional<path::Vec3> direction_on_surface(const nc::Block& block, const path::Vec3& normal,
                                                    const path::Vec3& tangent,
-                                                   const path::Lean& lean);
+                                                   const path::LeadTiltAngles& lead_tilt);
     Done require_small_rise(const nc::Block& block, double rise);
-    Done require_small_rise_along(const nc::Block& block, const path::Turn& surface,
+    Done require_small_rise_along(const nc::Block& block, const path::OrientLaw& surface,
                                   const path::Curve& curve);
     bool surface_leads_end() const;
     Done lead_by_surface(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
@@ -107,7 +107,7 @@ class ToolMotion {
                        Target& target);
     Done orient_first(const nc::Block& block, const path::Vec3& to);
     bool spins_with_path(const ToolWords& tool) const;
-    std::optional<path::Vec3> spin_reference(const path::Vec3& tool, const TurnPlan& turn,
+    std::optional<path::Vec3> spin_reference(const path::Vec3& tool, const OrientPlan& orientation,
                                              const path::Curve* curve) const;
     Done lay_spin(const nc::Block& block, const ToolWords& tool, Target& target,
                   const path::Curve* curve = nullptr);
@@ -119,7 +119,7 @@ class ToolMotion {
     Done stand_along(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
                      Target& target);
     Done turn_by_signs(const nc::Block& block, const ToolWords& tool, Target& target);
-    Done lay_span_orientation(const nc::Block& at, const ControlPointBlock& said,
+    Done lay_span_orientation(const nc::Block& at, const ControlPointBlock& control_point,
                               const path::Curve& span, Target& target);
 
     Channel& channel_;
@@ -133,7 +133,7 @@ class ToolMotion {
     const Virtual& virtual_;
     const RadiusCompState& comp_;
     const std::optional<SplineRun>& spline_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
     const AxisData& axes_;
     path::Vec3 direction_ = path::Vec3::UnitZ();  // of the tool behind the latest motion
 };

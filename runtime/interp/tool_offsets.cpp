@@ -8,17 +8,17 @@ namespace {
 
 using Column = ToolOffsets::Column;
 
-std::size_t place_of(Column column) { return static_cast<std::size_t>(column); }
+std::size_t index_of(Column column) { return static_cast<std::size_t>(column); }
 
 }  // namespace
 
 ToolOffsets::ToolOffsets(const machine::Machine& machine, bool is_lathe) : is_lathe_(is_lathe) {
     for (const machine::ToolData& tool : machine.tools) {
         auto& offset = offsets_[of_edge(tool.number, tool.edge)];
-        offset[place_of(is_lathe_ ? Column::Second : Column::First)] = tool.length;
-        if (is_lathe_) offset[place_of(Column::First)] = tool.length_x;
-        offset[place_of(Column::Radius)] = tool.radius;
-        offset[place_of(Column::Tip)] = tool.tip;
+        offset[index_of(is_lathe_ ? Column::Second : Column::First)] = tool.length;
+        if (is_lathe_) offset[index_of(Column::First)] = tool.length_x;
+        offset[index_of(Column::Radius)] = tool.radius;
+        offset[index_of(Column::Tip)] = tool.tip;
     }
 }
 
@@ -81,36 +81,38 @@ bool ToolOffsets::is_turning(std::int64_t number) const {
     return kind == 0 ? is_lathe_ : kind / 100 == kTurning;
 }
 
-std::optional<Column> ToolOffsets::column_of(nc::Quantity quantity, std::int64_t number) const {
-    using nc::Quantity;
+std::optional<Column> ToolOffsets::column_of(nc::SystemQuantity quantity,
+                                             std::int64_t number) const {
+    using nc::SystemQuantity;
     const bool is_turned = is_turning(number);
     switch (quantity) {
-        case Quantity::LengthGeometry: return is_turned ? Column::Second : Column::First;
-        case Quantity::LengthWear: return is_turned ? Column::SecondWear : Column::FirstWear;
-        case Quantity::CrossGeometry:
-        case Quantity::FirstLength: return Column::First;
-        case Quantity::CrossWear:
-        case Quantity::FirstWear: return Column::FirstWear;
-        case Quantity::SecondLength: return Column::Second;
-        case Quantity::SecondWear: return Column::SecondWear;
-        case Quantity::ThirdLength: return Column::Third;
-        case Quantity::ThirdWear: return Column::ThirdWear;
-        case Quantity::RadiusGeometry: return Column::Radius;
-        case Quantity::RadiusWear: return Column::RadiusWear;
-        case Quantity::FirstBase: return Column::FirstBase;
-        case Quantity::SecondBase: return Column::SecondBase;
-        case Quantity::ThirdBase: return Column::ThirdBase;
-        case Quantity::ToolTip: return Column::Tip;
-        case Quantity::ToolType: return Column::Type;
+        case SystemQuantity::LengthGeometry: return is_turned ? Column::Second : Column::First;
+        case SystemQuantity::LengthWear: return is_turned ? Column::SecondWear : Column::FirstWear;
+        case SystemQuantity::CrossGeometry:
+        case SystemQuantity::FirstLength: return Column::First;
+        case SystemQuantity::CrossWear:
+        case SystemQuantity::FirstWear: return Column::FirstWear;
+        case SystemQuantity::SecondLength: return Column::Second;
+        case SystemQuantity::SecondWear: return Column::SecondWear;
+        case SystemQuantity::ThirdLength: return Column::Third;
+        case SystemQuantity::ThirdWear: return Column::ThirdWear;
+        case SystemQuantity::RadiusGeometry: return Column::Radius;
+        case SystemQuantity::RadiusWear: return Column::RadiusWear;
+        case SystemQuantity::FirstBase: return Column::FirstBase;
+        case SystemQuantity::SecondBase: return Column::SecondBase;
+        case SystemQuantity::ThirdBase: return Column::ThirdBase;
+        case SystemQuantity::ToolTip: return Column::Tip;
+        case SystemQuantity::ToolType: return Column::Type;
         default: return std::nullopt;
     }
 }
 
-Column ToolOffsets::column_at(std::int64_t place, std::int64_t number) const {
-    using nc::Quantity;
-    static constexpr std::array kPlaces = {Quantity::LengthGeometry, Quantity::LengthWear,
-                                           Quantity::RadiusGeometry, Quantity::RadiusWear};
-    return *column_of(kPlaces.at(static_cast<std::size_t>(place) - 1), number);
+Column ToolOffsets::column_at(std::int64_t index, std::int64_t number) const {
+    using nc::SystemQuantity;
+    static constexpr std::array kPlaces = {
+        SystemQuantity::LengthGeometry, SystemQuantity::LengthWear, SystemQuantity::RadiusGeometry,
+        SystemQuantity::RadiusWear};
+    return *column_of(kPlaces.at(static_cast<std::size_t>(index) - 1), number);
 }
 
 std::optional<Column> ToolOffsets::column_of_datum(std::int64_t datum) {
@@ -134,11 +136,11 @@ std::optional<Column> ToolOffsets::column_of_datum(std::int64_t datum) {
 
 double ToolOffsets::value(Column column, std::int64_t number) const {
     const auto found = offsets_.find(number);
-    return found == offsets_.end() ? 0 : found->second[place_of(column)];
+    return found == offsets_.end() ? 0 : found->second[index_of(column)];
 }
 
 void ToolOffsets::set(Column column, std::int64_t number, double value) {
-    offsets_[number][place_of(column)] = value;
+    offsets_[number][index_of(column)] = value;
 }
 
 double ToolOffsets::datum(std::int64_t number, std::int64_t datum) const {

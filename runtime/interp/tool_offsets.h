@@ -48,12 +48,12 @@ class ToolOffsets {
     ToolOffsets(const machine::Machine& machine, bool is_lathe);
 
     /// The column that a quantity is of this offset.
-    std::optional<Column> column_of(nc::Quantity quantity, std::int64_t number) const;
+    std::optional<Column> column_of(nc::SystemQuantity quantity, std::int64_t number) const;
     /// … that has this number among an edge's data, x of $TC_DPx; nothing: no length hangs on it.
     static std::optional<Column> column_of_datum(std::int64_t datum);
     static constexpr std::int64_t kMostNumberedDatum = 25;  // of these data
     /// … and the one that has this number in the vocabulary (tool_offset_data).
-    Column column_at(std::int64_t place, std::int64_t number) const;
+    Column column_at(std::int64_t index, std::int64_t number) const;
     /// The machine has a tool of this number, or the program has written its offset.
     bool is_known(std::int64_t number) const { return offsets_.contains(number); }
     /// The highest number of a tool that has data; 0: none has.

@@ -33,7 +33,7 @@ using nc::Function;
 using path::Command;
 using path::linear;
 using path::Op;
-using path::Turning;
+using path::OrientKind;
 using path::Vec3;
 
 namespace {
@@ -90,9 +90,9 @@ std::string words_of(const Chain& chain, const machine::PathRefusal& refusal) {
 
 /// The axis, turned by as little as possible so that both directions are on one cone about it.
 Vec3 axis_between(const Vec3& axis, const Vec3& from, const Vec3& to) {
-    const Vec3 way = to - from;
-    if (way.norm() < kSameDirection) return axis;
-    return (axis - axis.dot(way) / way.squaredNorm() * way).normalized();
+    const Vec3 delta = to - from;
+    if (delta.norm() < kSameDirection) return axis;
+    return (axis - axis.dot(delta) / delta.squaredNorm() * delta).normalized();
 }
 
 }  // namespace
@@ -102,10 +102,11 @@ Done ToolMotion::orient(const Block& block, const Actions& actions, Target& targ
     target.carried = static_cast<AxisMask>(kLinearXYZ & ~target.moved);
     target.moved =
         static_cast<AxisMask>(target.moved | kLinearXYZ | channel_.transformation.joint_axes());
-    target.turn = {};
+    target.orientation = {};
     const ToolWords& tool = actions.tool;
     channel_.transformation.check_offset_programmed(block);
-    if (!require_one_turn(block, tool) || !require_no_idle_words(block, tool)) return kFailed;
+    if (!require_one_orientation(block, tool) || !require_no_idle_words(block, tool))
+        return kFailed;
     if (orienting_.takes_vectors && is_arc(modal_.motion)) {
         reporter_.report(diag::TcpArc, block, modal_.motion);
         return kFailed;
@@ -120,12 +121,12 @@ Done ToolMotion::orient(const Block& block, const Actions& actions, Target& targ
 
 /// How the tool turns by what a block says; what depends on the block's path waits for it.
 Done ToolMotion::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
-    if (tool.programs_direction() || tool.point.is_said() ||
+    if (tool.programs_direction() || tool.point.is_given() ||
         (block.given & channel_.transformation.joint_axes()) != 0)
-        orienting_.lean_at_ends(false);
-    const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
+        orienting_.lead_tilt_at_ends(false);
+    const bool is_led = is_led_by_surface(tool) || tool.point.is_given() || tool.lead;
     const bool waits = spins_with_path(tool);
-    if (is_led || waits) target.turn.waiting = &tool;
+    if (is_led || waits) target.orientation.waiting = &tool;
     if (!is_led) {
         if (tool.programs_direction()) {
             if (!require_axes_for_direction(block)) return kFailed;
@@ -143,17 +144,18 @@ Done ToolMotion::lay_tool_words(const Block& block, const ToolWords& tool, Targe
 /// What the block's end says of the tool, for the command and for the blocks behind it.
 void ToolMotion::settle_orientation(Target& target) {
     const Chain& chain = machine_.kinematics->chain;
-    TurnPlan& turn = target.turn;
-    turn.direction = machine::tool_vector(chain, channel_.transformation.joints_of(target.base));
-    turn.is_made = true;
-    direction_ = turn.direction;
-    if (turn.turning == Turning::Cone)
-        orienting_.rate = turn.axis.cross(turn.direction) * turn.angle;
+    OrientPlan& orientation = target.orientation;
+    orientation.direction =
+        machine::tool_vector(chain, channel_.transformation.joints_of(target.base));
+    orientation.is_made = true;
+    direction_ = orientation.direction;
+    if (orientation.orient_kind == OrientKind::Cone)
+        orienting_.rate = orientation.axis.cross(orientation.direction) * orientation.angle;
 }
 
 /// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
 Done ToolMotion::orient_by_axes(const Block& block, Target& target) {
-    if (orienting_.turning != OrientInterpolation::Plane ||
+    if (orienting_.interpolation != OrientInterpolation::Plane ||
         (block.given & channel_.transformation.joint_axes()) == 0)
         return kDone;
     const Chain& chain = machine_.kinematics->chain;
@@ -163,7 +165,7 @@ Done ToolMotion::orient_by_axes(const Block& block, Target& target) {
         return kDone;
     Target end{position_.here(), position_.base(), target.moved};
     if (!lay_orientation(block, machine::tool_vector(chain, wanted), end)) return kFailed;
-    target.turn = end.turn;
+    target.orientation = end.orientation;
     const Vec3 reached = channel_.transformation.joints_of(end.base);
     if ((reached - wanted).norm() < kSameJoint) return kDone;
     const std::size_t joint =
@@ -177,7 +179,7 @@ Done ToolMotion::orient_by_axes(const Block& block, Target& target) {
 /// To a direction, on the way that the program has chosen.
 Done ToolMotion::orient_to(const Block& block, const ToolWords& tool, const Vec3& to,
                            Target& target) {
-    switch (orienting_.turning) {
+    switch (orienting_.interpolation) {
         case OrientInterpolation::ConeCw:
         case OrientInterpolation::ConeCcw:
         case OrientInterpolation::ConeOver:
@@ -187,7 +189,7 @@ Done ToolMotion::orient_to(const Block& block, const ToolWords& tool, const Vec3
         case OrientInterpolation::Surface:
         case OrientInterpolation::Point: break;
     }
-    return lay_orientation(block, to, target, tool.angles.is_said() ? &tool : nullptr);
+    return lay_orientation(block, to, target, tool.angles.is_given() ? &tool : nullptr);
 }
 
 machine::JointLimits ToolMotion::joint_limits() const {
@@ -213,7 +215,7 @@ void ToolMotion::put_joints(const Vec3& joints, Target& target) const {
 
 void ToolMotion::report_no_solution(const Block& block, const machine::PathRefusal& refusal) {
     const Chain& chain = machine_.kinematics->chain;
-    if (refusal.fault == machine::PathFault::Unreachable) {
+    if (refusal.fault == machine::PathChoiceFault::Unreachable) {
         reporter_.report(diag::OrientationBeyond, block)
             .arg(chain.orients() ? "the direction is outside of the reach of its rotary axes"
                                  : "it has one rotary axis, which does not lead there");
@@ -232,8 +234,8 @@ Done ToolMotion::lay_orientation(const Block& block, const Vec3& to, Target& tar
     const bool fixes_spin = angles != nullptr && chain.has(machine::kPsi);
     if ((to - from).norm() < kSameDirection && !fixes_spin) return kDone;
     machine::PathQuery query = query_to(to, angles);
-    const bool is_plane = orienting_.turning == OrientInterpolation::Plane ||
-                          orienting_.turning == OrientInterpolation::Surface;
+    const bool is_plane = orienting_.interpolation == OrientInterpolation::Plane ||
+                          orienting_.interpolation == OrientInterpolation::Surface;
     query.mode = is_plane ? machine::PathMode::Vector : machine::PathMode::Axis;
     const auto arc = machine::great_circle(from, to);
     if (is_plane && !arc) {
@@ -250,9 +252,9 @@ Done ToolMotion::lay_orientation(const Block& block, const Vec3& to, Target& tar
         reporter_.report(diag::PlaneLeft, block)
             .arg(degrees(angle_out_of(chain, arc->axis, joints, end->rotary)));
     if (end->mode == machine::PathMode::Vector && arc->turn > kSameDirection) {
-        target.turn.turning = Turning::Cone;
-        target.turn.axis = arc->axis;
-        target.turn.angle = arc->turn;
+        target.orientation.orient_kind = OrientKind::Cone;
+        target.orientation.axis = arc->axis;
+        target.orientation.angle = arc->turn;
     }
     return kDone;
 }
@@ -262,10 +264,10 @@ machine::PathQuery ToolMotion::query_to(const Vec3& to, const ToolWords* angles)
     const Chain& chain = machine_.kinematics->chain;
     machine::PathQuery query = machine::query_for(chain, to);
     if (angles != nullptr && chain.has(machine::kPsi)) {
-        machine::Mat3 said = turn_into_base() * rotation_by_angles(angles->angles.vector());
+        machine::Mat3 programmed = turn_into_base() * rotation_by_angles(angles->angles.vector());
         // What is mirrored of a tool is the axis from which its own angle counts.
-        if (mirrors_words()) said.col(1) = said.col(2).cross(said.col(0));
-        query.rotation = said * base_rotation().transpose();
+        if (mirrors_words()) programmed.col(1) = programmed.col(2).cross(programmed.col(0));
+        query.rotation = programmed * base_rotation().transpose();
         query.fixes_spin = true;
     }
     query.start = channel_.transformation.joints_of(position_.base());
@@ -289,7 +291,7 @@ std::optional<machine::OrientationArc> ToolMotion::cone_to(const Block& block,
                                                            const ToolWords& tool, const Vec3& from,
                                                            const Vec3& to) {
     using machine::ConeSense;
-    const bool is_cw = (orienting_.turning == OrientInterpolation::ConeCw) != mirrors_words();
+    const bool is_cw = (orienting_.interpolation == OrientInterpolation::ConeCw) != mirrors_words();
     const ConeSense sense = is_cw ? ConeSense::Cw : ConeSense::Ccw;
     const auto refuse = [&](const DiagnosticRow& row) {
         reporter_.report(row, block);
@@ -297,14 +299,14 @@ std::optional<machine::OrientationArc> ToolMotion::cone_to(const Block& block,
     };
     Result<machine::OrientationArc, machine::OrientationFault> arc =
         machine::OrientationFault::EqualVectors;
-    if (orienting_.turning == OrientInterpolation::ConeOver) {
-        if (!tool.between.is_said()) return refuse(diag::ConeBetweenMissing);
+    if (orienting_.interpolation == OrientInterpolation::ConeOver) {
+        if (!tool.between.is_given()) return refuse(diag::ConeBetweenMissing);
         const auto between = direction_in_base(block, tool.between.vector(), Function::ToolBetween);
         if (!between) return std::nullopt;
         arc = machine::cone_through(from, *between, to);
-    } else if (orienting_.turning == OrientInterpolation::ConeOn) {
+    } else if (orienting_.interpolation == OrientInterpolation::ConeOn) {
         arc = machine::cone_tangential(from, orienting_.rate, to);
-    } else if (tool.cone_axis.is_said()) {
+    } else if (tool.cone_axis.is_given()) {
         const auto axis = direction_in_base(block, tool.cone_axis.vector(), Function::ConeAxis);
         if (!axis) return std::nullopt;
         const double off = path::angle_between(*axis, from) - path::angle_between(*axis, to);
@@ -336,21 +338,21 @@ Done ToolMotion::lay_cone(const Block& block, const ToolWords& tool, const Vec3&
                                            channel_.transformation.joints_of(position_.base()));
     const auto arc = cone_to(block, tool, from, to);
     if (!arc) return kFailed;
-    target.turn.turning = Turning::Cone;
-    target.turn.axis = arc->axis;
-    target.turn.angle = arc->turn;
-    return follow_directions(block, {Turning::Cone, 1, from, arc->axis, arc->turn, {}},
+    target.orientation.orient_kind = OrientKind::Cone;
+    target.orientation.axis = arc->axis;
+    target.orientation.angle = arc->turn;
+    return follow_directions(block, {OrientKind::Cone, 1, from, arc->axis, arc->turn, {}},
                              path::Point{}, target);
 }
 
 /// The rotary positions at the end of a way of the tool.
-Done ToolMotion::follow_directions(const Block& block, const path::Turn& turn,
+Done ToolMotion::follow_directions(const Block& block, const path::OrientLaw& orientation,
                                    const path::Curve& curve, Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     const machine::FollowQuery query{channel_.transformation.joints_of(position_.base()),
                                      joint_limits()};
     const auto end = machine::follow(chain, query, [&](double fraction) {
-        return path::direction_at(turn, curve, fraction * turn.length);
+        return path::direction_at(orientation, curve, fraction * orientation.length);
     });
     if (!end) {
         report_no_solution(block, end.error());
@@ -363,8 +365,8 @@ Done ToolMotion::follow_directions(const Block& block, const path::Turn& turn,
 // ------------------------------------------------------------------------------ led by the path
 
 Done ToolMotion::lay_directions(const Block& block, const path::Curve& curve, Target& target) {
-    const ToolWords& tool = *std::exchange(target.turn.waiting, nullptr);
-    if (tool.point.is_said()) {
+    const ToolWords& tool = *std::exchange(target.orientation.waiting, nullptr);
+    if (tool.point.is_given()) {
         if (!lead_by_point(block, tool, curve, target)) return kFailed;
     } else if (tool.lead) {
         if (!apply_lead_tilt_at_end(block, tool, curve, target)) return kFailed;
@@ -381,23 +383,24 @@ Done ToolMotion::apply_lead_tilt_at_end(const Block& block, const ToolWords& too
                                         const path::Curve& curve, Target& target) {
     const std::optional<Vec3> normal = wanted_direction(block, tool);
     if (!normal) return kFailed;
-    const path::Lean lean{rad_from_deg(*tool.lead), 0, path::TiltAbout::Tangent};
+    const path::LeadTiltAngles lead_tilt{rad_from_deg(*tool.lead), 0, path::TiltAbout::Tangent};
     const std::optional<Vec3> to = direction_on_surface(
-        block, *normal, path::evaluate(curve, path::length(curve)).tangent, lean);
+        block, *normal, path::evaluate(curve, path::length(curve)).tangent, lead_tilt);
     if (!to) return kFailed;
     return orient_to(block, tool, *to, target);
 }
 
 /// The tool as it leans on a surface; nothing if it was reported.
 std::optional<Vec3> ToolMotion::direction_on_surface(const Block& block, const Vec3& normal,
-                                                     const Vec3& tangent, const path::Lean& lean) {
-    if (lean.lead == 0 && lean.tilt == 0) return normal;
+                                                     const Vec3& tangent,
+                                                     const path::LeadTiltAngles& lead_tilt) {
+    if (lead_tilt.lead == 0 && lead_tilt.tilt == 0) return normal;
     if (tangent.isZero(0)) {
         reporter_.report(diag::LeanWithoutTravel, block);
         return std::nullopt;
     }
     if (!require_small_rise(block, path::rise_of(normal, tangent))) return std::nullopt;
-    return path::leaning(normal, tangent, lean);
+    return path::leaning(normal, tangent, lead_tilt);
 }
 
 /// The direction of travel leads out of the surface by no more than the control takes, rad. S 7.4.
@@ -408,16 +411,17 @@ Done ToolMotion::require_small_rise(const Block& block, double rise) {
 }
 
 /// … anywhere on the way along which the surface leads the tool.
-Done ToolMotion::require_small_rise_along(const Block& block, const path::Turn& surface,
+Done ToolMotion::require_small_rise_along(const Block& block, const path::OrientLaw& surface,
                                           const path::Curve& curve) {
     // At the ends of the parts; between them the rise of a full circle differs by a tenth of a
     // degree.
     constexpr int kParts = 64;
     double rise = 0;
     for (int i = 1; i < kParts; ++i) {
-        const double way = surface.length * i / kParts;
-        const Vec3 normal = Eigen::AngleAxisd(surface.rate * way, surface.axis) * surface.start;
-        const double here = path::rise_of(normal, path::evaluate(curve, way).tangent);
+        const double distance = surface.length * i / kParts;
+        const Vec3 normal =
+            Eigen::AngleAxisd(surface.rate * distance, surface.axis) * surface.start;
+        const double here = path::rise_of(normal, path::evaluate(curve, distance).tangent);
         if (std::abs(here) > std::abs(rise)) rise = here;
     }
     return require_small_rise(block, rise);
@@ -433,8 +437,8 @@ std::optional<std::array<Vec3, 2>> ToolMotion::normals_of(const Block& block,
             .arg("all its components are zero");
         return std::optional<Vec3>();
     };
-    const bool has_start = tool.normals[0].is_said();
-    const bool has_end = tool.normals[1].is_said();
+    const bool has_start = tool.normals[0].is_given();
+    const bool has_end = tool.normals[1].is_given();
     const std::optional<Vec3> unsaid = turn_into_base() * Vec3::UnitZ();
     if (!has_start && !has_end) return std::array{*unsaid, *unsaid};
     const auto start = has_start ? said(0) : orienting_.normal ? orienting_.normal : unsaid;
@@ -448,9 +452,9 @@ Done ToolMotion::lead_by_surface(const Block& block, const ToolWords& tool,
                                  const path::Curve& curve, Target& target) {
     const auto normals = normals_of(block, tool);
     if (!normals) return kFailed;
-    path::Lean lean = orienting_.lean;
-    if (mirrors_words()) lean.tilt = -lean.tilt;
-    lean.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
+    path::LeadTiltAngles lead_tilt = orienting_.lead_tilt;
+    if (mirrors_words()) lead_tilt.tilt = -lead_tilt.tilt;
+    lead_tilt.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
     const double length = path::length(curve);
     const bool is_still_leant =
         length == 0 && !keeps_lead_tilt_to_surface() && !tool.programs_surface();
@@ -458,12 +462,12 @@ Done ToolMotion::lead_by_surface(const Block& block, const ToolWords& tool,
     // Where the tip stands there is no path to be led by, and where the control only looks at the
     // block's end it is not.
     const bool is_led = length > 0 && keeps_lead_tilt_to_surface();
-    const auto start =
-        is_led ? direction_on_surface(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean)
-               : normals->front();
+    const auto start = is_led ? direction_on_surface(block, (*normals)[0],
+                                                     path::evaluate(curve, 0).tangent, lead_tilt)
+                              : normals->front();
     if (!start) return kFailed;
-    const auto end =
-        direction_on_surface(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
+    const auto end = direction_on_surface(block, (*normals)[1],
+                                          path::evaluate(curve, length).tangent, lead_tilt);
     if (!end) return kFailed;
     orienting_.normal = (*normals)[1];
     if (!is_led) return orient_to(block, tool, *end, target);
@@ -472,16 +476,16 @@ Done ToolMotion::lead_by_surface(const Block& block, const ToolWords& tool,
         reporter_.report(diag::OrientationOpposite, block);
         return kFailed;
     }
-    const path::Turn surface{Turning::Surface,   length, (*normals)[0], arc->axis,
-                             arc->turn / length, lean};
-    const bool leans = lean.lead != 0 || lean.tilt != 0;
-    if (leans && !require_small_rise_along(block, surface, curve)) return kFailed;
+    const path::OrientLaw surface{OrientKind::Surface, length,   (*normals)[0], arc->axis,
+                                  arc->turn / length,  lead_tilt};
+    const bool is_inclined = lead_tilt.lead != 0 || lead_tilt.tilt != 0;
+    if (is_inclined && !require_small_rise_along(block, surface, curve)) return kFailed;
     if (!orient_first(block, *start)) return kFailed;
-    target.turn.turning = Turning::Surface;
-    target.turn.from = (*normals)[0];
-    target.turn.axis = arc->axis;
-    target.turn.angle = arc->turn;
-    target.turn.lean = lean;
+    target.orientation.orient_kind = OrientKind::Surface;
+    target.orientation.from = (*normals)[0];
+    target.orientation.axis = arc->axis;
+    target.orientation.angle = arc->turn;
+    target.orientation.lead_tilt = lead_tilt;
     return follow_directions(block, surface, curve, target);
 }
 
@@ -493,16 +497,16 @@ Done ToolMotion::lead_by_point(const Block& block, const ToolWords& tool, const 
     const Vec3 tip = path::start(curve);
     const Vec3 direction =
         machine::tool_vector(chain, channel_.transformation.joints_of(position_.base()));
-    AxisValues place{};
+    AxisValues position{};
     const AxisValues before =
         orienting_.point ? frames_.from_base({(*orienting_.point)[0], (*orienting_.point)[1],
                                               (*orienting_.point)[2]})
                          : target.here;
     for (std::size_t i = 0; i < 3; ++i) {
-        const bool is_said = (tool.point.parts >> i & 1u) != 0;
-        place[i] = is_said ? tool.point.values[i] : before[i];
+        const bool is_given = (tool.point.parts >> i & 1u) != 0;
+        position[i] = is_given ? tool.point.values[i] : before[i];
     }
-    const Vec3 end = linear(frames_.to_base(place));
+    const Vec3 end = linear(frames_.to_base(position));
     const double reach = (end - path::end(curve)).norm();
     const Vec3 start = orienting_.point.value_or(tip + reach * direction);
     constexpr double kNoReach = 1e-6;  // mm
@@ -513,12 +517,12 @@ Done ToolMotion::lead_by_point(const Block& block, const ToolWords& tool, const 
     if (!orient_first(block, (start - tip).normalized())) return kFailed;
     const bool stands = path::length(curve) == 0;
     const double length = stands ? 1 : path::length(curve);
-    target.turn.turning = Turning::Point;
-    target.turn.from = start;
-    target.turn.axis = end - start;
+    target.orientation.orient_kind = OrientKind::Point;
+    target.orientation.from = start;
+    target.orientation.axis = end - start;
     orienting_.point = end;
-    return follow_directions(block, {Turning::Point, length, start, (end - start) / length, 0, {}},
-                             curve, target);
+    return follow_directions(
+        block, {OrientKind::Point, length, start, (end - start) / length, 0, {}}, curve, target);
 }
 
 /// Where a course begins with another direction than the tool has, the tool turns there first,
@@ -531,15 +535,15 @@ Done ToolMotion::orient_first(const Block& block, const Vec3& to) {
     Target here{position_.here(), position_.base(),
                 static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
                 kLinearXYZ};
-    const OrientInterpolation turning =
-        std::exchange(orienting_.turning, OrientInterpolation::Plane);
+    const OrientInterpolation interpolation =
+        std::exchange(orienting_.interpolation, OrientInterpolation::Plane);
     const Done is_laid = lay_orientation(block, to, here);
-    orienting_.turning = turning;
+    orienting_.interpolation = interpolation;
     if (!is_laid) return kFailed;
     settle_orientation(here);
     path::Motion& motion =
         channel_.stages
-            .put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block, &here.turn)
+            .put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block, &here.orientation)
             .motion();
     motion.to = here.base;
     motion.moved = here.moved;
@@ -556,24 +560,25 @@ bool ToolMotion::spins_with_path(const ToolWords& tool) const {
 }
 
 /// The direction across the tool from which its own angle counts; nothing if there is none.
-std::optional<Vec3> ToolMotion::spin_reference(const Vec3& tool, const TurnPlan& turn,
+std::optional<Vec3> ToolMotion::spin_reference(const Vec3& tool, const OrientPlan& orientation,
                                                const path::Curve* curve) const {
     Vec3 reference = Vec3::Zero();
     switch (orienting_.spin) {
         case SpinFrom::Plane:
         case SpinFrom::Turn:
-            if (turn.turning == Turning::Cone)
-                reference = turn.axis.cross(tool) * (turn.angle < 0 ? -1 : 1);
+            if (orientation.orient_kind == OrientKind::Cone)
+                reference = orientation.axis.cross(tool) * (orientation.angle < 0 ? -1 : 1);
             break;
         case SpinFrom::Path:
             if (curve != nullptr) reference = path::evaluate(*curve, path::length(*curve)).tangent;
             break;
         case SpinFrom::Fixed: {
             const machine::Mat3 back = turn_into_base().transpose();
-            const Vec3 said = back * tool;
-            const double away = std::hypot(said.x(), said.y());
-            const double around = away < kSameStart ? 0 : std::atan2(said.y(), said.x());
-            const double tilt = std::atan2(away, said.z());
+            const Vec3 programmed = back * tool;
+            const double away = std::hypot(programmed.x(), programmed.y());
+            const double around =
+                away < kSameStart ? 0 : std::atan2(programmed.y(), programmed.x());
+            const double tilt = std::atan2(away, programmed.z());
             const machine::Mat3 turned =
                 orienting_.euler == ToolAngles::Zyz
                     ? machine::euler_zyz({around, tilt, 0})
@@ -593,7 +598,7 @@ Done ToolMotion::lay_spin(const Block& block, const ToolWords& tool, Target& tar
     if (!tool.spin && !tool.spin_by) return kDone;
     const Chain& chain = machine_.kinematics->chain;
     if (!chain.has(machine::kPsi)) {
-        if (told_.first_time(Once::Spin))
+        if (reported_.first_time(RunNotice::Spin))
             reporter_.report(diag::SpinWithoutAxis, block, Function::ToolSpin);
         return kDone;
     }
@@ -605,7 +610,7 @@ Done ToolMotion::lay_spin(const Block& block, const ToolWords& tool, Target& tar
         psi += sign * sense * rad_from_deg(*tool.spin_by);
     } else {
         const Vec3 direction = machine::tool_vector(chain, joints);
-        const auto reference = spin_reference(direction, target.turn, curve);
+        const auto reference = spin_reference(direction, target.orientation, curve);
         if (!reference) {
             reporter_.report(diag::SpinUndefined, block, Function::ToolSpin);
             return kFailed;
@@ -620,7 +625,7 @@ Done ToolMotion::lay_spin(const Block& block, const ToolWords& tool, Target& tar
         const double before = channel_.transformation.joints_of(position_.base())[2];
         psi = before + std::remainder(angle - before, 2 * std::numbers::pi);
     }
-    const machine::Limits limits = joint_limits()[machine::kPsi];
+    const machine::AxisRange limits = joint_limits()[machine::kPsi];
     if (psi < limits.lower || psi > limits.upper) {
         machine::PathRefusal refusal;
         refusal.configurations[0] = {machine::CandidateFault::SpinOutside, machine::kPsi, psi,
@@ -665,21 +670,23 @@ void ToolMotion::reset_orientation(const Block& block, const nc::Invocation& inv
 }
 
 /// A motion under the transformation: the turn that waits, or the axes as they are programmed.
-void ToolMotion::put_orientation(path::Motion& motion, const TurnPlan* plan) {
+void ToolMotion::put_orientation(path::Motion& motion, const OrientPlan* plan) {
     if (virtual_.axes.is_on()) {
-        motion.turn_plainly(Turning::Axes);
+        motion.orient_plainly(OrientKind::Axes);
         motion.virtual_system = virtual_.axes;
         return;
     }
     motion.virtual_system.reset();
-    TurnPlan standing;
+    OrientPlan standing;
     standing.direction = direction_;
-    const TurnPlan& turn = plan != nullptr && plan->is_made ? *plan : standing;
-    motion.direction = turn.direction;
-    if (goes_straight(motion.op())) return motion.turn_plainly(Turning::Straight);
-    if (turn.turning <= Turning::Axes) return motion.turn_plainly(turn.turning);
-    motion.turning = turn.turning;
-    motion.tool_turn = path::ToolTurn{turn.from, turn.axis, turn.angle, 0, turn.lean};
+    const OrientPlan& orientation = plan != nullptr && plan->is_made ? *plan : standing;
+    motion.direction = orientation.direction;
+    if (goes_straight(motion.op())) return motion.orient_plainly(OrientKind::Straight);
+    if (orientation.orient_kind <= OrientKind::Axes)
+        return motion.orient_plainly(orientation.orient_kind);
+    motion.orient_kind = orientation.orient_kind;
+    motion.orient_details = path::OrientDetails{orientation.from, orientation.axis,
+                                                orientation.angle, 0, orientation.lead_tilt};
 }
 
 }  // namespace kadr::interp

@@ -54,7 +54,7 @@ ToolMotion::ToolMotion(Channel& channel)
       virtual_(channel.state.tool.virtual_axes),
       comp_(channel.state.stage.comp),
       spline_(channel.state.cycle.spline),
-      told_(channel.state.told),
+      reported_(channel.state.reported),
       axes_(channel.state.axes) {}
 
 void ToolMotion::take_orientation(const Block& block, const nc::Invocation& invocation,
@@ -136,16 +136,16 @@ void ToolMotion::take_lead_tilt(const Block& block, const nc::Invocation& invoca
             .arg(angle);
         return;
     }
-    (is_lead ? orienting_.lean.lead : orienting_.lean.tilt) = rad_from_deg(angle);
+    (is_lead ? orienting_.lead_tilt.lead : orienting_.lead_tilt.tilt) = rad_from_deg(angle);
     tool.changes_lead_tilt = true;
-    if (surface_leads_end()) orienting_.lean_at_ends(true);
+    if (surface_leads_end()) orienting_.lead_tilt_at_ends(true);
 }
 
 /// No words stand side by side that exclude each other.
-Done ToolMotion::require_one_turn(const Block& block, const ToolWords& tool) {
+Done ToolMotion::require_one_orientation(const Block& block, const ToolWords& tool) {
     const bool has_axes = (block.given & channel_.transformation.joint_axes()) != 0;
-    const bool has_vector = tool.vector.is_said();
-    const bool has_angles = tool.angles.is_said();
+    const bool has_vector = tool.vector.is_given();
+    const bool has_angles = tool.angles.is_given();
     const bool leads =
         keeps_lead_tilt_to_surface() || surface_leads_end() || !comp_.takes_surface_normals();
     const bool has_surface = leads && tool.programs_surface();
@@ -173,39 +173,39 @@ Done ToolMotion::require_axes_for_direction(const Block& block) {
 }
 
 bool ToolMotion::keeps_lead_tilt_to_surface() const {
-    return orienting_.turning == OrientInterpolation::Surface;
+    return orienting_.interpolation == OrientInterpolation::Surface;
 }
 
 /// Whether a surface tells how the tool stands in this block: along it, or at its end.
 bool ToolMotion::is_led_by_surface(const ToolWords& tool) const {
     if (keeps_lead_tilt_to_surface()) return true;
-    return surface_leads_end() && (orienting_.leans || tool.programs_surface());
+    return surface_leads_end() && (orienting_.has_lead_tilt || tool.programs_surface());
 }
 
 /// Whether surface words of a block say how the tool stands at its end. Where a cutter is
 /// compensated on the surface they are of the surface alone; a cone, or the second point of the
 /// tool, says itself where the tool goes.
 bool ToolMotion::surface_leads_end() const {
-    const OrientInterpolation turning = orienting_.turning;
+    const OrientInterpolation interpolation = orienting_.interpolation;
     const bool is_free =
-        turning == OrientInterpolation::Plane || turning == OrientInterpolation::Axes;
+        interpolation == OrientInterpolation::Plane || interpolation == OrientInterpolation::Axes;
     return rules_.surface_words_at_end && is_free && !comp_.takes_surface_normals();
 }
 
 /// Words that the way on which the tool turns has no place for: nothing may be lost silently.
 Done ToolMotion::require_no_idle_words(const Block& block, const ToolWords& tool) {
-    const OrientInterpolation turning = orienting_.turning;
-    const bool is_about_axis =
-        turning == OrientInterpolation::ConeCw || turning == OrientInterpolation::ConeCcw;
-    const bool takes_surface = turning == OrientInterpolation::Surface || surface_leads_end() ||
-                               comp_.takes_surface_normals();
+    const OrientInterpolation interpolation = orienting_.interpolation;
+    const bool is_about_axis = interpolation == OrientInterpolation::ConeCw ||
+                               interpolation == OrientInterpolation::ConeCcw;
+    const bool takes_surface = interpolation == OrientInterpolation::Surface ||
+                               surface_leads_end() || comp_.takes_surface_normals();
     const nc::Invocation* const spin = block.find(Function::ToolSpin);
     if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == SpinFrom::Path) {
         reporter_.report(diag::SpinAgainstPath, block, Function::ToolSpin)
             .arg(reporter_.word_of(block, Function::ToolSpin));
         return kFailed;
     }
-    if (tool.lead.has_value() && !tool.vector.is_said()) {
+    if (tool.lead.has_value() && !tool.vector.is_given()) {
         reporter_.report(diag::OrientLeadAlone, block, Function::ToolLead)
             .arg(reporter_.word_of(block, Function::ToolLead));
         return kFailed;
@@ -214,25 +214,26 @@ Done ToolMotion::require_no_idle_words(const Block& block, const ToolWords& tool
         bool is_idle;
         Function word;
     } checks[] = {
-        {tool.cone_axis.is_said() && !is_about_axis, Function::ConeAxis},
+        {tool.cone_axis.is_given() && !is_about_axis, Function::ConeAxis},
         {tool.opening.has_value() && !is_about_axis, Function::ConeOpening},
-        {tool.between.is_said() && turning != OrientInterpolation::ConeOver, Function::ToolBetween},
-        {tool.point.is_said() && turning != OrientInterpolation::Point, Function::ToolPoint},
-        {tool.normals[0].is_said() && !takes_surface, Function::SurfaceNormal},
-        {tool.normals[1].is_said() && !takes_surface, Function::SurfaceNormal},
+        {tool.between.is_given() && interpolation != OrientInterpolation::ConeOver,
+         Function::ToolBetween},
+        {tool.point.is_given() && interpolation != OrientInterpolation::Point, Function::ToolPoint},
+        {tool.normals[0].is_given() && !takes_surface, Function::SurfaceNormal},
+        {tool.normals[1].is_given() && !takes_surface, Function::SurfaceNormal},
         {tool.changes_lead_tilt && tool.programs_direction(),
          block.find(Function::SurfaceLead) != nullptr ? Function::SurfaceLead
                                                       : Function::SurfaceTilt},
-        {tool.programs_direction() && tool.point.is_said(), Function::ToolVector},
+        {tool.programs_direction() && tool.point.is_given(), Function::ToolVector},
     };
     for (const auto& check : checks) {
         if (!check.is_idle) continue;
         reporter_.report(diag::OrientWordIdle, block, check.word)
             .arg(reporter_.word_of(block, check.word))
-            .arg(reporter_.spelling_of(function_of(turning)));
+            .arg(reporter_.spelling_of(function_of(interpolation)));
         return kFailed;
     }
-    if (is_on_cone(turning) && !tool.programs_direction() && tool.is_any() && !tool.spin &&
+    if (is_on_cone(interpolation) && !tool.programs_direction() && tool.is_any() && !tool.spin &&
         !tool.spin_by) {
         reporter_.report(diag::ConeEndMissing, block);
         return kFailed;
@@ -255,20 +256,20 @@ machine::Mat3 ToolMotion::rotation_by_angles(const Vec3& angles_deg) const {
 /// How frames turn what is said of the tool into the base system. Scales stretch places, not
 /// directions. Under ORIMKS and its kin frames do nothing but where the table lies.
 machine::Mat3 ToolMotion::turn_into_base() const {
-    machine::Mat3 turn = machine::Mat3::Identity();
-    if (orienting_.is_in_base || frames_.is_shift()) return turn;
+    machine::Mat3 rotation = machine::Mat3::Identity();
+    if (orienting_.is_in_base || frames_.is_shift()) return rotation;
     for (Eigen::Index i = 0; i < 3; ++i)
-        turn.col(i) = frames_.total().direction(Vec3::Unit(i)).normalized();
-    return turn;
+        rotation.col(i) = frames_.total().direction(Vec3::Unit(i)).normalized();
+    return rotation;
 }
 
 /// Whether frames mirror what is said of the tool: what goes by the right-hand rule about something
 /// goes the other way round then.
 bool ToolMotion::mirrors_words() const { return turn_into_base().determinant() < 0; }
 
-std::optional<Vec3> ToolMotion::direction_in_base(const Block& block, const Vec3& said,
+std::optional<Vec3> ToolMotion::direction_in_base(const Block& block, const Vec3& programmed,
                                                   Function word) {
-    const auto direction = machine::unit_of(Vec3(turn_into_base() * said));
+    const auto direction = machine::unit_of(Vec3(turn_into_base() * programmed));
     if (direction) return *direction;
     reporter_.report(diag::OrientationZero, block, word);
     return std::nullopt;
@@ -276,10 +277,10 @@ std::optional<Vec3> ToolMotion::direction_in_base(const Block& block, const Vec3
 
 /// The direction that the block's words say, in the base system; nothing if it was reported.
 std::optional<Vec3> ToolMotion::wanted_direction(const Block& block, const ToolWords& tool) {
-    const Vec3 said = tool.angles.is_said()
-                          ? Vec3(rotation_by_angles(tool.angles.vector()) * Vec3::UnitZ())
-                          : tool.vector.vector();
-    return direction_in_base(block, said, Function::ToolVector);
+    const Vec3 programmed = tool.angles.is_given()
+                                ? Vec3(rotation_by_angles(tool.angles.vector()) * Vec3::UnitZ())
+                                : tool.vector.vector();
+    return direction_in_base(block, programmed, Function::ToolVector);
 }
 
 }  // namespace kadr::interp

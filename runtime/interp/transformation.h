@@ -19,7 +19,7 @@ class Transformation {
     /// PTP, CP and PTPG0.
     void choose_point_to_point(nc::Function function);
     /// A work offset stands behind the switch.
-    void offset_is_said() { orienting_.owes_offset = false; }
+    void offset_is_given() { orienting_.owes_offset = false; }
 
     /// The transformation that a block asks for by its number and its data is the machine's. The
     /// tool at base position and the zeros of the rotary axes are the machine file's, and the axes
@@ -75,7 +75,7 @@ class Transformation {
     const Tilting& tilted_plane_;
     const Virtual& virtual_;
     const RadiusCompState& comp_;
-    ReportedInRun& told_;
+    ReportedInRun& reported_;
     const AxisValues& length_shift_;
 };
 

@@ -65,9 +65,9 @@ Plane plane_of_cylinder(const VirtualAxes& axes) {
 
 /// Where the rotary axis counts as the axis around, the plane is said with it as X, Y or Z
 /// (No.1022). One of the two ways to say it has both axes in the other order.
-bool is_turned_over(const VirtualAxes& axes, Plane said) {
+bool is_turned_over(const VirtualAxes& axes, Plane programmed) {
     if (axes.kind != VirtualKind::Cylinder) return false;
-    return said == (axes.rotary == Axis::B ? Plane::Yz : Plane::Zx);
+    return programmed == (axes.rotary == Axis::B ? Plane::Yz : Plane::Zx);
 }
 
 Function turned_over(Function function) {
@@ -80,7 +80,7 @@ Function turned_over(Function function) {
     }
 }
 
-std::optional<Plane> plane_said_by(Function function) {
+std::optional<Plane> plane_selected_by(Function function) {
     switch (function) {
         case Function::PlaneXy: return Plane::Xy;
         case Function::PlaneZx: return Plane::Zx;
@@ -93,9 +93,9 @@ std::optional<Plane> plane_said_by(Function function) {
 bool stands_there(Function function, VirtualKind kind) {
     if (nc::has_fact(function, nc::Fact::UnderVirtualAxes)) return true;
     switch (function) {
-        case Function::TcpOff: return kind == VirtualKind::Face;
+        case Function::TcpOff: return kind == VirtualKind::Polar;
         case Function::CylindricalInterpolationOn: return kind == VirtualKind::Cylinder;
-        default: return kind == VirtualKind::Cylinder && plane_said_by(function).has_value();
+        default: return kind == VirtualKind::Cylinder && plane_selected_by(function).has_value();
     }
 }
 
@@ -104,7 +104,7 @@ Function ending_function(VirtualKind kind) {
     switch (kind) {
         case VirtualKind::Cylinder: return Function::CylindricalInterpolationOn;
         case VirtualKind::Inclined: return Function::InclinedAxisOn;
-        case VirtualKind::Face:
+        case VirtualKind::Polar:
         case VirtualKind::None: break;
     }
     return Function::TcpOff;
@@ -162,7 +162,7 @@ void VirtualPlane::begin_virtual(const Block& block, const Invocation& invocatio
     virtual_.axes = *axes;
     virtual_.by_rotary = rules_.virtual_by_rotary && axes->turns();
     virtual_.plane_before = modal_.plane;
-    if (virtual_.by_rotary) say_virtual_plane(modal_.plane);
+    if (virtual_.by_rotary) put_virtual_plane(modal_.plane);
     rotary_.tip = path::virtual_position(*axes, linear(position_.base()), virtual_angle());
     rotary_.at = virtual_angle();
     follow_from_here();
@@ -188,8 +188,8 @@ void VirtualPlane::end_virtual(const Block& block) {
 }
 
 /// The axes stand; their places get other coordinates.
-void VirtualPlane::take_virtual_position(const Vec3& place) {
-    channel_.transformation.take_position(path::with_linear(position_.base(), place));
+void VirtualPlane::take_virtual_position(const Vec3& point) {
+    channel_.transformation.take_position(path::with_linear(position_.base(), point));
 }
 
 /// Where the rotary axis stands, rad.
@@ -216,13 +216,13 @@ std::optional<VirtualAxes> VirtualPlane::wanted_polar_interpolation(const Block&
     constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z) | bit(Axis::C);
     if ((axes_.present & kNeeded) != kNeeded) return refuse("it needs the axes X, Z and C");
     VirtualAxes axes;
-    axes.kind = VirtualKind::Face;
+    axes.kind = VirtualKind::Polar;
     const double angle = position_.base()[index(Axis::C)];
     if (machine_.kinematics) {
         for (const machine::RotaryJoint& joint : machine_.kinematics->chain.joints) {
             if (!joint.is_present || joint.axis != Axis::C) continue;
             const bool is_along_z = std::abs(joint.direction.z()) > 1 - kSameTurn;
-            if (joint.side != machine::Side::Table || !is_along_z)
+            if (joint.side != machine::ChainSide::Table || !is_along_z)
                 return refuse("its C does not turn the part about Z");
             axes.center_x = joint.point.x();
             axes.center_y = joint.point.y();
@@ -233,11 +233,11 @@ std::optional<VirtualAxes> VirtualPlane::wanted_polar_interpolation(const Block&
         axes.center_x = frames_.shift_values()[0];
         axes.center_y = frames_.shift_values()[1];
         axes.zero = rad_from_deg(angle);
-        if (const double said = position_.here()[index(Axis::C)];
-            std::abs(std::remainder(said, 360)) > kAtZero)
+        if (const double programmed = position_.here()[index(Axis::C)];
+            std::abs(std::remainder(programmed, 360)) > kAtZero)
             reporter_.report(diag::FaceStart, block, Function::PolarInterpolationOn)
                 .arg("C")
-                .arg(round_to(said, 4));
+                .arg(round_to(programmed, 4));
     }
     if ((axes_.present & bit(Axis::Y)) != 0) {
         const double beside = position_.base()[1] - axes.center_y;
@@ -320,13 +320,13 @@ std::optional<VirtualAxes> VirtualPlane::wanted_inclined(const Block& block,
 // ------------------------------------------------------------------------------ words
 
 void VirtualPlane::refuse_virtual(const Block& block, Function function) {
-    const bool is_face = virtual_.axes.kind == VirtualKind::Face;
+    const bool is_face = virtual_.axes.kind == VirtualKind::Polar;
     reporter_.report(is_face ? diag::FaceWord : diag::CylinderWord, block, function)
         .arg('`' + reporter_.word_of(block, function) + '`');
 }
 
 void VirtualPlane::refuse_virtual(const Block& block, Slot slot) {
-    const bool is_face = virtual_.axes.kind == VirtualKind::Face;
+    const bool is_face = virtual_.axes.kind == VirtualKind::Polar;
     reporter_.report(is_face ? diag::FaceWord : diag::CylinderWord, block, slot)
         .arg("the word " + std::string(nc::slot_name(slot)));
 }
@@ -348,7 +348,8 @@ Done VirtualPlane::require_virtual_words(const Block& block) {
         if (block.motion != Function::None) {
             refuse_virtual(block, motion);
         } else {
-            reporter_.report(kind == VirtualKind::Face ? diag::FaceWord : diag::CylinderWord, block)
+            reporter_
+                .report(kind == VirtualKind::Polar ? diag::FaceWord : diag::CylinderWord, block)
                 .arg('`' + reporter_.word_of(block, motion) + '`');
         }
         return kFailed;
@@ -370,9 +371,10 @@ Done VirtualPlane::take_rotary_word(const Block& block) {
         return kFailed;
     }
     if (!block.has(word)) return kDone;
-    const bool is_face = virtual_.axes.kind == VirtualKind::Face;
-    const Units power_on = units_of(dialect_.power_on(nc::Group::Units));
-    const bool is_inch = (units_ != Units::Unsaid ? units_ : power_on) == Units::Inch;
+    const bool is_face = virtual_.axes.kind == VirtualKind::Polar;
+    const ProgrammedUnits power_on = units_of(dialect_.power_on(nc::Group::Units));
+    const bool is_inch =
+        (units_ != ProgrammedUnits::Unsaid ? units_ : power_on) == ProgrammedUnits::Inch;
     const double factor =
         is_face ? (is_inch ? kMmPerInch : 1) : virtual_.axes.size * std::numbers::pi / 180;
     const bool is_distance = (block.incremental & bit(word)) != 0;
@@ -392,9 +394,9 @@ const Block* VirtualPlane::in_virtual(const Block& block) {
     if (!virtual_.by_rotary) return &block;
     around_ = block;
     for (std::size_t i = 0; i < block.function_count; ++i) {
-        if (const auto plane = plane_said_by(block.functions[i].function)) {
+        if (const auto plane = plane_selected_by(block.functions[i].function)) {
             virtual_.plane_before = *plane;
-            say_virtual_plane(*plane);
+            put_virtual_plane(*plane);
             around_.functions[i].function =
                 modal_.plane == Plane::Yz ? Function::PlaneYz : Function::PlaneXy;
         }
@@ -408,12 +410,12 @@ const Block* VirtualPlane::in_virtual(const Block& block) {
 }
 
 /// The plane is that of the face or of the developed cylinder, however the program says it.
-void VirtualPlane::say_virtual_plane(Plane said) {
-    const bool is_over = is_turned_over(virtual_.axes, said);
+void VirtualPlane::put_virtual_plane(Plane programmed) {
+    const bool is_over = is_turned_over(virtual_.axes, programmed);
     if (is_over != virtual_.is_turned_over) modal_.move_by(turned_over(modal_.motion));
     virtual_.is_turned_over = is_over;
     modal_.plane =
-        virtual_.axes.kind == VirtualKind::Face ? Plane::Xy : plane_of_cylinder(virtual_.axes);
+        virtual_.axes.kind == VirtualKind::Polar ? Plane::Xy : plane_of_cylinder(virtual_.axes);
 }
 
 // ------------------------------------------------------------------------------ the rotary axis

@@ -35,7 +35,7 @@ class VirtualPlane {
         path::Vec3 tip = path::Vec3::Zero();
         double at = 0;  // rad
     };
-    void take_virtual_position(const path::Vec3& place);
+    void take_virtual_position(const path::Vec3& point);
     double virtual_angle() const;
     std::optional<path::VirtualAxes> wanted_virtual(const nc::Block& block,
                                                     const nc::Invocation& invocation);
@@ -48,7 +48,7 @@ class VirtualPlane {
     void refuse_virtual(const nc::Block& block, nc::Slot slot);
     Done require_virtual_words(const nc::Block& block);
     Done take_rotary_word(const nc::Block& block);
-    void say_virtual_plane(path::Plane said);
+    void put_virtual_plane(path::Plane programmed);
     Done follow_leg_by_leg(const path::Command& command, const path::Curve& curve);
 
     Channel& channel_;
@@ -56,7 +56,7 @@ class VirtualPlane {
     const machine::Machine& machine_;
     Reporter& reporter_;
     const nc::Rules& rules_;
-    Output& output_;
+    CommandOutput& output_;
     Modal& modal_;
     Position& position_;
     const control::Frames& frames_;
@@ -65,7 +65,7 @@ class VirtualPlane {
     Virtual& virtual_;
     const RadiusCompState& comp_;
     const Compensation& compensation_;
-    const Units& units_;
+    const ProgrammedUnits& units_;
     const AxisData& axes_;
     Followed rotary_;
     nc::Block around_{};  // a block whose rotary word has become a place around

@@ -26,13 +26,13 @@ std::string hint_at_comma(const nc::DialectTables& tables, Axis axis, double val
     return what + " is `" + name + with_point(shown) + "`, with a comma";
 }
 
-std::string hint_at_bare_cycle(const nc::DialectTables& tables, const nc::BlockLocations* places,
+std::string hint_at_bare_cycle(const nc::DialectTables& tables, const nc::BlockLocations* locations,
                                const nc::Block& caller) {
     const bool has_words = (caller.given & (nc::kTargetSlots | bit(nc::Slot::Radius))) != 0;
-    if (has_words || places == nullptr || caller.find(nc::Function::Cycle) == nullptr) return {};
-    const TextLocation place = places->place(caller, nc::Function::Cycle);
-    const std::size_t begin = std::min<std::size_t>(place.column - 1, place.text.size());
-    const auto found = tables.foreign.find(place.text.substr(begin, place.length) + "@cycle");
+    if (has_words || locations == nullptr || caller.find(nc::Function::Cycle) == nullptr) return {};
+    const TextLocation location = locations->location(caller, nc::Function::Cycle);
+    const std::size_t begin = std::min<std::size_t>(location.column - 1, location.text.size());
+    const auto found = tables.foreign.find(location.text.substr(begin, location.length) + "@cycle");
     return found == tables.foreign.end() ? std::string() : found->second;
 }
 

@@ -22,7 +22,7 @@ std::string hint_at_comma(const nc::DialectTables& tables, Axis axis, double val
 /// another system of G codes it may be something else, and was meant so. Empty: nothing.
 ///
 /// caller  the block with the code
-std::string hint_at_bare_cycle(const nc::DialectTables& tables, const nc::BlockLocations* places,
+std::string hint_at_bare_cycle(const nc::DialectTables& tables, const nc::BlockLocations* locations,
                                const nc::Block& caller);
 
 }  // namespace kadr::interp

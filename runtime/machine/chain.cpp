@@ -62,13 +62,14 @@ Result<Chain, ChainFault> prepare(Chain chain) {
     if (spin.is_present) {
         if (!chain.orients()) return ChainFault::SpinWithoutPair;
         const double off = spin.direction.dot(chain.tool_direction);
-        if (spin.side != Side::Head || off < 0 ||
+        if (spin.side != ChainSide::Head || off < 0 ||
             !are_parallel(spin.direction, chain.tool_direction))
             return ChainFault::SpinNotAlongTool;
         chain.joints[kPsi].direction = chain.tool_direction;
     }
     if (!chain.orients()) return chain;
-    if (first.side == Side::Head && second.side == Side::Table) return ChainFault::TableBehindHead;
+    if (first.side == ChainSide::Head && second.side == ChainSide::Table)
+        return ChainFault::TableBehindHead;
     if (are_parallel(first.direction, second.direction)) return ChainFault::ParallelJoints;
     if (are_parallel(second.direction, chain.tool_direction)) return ChainFault::SecondAlongTool;
     chain.tilt = tilt_triangle(chain);
@@ -80,7 +81,7 @@ void place_by_vectors(Chain& chain, const AxisVectors& vectors) {
     const Vec3 second = -vectors.second_to_tool;
     const Vec3 first = second - vectors.first_to_second;
     const auto place = [&](RotaryJoint& joint, const Vec3& from_tool) {
-        joint.point = joint.side == Side::Table ? Vec3(vectors.start + from_tool) : from_tool;
+        joint.point = joint.side == ChainSide::Table ? Vec3(vectors.start + from_tool) : from_tool;
     };
     place(chain.joints[kR1], first);
     place(chain.joints[kR2], second);

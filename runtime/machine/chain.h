@@ -30,13 +30,13 @@ inline constexpr std::size_t kR2 = 1;
 inline constexpr std::size_t kPsi = 2;
 inline constexpr std::size_t kJoints = 3;
 
-enum class Side : std::uint8_t { Table, Head };
+enum class ChainSide : std::uint8_t { Table, Head };
 
 /// One rotary axis at base position.
 struct RotaryJoint {
     bool is_present = false;  // an absent joint stands at 0 for ever
     Axis axis = Axis::C;      // the logical axis that programs it
-    Side side = Side::Table;
+    ChainSide side = ChainSide::Table;
     Vec3 direction = Vec3::UnitZ();  // unit vector
     /// A point on the axis, mm. Of a table: in machine coordinates, where the end of the zero tool
     /// meets it. Of a head: from the end of the zero tool.

@@ -15,10 +15,10 @@ class Described {
     explicit Described(DiagnosticSink& sink) : sink_(sink) {}
 
     /// What is described twice is reported with the place of the first description.
-    Done require_first(const std::string& what, const SourceRange& place) {
-        const auto [first, is_new] = seen_.emplace(what, place);
+    Done require_first(const std::string& what, const SourceRange& location) {
+        const auto [first, is_new] = seen_.emplace(what, location);
         if (!is_new) {
-            sink_.report(diag::MachineTwice, place)
+            sink_.report(diag::MachineTwice, location)
                 .arg(what)
                 .note(first->second, "the first description");
         }

@@ -16,9 +16,9 @@ namespace kadr::machine {
 
 /// A value that programs read from the control: machine data, an input.
 struct MachineDatum {
-    std::string name;   // as programs write it: `$MN_USER_DATA_INT[3]`, `#1004`
-    std::string value;  // a number or a text
-    SourceRange place;  // in the machine file
+    std::string name;      // as programs write it: `$MN_USER_DATA_INT[3]`, `#1004`
+    std::string value;     // a number or a text
+    SourceRange location;  // in the machine file
 };
 
 struct MachineData {
@@ -29,7 +29,7 @@ struct MachineData {
 
 struct DescribedMachine {
     Machine machine;
-    MachineData told;
+    MachineData data;
 };
 
 /// Loads a machine as `load_machine` does, with what it tells.

@@ -35,7 +35,7 @@ std::string ElementReader::text(std::string_view attribute) const {
     return found == nullptr ? std::string() : found->value;
 }
 
-SourceRange ElementReader::place(std::string_view attribute) const {
+SourceRange ElementReader::location(std::string_view attribute) const {
     const XmlAttribute* found = element_.find(attribute);
     return found == nullptr ? element_.range : found->value_range;
 }
@@ -120,7 +120,7 @@ std::optional<double> ElementReader::positive(std::string_view attribute,
                                               Dimension dimension) const {
     const auto value = quantity(attribute, dimension);
     if (!value || *value > 0) return value;
-    sink_.report(diag::MachineNotPositive, place(attribute)).arg(attribute).arg(text(attribute));
+    sink_.report(diag::MachineNotPositive, location(attribute)).arg(attribute).arg(text(attribute));
     return std::nullopt;
 }
 
@@ -128,14 +128,14 @@ std::optional<double> ElementReader::magnitude(std::string_view attribute,
                                                Dimension dimension) const {
     const auto value = quantity(attribute, dimension);
     if (!value || *value >= 0) return value;
-    sink_.report(diag::MachineNegative, place(attribute)).arg(attribute).arg(text(attribute));
+    sink_.report(diag::MachineNegative, location(attribute)).arg(attribute).arg(text(attribute));
     return std::nullopt;
 }
 
 std::optional<double> ElementReader::share(std::string_view attribute) const {
     const auto value = quantity(attribute, Dimension::Share);
     if (!value || (*value >= 0 && *value <= 1)) return value;
-    sink_.report(diag::MachineShare, place(attribute)).arg(attribute).arg(text(attribute));
+    sink_.report(diag::MachineShare, location(attribute)).arg(attribute).arg(text(attribute));
     return std::nullopt;
 }
 

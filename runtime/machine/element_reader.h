@@ -44,7 +44,7 @@ class ElementReader {
                                       std::span<const std::string_view> words) const;
 
     /// The place of the attribute's value; of the element if there is none.
-    SourceRange place(std::string_view attribute) const;
+    SourceRange location(std::string_view attribute) const;
 
   private:
     void report_quantity(const XmlAttribute& attribute, const QuantityError& error,

@@ -53,10 +53,10 @@ double pole_distance(const Chain& chain, const Vec3& direction) {
 
 /// The place of the least distance to the pole between two places, by the golden section: the
 /// distance is a V where the pole is passed, which keeps all digits.
-double nearest_to_pole(const Chain& chain, const DirectionFunction& course, double from,
+double nearest_to_pole(const Chain& chain, const DirectionFunction& direction, double from,
                        double to) {
     constexpr double kGolden = 0.61803398874989485;
-    const auto distance = [&](double f) { return pole_distance(chain, course(f)); };
+    const auto distance = [&](double f) { return pole_distance(chain, direction(f)); };
     double left = to - kGolden * (to - from);
     double right = from + kGolden * (to - from);
     double at_left = distance(left);
@@ -82,9 +82,10 @@ double nearest_to_pole(const Chain& chain, const DirectionFunction& course, doub
 }
 
 /// How far behind a pole, or behind the beginning, R1 has a meaning again: part of the way.
-double distance_behind(const Chain& chain, const DirectionFunction& course, double fraction) {
+double distance_behind(const Chain& chain, const DirectionFunction& direction, double fraction) {
     double behind = kBehindPole;
-    while (2 * behind < 1 - fraction && is_at_pole(chain, course(fraction + behind))) behind *= 2;
+    while (2 * behind < 1 - fraction && is_at_pole(chain, direction(fraction + behind)))
+        behind *= 2;
     return behind;
 }
 
@@ -102,17 +103,18 @@ struct Refused {
 };
 
 /// One way of following a course, which is refused or comes to an end.
-class Walk {
+class FollowingWalk {
   public:
-    Walk(const Chain& chain, const FollowQuery& query, const DirectionFunction& course)
-        : chain_(chain), query_(query), course_(course) {}
+    FollowingWalk(const Chain& chain, const FollowQuery& query,
+                  const DirectionFunction& direction_along)
+        : chain_(chain), query_(query), direction_(direction_along) {}
 
     /// From a place of the course with given joints to another one.
     std::optional<Refused> go(double from, double to, Vec3& joints) const {
         double step = (to - from) / kSteps;
         for (double f = from; f < to;) {
             const double next = to - f < step * (1 + kFinest) ? to : f + step;
-            const Vec3 direction = course_(next);
+            const Vec3 direction = direction_(next);
             const Vec3 there = joints_for(chain_, direction, joints);
             const double turn = (there - joints).head<2>().cwiseAbs().maxCoeff();
             if (turn > kMostTurn && next - f > kFinest) {
@@ -131,7 +133,7 @@ class Walk {
 
     std::optional<Refused> check(const Vec3& joints) const {
         for (const std::size_t k : {kR1, kR2}) {
-            const Limits& limits = query_.limits[k];
+            const AxisRange& limits = query_.limits[k];
             const double value = joints[at(k)];
             const bool is_within =
                 value >= limits.lower - kLimitSlack && value <= limits.upper + kLimitSlack;
@@ -141,12 +143,12 @@ class Walk {
     }
 
     /// R1 where the course leaves a pole, in both configurations, nearest to where it stands.
-    std::vector<Vec3> ways_out(double fraction, const Vec3& joints) const {
+    std::vector<Vec3> departures(double fraction, const Vec3& joints) const {
         std::vector<Vec3> found;
-        const double behind = distance_behind(chain_, course_, fraction);
-        const auto solutions = solve(chain_, course_(fraction + behind));
+        const double behind = distance_behind(chain_, direction_, fraction);
+        const auto solutions = solve(chain_, direction_(fraction + behind));
         if (!solutions) return found;
-        const Vec3 farther = course_(std::min(fraction + 2 * behind, 1.0));
+        const Vec3 farther = direction_(std::min(fraction + 2 * behind, 1.0));
         const bool is_led_back = fraction + 2 * behind <= 1;
         for (const Solution& solution : *solutions) {
             Vec3 start = joints;
@@ -171,13 +173,13 @@ class Walk {
   private:
     const Chain& chain_;
     const FollowQuery& query_;
-    const DirectionFunction& course_;
+    const DirectionFunction& direction_;
 };
 
 PathRefusal refusal_of(const Chain& chain, const FollowQuery& query, const Refused& refused) {
     PathRefusal refusal;
     if (refused.fault == CandidateFault::NoSolution) {
-        refusal.fault = PathFault::Unreachable;
+        refusal.fault = PathChoiceFault::Unreachable;
         return refusal;
     }
     const int configuration = configuration_of(chain, query.start);
@@ -221,25 +223,26 @@ Vec3 joints_for(const Chain& chain, const Vec3& direction, const Vec3& near) {
     return best;
 }
 
-std::vector<PolePassage> pole_passages(const Chain& chain, const DirectionFunction& course,
-                                       double tolerance) {
-    std::vector<PolePassage> passages;
+std::vector<PolePoint> pole_passages(const Chain& chain, const DirectionFunction& direction_along,
+                                     double tolerance) {
+    std::vector<PolePoint> passages;
     if (!chain.orients()) return passages;
     const Vec3& first = chain.joints[kR1].direction;
     std::array<Vec3, kSteps + 1> directions;
     std::array<double, kSteps + 1> distances{};
     for (std::size_t i = 0; i <= kSteps; ++i) {
-        directions[i] = course(static_cast<double>(i) / kSteps);
+        directions[i] = direction_along(static_cast<double>(i) / kSteps);
         distances[i] = pole_distance(chain, directions[i]);
     }
     for (std::size_t i = 1; i < kSteps; ++i) {
         const bool is_least = distances[i] <= distances[i - 1] && distances[i] < distances[i + 1];
         // What comes to the pole between its neighbours is no farther from it than from them.
-        const double way = (directions[i + 1] - directions[i - 1]).norm();
-        if (!is_least || distances[i] > way + tolerance) continue;
-        const double fraction = nearest_to_pole(chain, course, static_cast<double>(i - 1) / kSteps,
-                                                static_cast<double>(i + 1) / kSteps);
-        const Vec3 direction = course(fraction);
+        const double travel = (directions[i + 1] - directions[i - 1]).norm();
+        if (!is_least || distances[i] > travel + tolerance) continue;
+        const double fraction =
+            nearest_to_pole(chain, direction_along, static_cast<double>(i - 1) / kSteps,
+                            static_cast<double>(i + 1) / kSteps);
+        const Vec3 direction = direction_along(fraction);
         if (pole_distance(chain, direction) > tolerance) continue;
         if (std::min(fraction, 1 - fraction) < kBehindPole) continue;
         passages.push_back({fraction, direction.dot(first) > 0 ? first : Vec3(-first)});
@@ -247,15 +250,15 @@ std::vector<PolePassage> pole_passages(const Chain& chain, const DirectionFuncti
     return passages;
 }
 
-Vec3 joints_before(const Chain& chain, const DirectionFunction& course, const Vec3& to) {
+Vec3 joints_before(const Chain& chain, const DirectionFunction& direction, const Vec3& to) {
     Vec3 joints = to;
     for (int i = kSteps - 1; i > 0; --i)
-        joints = joints_for(chain, course(static_cast<double>(i) / kSteps), joints);
-    if (!is_at_pole(chain, course(0))) return joints_for(chain, course(0), joints);
+        joints = joints_for(chain, direction(static_cast<double>(i) / kSteps), joints);
+    if (!is_at_pole(chain, direction(0))) return joints_for(chain, direction(0), joints);
     // The last step ends beside the pole, where R1 still has its meaning.
-    const double behind = distance_behind(chain, course, 0);
-    const Vec3 farther = joints_for(chain, course(std::min(2 * behind, 1.0)), joints);
-    Vec3 nearer = joints_for(chain, course(behind), farther);
+    const double behind = distance_behind(chain, direction, 0);
+    const Vec3 farther = joints_for(chain, direction(std::min(2 * behind, 1.0)), joints);
+    Vec3 nearer = joints_for(chain, direction(behind), farther);
     for (const std::size_t k : {kR1, kR2}) {
         if (2 * behind <= 1) nearer[at(k)] = led_back(nearer[at(k)], farther[at(k)]);
     }
@@ -263,12 +266,13 @@ Vec3 joints_before(const Chain& chain, const DirectionFunction& course, const Ve
 }
 
 Result<PathEnd, PathRefusal> follow(const Chain& chain, const FollowQuery& query,
-                                    const DirectionFunction& course) {
-    const Walk walk(chain, query, course);
-    const std::vector<PolePassage> passages = pole_passages(chain, course, kPoleWidth);
+                                    const DirectionFunction& direction) {
+    const FollowingWalk walk(chain, query, direction);
+    const std::vector<PolePoint> passages = pole_passages(chain, direction, kPoleWidth);
     std::vector<Vec3> starts = {query.start};
-    const bool starts_at_pole = is_at_pole(chain, course(0)) && !is_at_pole(chain, course(0.5));
-    if (starts_at_pole) starts = walk.ways_out(0, query.start);
+    const bool starts_at_pole =
+        is_at_pole(chain, direction(0)) && !is_at_pole(chain, direction(0.5));
+    if (starts_at_pole) starts = walk.departures(0, query.start);
     std::optional<Refused> first_refusal;
     const auto refuse = [&](const Refused& refused) {
         if (!first_refusal) first_refusal = refused;
@@ -279,7 +283,7 @@ Result<PathEnd, PathRefusal> follow(const Chain& chain, const FollowQuery& query
         double from = 0;
         std::optional<Refused> refused;
         Vec3 at_last_pole = joints;
-        for (const PolePassage& passage : passages) {
+        for (const PolePoint& passage : passages) {
             if ((refused = walk.go(from, passage.fraction, joints))) break;
             from = passage.fraction;
             at_last_pole = joints;

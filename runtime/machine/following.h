@@ -28,7 +28,7 @@ Vec3 joints_for(const Chain& chain, const Vec3& direction, const Vec3& near);
 using DirectionFunction = std::function<Vec3(double)>;
 
 /// So far along a way the tool stands at the pole of R1.
-struct PolePassage {
+struct PolePoint {
     double fraction = 0;
     Vec3 direction = Vec3::Zero();  // of the axis R1, towards the tool
 };
@@ -37,12 +37,12 @@ struct PolePassage {
 /// beginning on, or up to its end, does not pass.
 ///
 /// tolerance  how far from the axis it may be to count as passing, rad
-std::vector<PolePassage> pole_passages(const Chain& chain, const DirectionFunction& course,
-                                       double tolerance);
+std::vector<PolePoint> pole_passages(const Chain& chain, const DirectionFunction& direction,
+                                     double tolerance);
 
 /// The joints at the end of a course that begins at the pole and is left by the end `to`: where R1
 /// has to stand before.
-Vec3 joints_before(const Chain& chain, const DirectionFunction& course, const Vec3& to);
+Vec3 joints_before(const Chain& chain, const DirectionFunction& direction, const Vec3& to);
 
 struct FollowQuery {
     Vec3 start = Vec3::Zero();  // R1, R2, Ψ where the way begins, rad
@@ -58,6 +58,6 @@ struct FollowQuery {
 /// returns  as of choose_path() in vector mode; of an end that only one configuration leads to the
 ///          refusal stands under the start's
 Result<PathEnd, PathRefusal> follow(const Chain& chain, const FollowQuery& query,
-                                    const DirectionFunction& course);
+                                    const DirectionFunction& direction);
 
 }  // namespace kadr::machine

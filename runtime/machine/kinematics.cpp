@@ -31,26 +31,26 @@ constexpr double kSingular = 1e-9;
 /// Share of a rate that may be left over where only one axis can follow it.
 constexpr double kLeftOver = 1e-7;
 
-struct Turn {
+struct SineCosine {
     double sine = 0;
     double cosine = 1;
 };
 
-Turn turn_of(double angle) { return {std::sin(angle), std::cos(angle)}; }
+SineCosine sine_cosine_of(double angle) { return {std::sin(angle), std::cos(angle)}; }
 
 /// Rodrigues' formula for a vector: a third of the work of the matrix.
-Vec3 turned(const Vec3& axis, const Turn& turn, const Vec3& vector) {
-    return turn.cosine * vector + turn.sine * axis.cross(vector) +
-           axis * (axis.dot(vector) * (1 - turn.cosine));
+Vec3 turned(const Vec3& axis, const SineCosine& rotation, const Vec3& vector) {
+    return rotation.cosine * vector + rotation.sine * axis.cross(vector) +
+           axis * (axis.dot(vector) * (1 - rotation.cosine));
 }
 
-Mat3 matrix_of(const Vec3& axis, const Turn& turn) {
-    const Vec3 rest = axis * (1 - turn.cosine);
-    const Vec3 s = axis * turn.sine;
+Mat3 matrix_of(const Vec3& axis, const SineCosine& rotation) {
+    const Vec3 rest = axis * (1 - rotation.cosine);
+    const Vec3 s = axis * rotation.sine;
     Mat3 result = rest * axis.transpose();
-    result(0, 0) += turn.cosine;
-    result(1, 1) += turn.cosine;
-    result(2, 2) += turn.cosine;
+    result(0, 0) += rotation.cosine;
+    result(1, 1) += rotation.cosine;
+    result(2, 2) += rotation.cosine;
     result(0, 1) -= s.z();
     result(1, 0) += s.z();
     result(0, 2) += s.y();
@@ -68,31 +68,33 @@ double wrapped(double angle) {
 }
 
 bool is_table(const Chain& chain, std::size_t joint) {
-    return chain.has(joint) && chain.joints[joint].side == Side::Table;
+    return chain.has(joint) && chain.joints[joint].side == ChainSide::Table;
 }
 bool is_head(const Chain& chain, std::size_t joint) {
-    return chain.has(joint) && chain.joints[joint].side == Side::Head;
+    return chain.has(joint) && chain.joints[joint].side == ChainSide::Head;
 }
 
 /// The turns of all joints, absent ones at rest.
-std::array<Turn, kJoints> turns_of(const Chain& chain, const Vec3& rotary) {
-    std::array<Turn, kJoints> turns;
+std::array<SineCosine, kJoints> turns_of(const Chain& chain, const Vec3& rotary) {
+    std::array<SineCosine, kJoints> turns;
     for (std::size_t k = 0; k < kJoints; ++k) {
         const RotaryJoint& joint = chain.joints[k];
-        if (joint.is_present) turns[k] = turn_of(joint.sign * rotary[static_cast<Eigen::Index>(k)]);
+        if (joint.is_present)
+            turns[k] = sine_cosine_of(joint.sign * rotary[static_cast<Eigen::Index>(k)]);
     }
     return turns;
 }
 
-Vec3 about_joint(const RotaryJoint& joint, const Turn& turn, const Vec3& point) {
-    return joint.point + turned(joint.direction, turn, point - joint.point);
+Vec3 about_joint(const RotaryJoint& joint, const SineCosine& rotation, const Vec3& point) {
+    return joint.point + turned(joint.direction, rotation, point - joint.point);
 }
-Vec3 back_about_joint(const RotaryJoint& joint, const Turn& turn, const Vec3& point) {
-    return about_joint(joint, {-turn.sine, turn.cosine}, point);
+Vec3 back_about_joint(const RotaryJoint& joint, const SineCosine& rotation, const Vec3& point) {
+    return about_joint(joint, {-rotation.sine, rotation.cosine}, point);
 }
 
 /// The tip as the heads carry it, from the end of the zero tool at base.
-Vec3 through_heads(const Chain& chain, const std::array<Turn, kJoints>& turns, const Vec3& tip) {
+Vec3 through_heads(const Chain& chain, const std::array<SineCosine, kJoints>& turns,
+                   const Vec3& tip) {
     Vec3 point = tip;
     for (const std::size_t k : {kPsi, kR2, kR1}) {
         if (is_head(chain, k)) point = about_joint(chain.joints[k], turns[k], point);
@@ -104,7 +106,7 @@ Vec3 stand_of(const Chain& chain, const ChainPosition& position) {
     return chain.compensates_parallel ? Vec3(position.linear + position.parallel) : position.linear;
 }
 
-Mat3 rotation_by(const Chain& chain, const std::array<Turn, kJoints>& turns) {
+Mat3 rotation_by(const Chain& chain, const std::array<SineCosine, kJoints>& turns) {
     Mat3 rotation = Mat3::Identity();
     bool is_first = true;
     for (std::size_t k = 0; k < kJoints; ++k) {
@@ -126,7 +128,7 @@ struct AxesInWorkpiece {
 
 AxesInWorkpiece axes_in_workpiece(const Chain& chain, const ChainPosition& position,
                                   const Vec3& tip) {
-    const std::array<Turn, kJoints> turns = turns_of(chain, position.rotary);
+    const std::array<SineCosine, kJoints> turns = turns_of(chain, position.rotary);
     AxesInWorkpiece axes;
     // The map from behind the joints passed so far into the workpiece system.
     Mat3 linear = Mat3::Identity();
@@ -141,7 +143,7 @@ AxesInWorkpiece axes_in_workpiece(const Chain& chain, const ChainPosition& posit
         axes.direction[k] = axes.point[k] = Vec3::Zero();
         if (!chain.has(k)) continue;
         const RotaryJoint& joint = chain.joints[k];
-        if (joint.side == Side::Head && !is_behind_linear_axes) pass_linear_axes();
+        if (joint.side == ChainSide::Head && !is_behind_linear_axes) pass_linear_axes();
         axes.direction[k] = joint.sign * (linear * joint.direction);
         axes.point[k] = linear * joint.point + shift;
         const Mat3 inner = linear * matrix_of(joint.direction, turns[k]);
@@ -193,7 +195,7 @@ Result<Vec3, VelocityFault> tilt_velocity(const Chain& chain, const AxesInWorkpi
 /// The angle of the second joint from the middle of both solutions, 0 … π.
 struct Opening {
     double angle = 0;
-    Turn turn;
+    SineCosine rotation;
 };
 
 /// Half angles of the triangle whose sides are known: sin²(γ/2) and cos²(γ/2) are products, which
@@ -235,8 +237,10 @@ std::optional<Solution> completed(const Chain& chain, const Candidate& candidate
     const double sine = across.dot(direction);  // n1·(v × w), of the parts across n1
     const double cosine = across.dot(n1.cross(direction));
     const double length = std::sqrt(sine * sine + cosine * cosine);
-    const Turn turn = is_pole || length == 0 ? Turn{} : Turn{sine / length, cosine / length};
-    if ((turned(n1, turn, candidate.image) - direction).squaredNorm() > kPoleAngle * kPoleAngle * 4)
+    const SineCosine rotation =
+        is_pole || length == 0 ? SineCosine{} : SineCosine{sine / length, cosine / length};
+    if ((turned(n1, rotation, candidate.image) - direction).squaredNorm() >
+        kPoleAngle * kPoleAngle * 4)
         return std::nullopt;
     Solution solution;
     solution.is_pole = is_pole;
@@ -246,10 +250,11 @@ std::optional<Solution> completed(const Chain& chain, const Candidate& candidate
     return solution;
 }
 
-Candidate candidate_at(const Chain& chain, double opening, const Turn& turn) {
+Candidate candidate_at(const Chain& chain, double opening, const SineCosine& rotation) {
     const OrientationTriangle& tilt = chain.tilt;
-    const Turn second = {tilt.sin_nearest * turn.cosine + tilt.cos_nearest * turn.sine,
-                         tilt.cos_nearest * turn.cosine - tilt.sin_nearest * turn.sine};
+    const SineCosine second = {
+        tilt.sin_nearest * rotation.cosine + tilt.cos_nearest * rotation.sine,
+        tilt.cos_nearest * rotation.cosine - tilt.sin_nearest * rotation.sine};
     return {tilt.nearest + opening,
             turned(chain.joints[kR2].direction, second, chain.tool_direction)};
 }
@@ -259,21 +264,22 @@ Result<Solutions, ReachFault> solve_pair(const Chain& chain, const Vec3& directi
     const double sine = n1.cross(direction).norm();
     Opening opening = opening_of(chain.tilt, sine, n1.dot(direction));
     const bool is_pole = sine < kPoleAngle;
-    const bool is_equator = sine > kAwayFromPole && opening.turn.sine < kMeeting;
+    const bool is_equator = sine > kAwayFromPole && opening.rotation.sine < kMeeting;
     if (is_equator || is_pole) {
-        const bool is_far = opening.turn.cosine < 0;
-        if (is_equator || opening.turn.sine < kNoOpening)
+        const bool is_far = opening.rotation.cosine < 0;
+        if (is_equator || opening.rotation.sine < kNoOpening)
             opening = {is_far ? kPi : 0, {0, is_far ? -1.0 : 1.0}};
     }
     Solutions solutions;
-    const auto add = [&](double angle, const Turn& turn) {
-        auto solution = completed(chain, candidate_at(chain, angle, turn), direction, is_pole);
+    const auto add = [&](double angle, const SineCosine& rotation) {
+        auto solution = completed(chain, candidate_at(chain, angle, rotation), direction, is_pole);
         if (!solution) return;
         solution->is_equator = is_equator;
         solutions.all[solutions.count++] = *solution;
     };
-    add(opening.angle, opening.turn);
-    if (opening.turn.sine > 0) add(-opening.angle, {-opening.turn.sine, opening.turn.cosine});
+    add(opening.angle, opening.rotation);
+    if (opening.rotation.sine > 0)
+        add(-opening.angle, {-opening.rotation.sine, opening.rotation.cosine});
     if (solutions.count == 0) return ReachFault::OutsideReach;
     if (solutions.count == 2 && solutions.all[0].configuration > solutions.all[1].configuration)
         std::swap(solutions.all[0], solutions.all[1]);
@@ -291,7 +297,7 @@ Result<Solutions, ReachFault> solve_single(const Chain& chain, const Vec3& direc
         solution.is_pole
             ? 0.0
             : std::atan2(across.dot(direction), across.dot(joint.direction.cross(direction)));
-    if ((turned(joint.direction, turn_of(angle), chain.tool_direction) - direction).norm() >
+    if ((turned(joint.direction, sine_cosine_of(angle), chain.tool_direction) - direction).norm() >
         2 * kPoleAngle)
         return ReachFault::MissingJoint;
     solution.rotary[static_cast<Eigen::Index>(which)] = wrapped(joint.sign * angle);
@@ -305,14 +311,17 @@ Result<Solutions, ReachFault> solve_single(const Chain& chain, const Vec3& direc
 double azimuth_by_second(const Chain& chain, double second) {
     const Vec3& n1 = chain.joints[kR1].direction;
     const RotaryJoint& joint = chain.joints[kR2];
-    const Vec3 image = turned(joint.direction, turn_of(joint.sign * second), chain.tool_direction);
+    const Vec3 image =
+        turned(joint.direction, sine_cosine_of(joint.sign * second), chain.tool_direction);
     const Vec3 across = n1.cross(joint.direction);
     return std::atan2(across.dot(image), across.dot(n1.cross(image)));
 }
 
 }  // namespace
 
-Mat3 rotation_about(const Vec3& axis, double angle) { return matrix_of(axis, turn_of(angle)); }
+Mat3 rotation_about(const Vec3& axis, double angle) {
+    return matrix_of(axis, sine_cosine_of(angle));
+}
 
 Vec3 tip_of_length(const Chain& chain, double length) { return -length * chain.tool_direction; }
 
@@ -325,15 +334,15 @@ Vec3 tool_vector(const Chain& chain, const Vec3& rotary) {
     for (const std::size_t k : {kR2, kR1}) {
         const RotaryJoint& joint = chain.joints[k];
         if (joint.is_present)
-            direction =
-                turned(joint.direction, turn_of(joint.sign * rotary[static_cast<Eigen::Index>(k)]),
-                       direction);
+            direction = turned(joint.direction,
+                               sine_cosine_of(joint.sign * rotary[static_cast<Eigen::Index>(k)]),
+                               direction);
     }
     return direction;
 }
 
 Pose forward(const Chain& chain, const ChainPosition& position, const Vec3& tip) {
-    const std::array<Turn, kJoints> turns = turns_of(chain, position.rotary);
+    const std::array<SineCosine, kJoints> turns = turns_of(chain, position.rotary);
     Vec3 point = stand_of(chain, position) + through_heads(chain, turns, tip);
     for (const std::size_t k : {kR2, kR1}) {
         if (is_table(chain, k)) point = about_joint(chain.joints[k], turns[k], point);
@@ -343,7 +352,7 @@ Pose forward(const Chain& chain, const ChainPosition& position, const Vec3& tip)
 
 Vec3 inverse_linear(const Chain& chain, const Vec3& target, const ChainPosition& position,
                     const Vec3& tip) {
-    const std::array<Turn, kJoints> turns = turns_of(chain, position.rotary);
+    const std::array<SineCosine, kJoints> turns = turns_of(chain, position.rotary);
     Vec3 point = target;
     for (const std::size_t k : {kR1, kR2}) {
         if (is_table(chain, k)) point = back_about_joint(chain.joints[k], turns[k], point);

@@ -171,7 +171,7 @@ class MachineBuilder {
         if (machine_.axes.empty()) {
             sink_.report(diag::MachineWithoutAxes, root_.range).arg(machine_.name);
         }
-        return {std::move(machine_), std::move(told_)};
+        return {std::move(machine_), std::move(machine_data_)};
     }
 
   private:
@@ -217,7 +217,7 @@ class MachineBuilder {
         if (child.name == "function") read_function(child);
         if (child.name == "data") read_datum(child);
         if (child.name == "probe" && described_.require_first("the probe", child.range))
-            told_.probe = read_probe(child, sink_);
+            machine_data_.probe = read_probe(child, sink_);
         if (child.name == "scanner" && described_.require_first("the scanner", child.range))
             machine_.scanner = read_scanner(child, sources_, sink_);
         if (child.name == "kinematics" &&
@@ -235,11 +235,11 @@ class MachineBuilder {
         axis.name = reader.text("name");
         const auto known = std::find(kAxisNames.begin(), kAxisNames.end(), axis.name);
         if (known == kAxisNames.end()) {
-            auto message = sink_.report(diag::MachineAxisName, reader.place("name"));
+            auto message = sink_.report(diag::MachineAxisName, reader.location("name"));
             message.arg(axis.name);
             const std::string upper = upper_ascii(axis.name);
             if (std::find(kAxisNames.begin(), kAxisNames.end(), upper) != kAxisNames.end()) {
-                message.fix(reader.place("name"), upper, "axes are written in upper case");
+                message.fix(reader.location("name"), upper, "axes are written in upper case");
             }
             return;
         }
@@ -257,9 +257,9 @@ class MachineBuilder {
         read_limits(reader, axis, dimension.position);
         const std::string machine_name = upper_ascii(reader.text("machine_name"));
         if (!machine_name.empty() && described_.require_first("an axis `" + machine_name + '`',
-                                                              reader.place("machine_name")))
-            told_.axis_names.emplace(machine_name, axis.axis);
-        if (described_.require_first("axis " + axis.name, reader.place("name")))
+                                                              reader.location("machine_name")))
+            machine_data_.axis_names.emplace(machine_name, axis.axis);
+        if (described_.require_first("axis " + axis.name, reader.location("name")))
             machine_.axes.push_back(axis);
     }
 
@@ -268,7 +268,7 @@ class MachineBuilder {
         axis.corner_jump = reader.positive("corner_jump", dimension.velocity);
         axis.curvature_jump = reader.positive("curvature_jump", dimension.acceleration);
         if (axis.curvature_jump && !reader.has("jerk")) {
-            sink_.report(diag::MachineJumpWithoutJerk, reader.place("curvature_jump"))
+            sink_.report(diag::MachineJumpWithoutJerk, reader.location("curvature_jump"))
                 .arg(axis.name);
             axis.curvature_jump.reset();
         }
@@ -278,8 +278,8 @@ class MachineBuilder {
         const ElementReader reader(element, sink_);
         if (!reader.has("name") || !reader.has("value")) return;
         MachineDatum datum{reader.text("name"), reader.text("value"), element.range};
-        if (described_.require_first("`" + datum.name + '`', reader.place("name")))
-            told_.data.push_back(std::move(datum));
+        if (described_.require_first("`" + datum.name + '`', reader.location("name")))
+            machine_data_.data.push_back(std::move(datum));
     }
 
     void read_limits(const ElementReader& reader, MachineAxis& axis, Dimension dimension) {
@@ -287,7 +287,7 @@ class MachineBuilder {
         axis.lower = limits ? limits->lower : -kInfinity;
         axis.upper = limits ? limits->upper : kInfinity;
         if (!(axis.lower < axis.upper)) {
-            sink_.report(diag::MachineLimitsReversed, reader.place("limits"))
+            sink_.report(diag::MachineLimitsReversed, reader.location("limits"))
                 .arg(shown_position(axis, axis.lower))
                 .arg(shown_position(axis, axis.upper));
         } else {
@@ -302,7 +302,7 @@ class MachineBuilder {
     void check_home(const ElementReader& reader, const MachineAxis& axis, const std::string& name,
                     double home) {
         if (home >= axis.lower && home <= axis.upper) return;
-        sink_.report(diag::MachineHomeOutside, reader.place(name))
+        sink_.report(diag::MachineHomeOutside, reader.location(name))
             .arg(axis.name)
             .arg(shown_position(axis, home));
     }
@@ -324,15 +324,17 @@ class MachineBuilder {
         const std::string what =
             "tool " + std::to_string(*number) +
             (tool.edge == 1 ? std::string() : ", edge " + std::to_string(tool.edge));
-        if (!described_.require_first(what, reader.place(has_edge ? "edge" : "number"))) return;
+        if (!described_.require_first(what, reader.location(has_edge ? "edge" : "number"))) return;
         if (tool.edge == 1) first_edges_.insert(*number);
-        else further_edges_.push_back({*number, tool.edge, reader.place("edge")});
+        else further_edges_.push_back({*number, tool.edge, reader.location("edge")});
         if (tool.edge != 1 && !tool.name.empty()) {
-            sink_.report(diag::MachineEdgeName, reader.place("name")).arg(*number).arg(tool.edge);
+            sink_.report(diag::MachineEdgeName, reader.location("name"))
+                .arg(*number)
+                .arg(tool.edge);
             return;
         }
         if (!tool.name.empty() &&
-            !described_.require_first("a tool `" + tool.name + '`', reader.place("name")))
+            !described_.require_first("a tool `" + tool.name + '`', reader.location("name")))
             return;
         tool.number = *number;
         machine_.tools.push_back(tool);
@@ -340,9 +342,11 @@ class MachineBuilder {
 
     /// A tool is known by its first edge.
     void check_edges() {
-        for (const EdgeLocation& place : further_edges_) {
-            if (first_edges_.contains(place.tool)) continue;
-            sink_.report(diag::MachineEdgeAlone, place.range).arg(place.tool).arg(place.edge);
+        for (const EdgeLocation& location : further_edges_) {
+            if (first_edges_.contains(location.tool)) continue;
+            sink_.report(diag::MachineEdgeAlone, location.range)
+                .arg(location.tool)
+                .arg(location.edge);
         }
     }
 
@@ -358,7 +362,7 @@ class MachineBuilder {
                              end == digits.data() + digits.size() && function.code >= 0;
         const char* other = is_code ? said_elsewhere(function.code) : "";
         if (!is_code || other != nullptr) {
-            auto message = sink_.report(diag::MachineFunctionCode, reader.place("code"));
+            auto message = sink_.report(diag::MachineFunctionCode, reader.location("code"));
             message.arg(text).arg(is_code ? other : "not an M function; write `M10`");
             return;
         }
@@ -368,7 +372,7 @@ class MachineBuilder {
             reader.choice("acts", kFunctionTimes).value_or(is_off ? 2 : 0));
         function.waits = reader.choice("waits", kYesNo).value_or(0) == 0;
         if (described_.require_first("function M" + std::to_string(function.code),
-                                     reader.place("code")))
+                                     reader.location("code")))
             machine_.functions.push_back(function);
     }
 
@@ -400,20 +404,20 @@ class MachineBuilder {
                 reader.quantity(kOffsetAxes[i], rotary ? Dimension::Angle : Dimension::Length);
             if (value) values[i] = rotary ? deg_from_rad(*value) : *value;
             if (value && !has_axis(static_cast<Axis>(i))) {
-                sink_.report(diag::MachineOffsetAxis, reader.place(kOffsetAxes[i]))
+                sink_.report(diag::MachineOffsetAxis, reader.location(kOffsetAxes[i]))
                     .arg(machine_.name)
                     .arg(kAxisNames[i]);
             }
         }
         if (!number || !described_.require_first("offset " + std::to_string(*number),
-                                                 reader.place("number"))) {
+                                                 reader.location("number"))) {
             return;
         }
-        const auto place = static_cast<std::size_t>(*number);
-        if (machine_.work_offsets.size() <= place) {
-            machine_.work_offsets.resize(place + 1, AxisValues{});
+        const auto position = static_cast<std::size_t>(*number);
+        if (machine_.work_offsets.size() <= position) {
+            machine_.work_offsets.resize(position + 1, AxisValues{});
         }
-        machine_.work_offsets[place] = values;
+        machine_.work_offsets[position] = values;
     }
 
     /// Whether an element of the file describes the axis, wherever it stands.
@@ -432,8 +436,8 @@ class MachineBuilder {
         spindle.max_speed = reader.positive("max_speed", Dimension::AngularVelocity).value_or(0) /
                             (2 * std::numbers::pi);
         spindle.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
-        if (!number ||
-            !described_.require_first("spindle " + std::to_string(*number), reader.place("number")))
+        if (!number || !described_.require_first("spindle " + std::to_string(*number),
+                                                 reader.location("number")))
             return;
         spindle.number = *number;
         machine_.spindles.push_back(spindle);
@@ -481,19 +485,19 @@ class MachineBuilder {
         laser.power = reader.positive("power", Dimension::Power).value_or(0);
         laser.least_power = reader.magnitude("least_power", Dimension::Power).value_or(0);
         if (laser.power > 0 && laser.least_power > laser.power) {
-            sink_.report(diag::LaserLeastPower, reader.place("least_power"))
+            sink_.report(diag::LaserLeastPower, reader.location("least_power"))
                 .arg(laser.least_power)
                 .arg(laser.power);
         }
         machine_.laser = laser;
-        laser_place_ = reader.place("pulse");
+        laser_location_ = reader.location("pulse");
     }
 
     /// Points are burnt on ticks.
     void check_pulses() {
         if (!machine_.laser || machine_.laser->pulse == 0) return;
         if (pulse_clock(*machine_.laser, machine_.tick)) return;
-        sink_.report(diag::MachinePulseBetweenTicks, laser_place_)
+        sink_.report(diag::MachinePulseBetweenTicks, laser_location_)
             .arg(round_to(machine_.laser->pulse, 6))
             .arg(round_to(1 / (machine_.laser->pulse * machine_.tick), 3));
     }
@@ -502,8 +506,8 @@ class MachineBuilder {
     Sources& sources_;
     DiagnosticSink& sink_;
     Machine machine_;
-    MachineData told_;
-    SourceRange laser_place_;
+    MachineData machine_data_;
+    SourceRange laser_location_;
     /// A further edge of a tool, and where the file says it.
     struct EdgeLocation {
         std::int64_t tool = 0;

@@ -63,9 +63,9 @@ class KinematicsReader {
 
     /// The place and the row of a mistake that makes the chain useless.
     template <typename Row>
-    auto refuse(const Row& row, const SourceRange& place) {
+    auto refuse(const Row& row, const SourceRange& location) {
         is_sound_ = false;
-        return sink_.report(row, place);
+        return sink_.report(row, location);
     }
 
     void read_attributes() {
@@ -74,7 +74,7 @@ class KinematicsReader {
         kinematics_.pole_tolerance =
             reader_.magnitude("pole_tolerance", Dimension::Angle).value_or(0);
         if (kinematics_.pole_tolerance > kGreatestPoleTolerance) {
-            refuse(diag::KinematicsPoleTolerance, reader_.place("pole_tolerance"))
+            refuse(diag::KinematicsPoleTolerance, reader_.location("pole_tolerance"))
                 .arg(reader_.text("pole_tolerance"))
                 .arg(deg_from_rad(kGreatestPoleTolerance));
         }
@@ -82,7 +82,7 @@ class KinematicsReader {
             chain().tool_direction = *direction;
         chain().compensates_parallel = reader_.choice("uvw_compensation", kYesNo).value_or(1) == 0;
         if (chain().compensates_parallel && !has(Axis::U) && !has(Axis::V) && !has(Axis::W))
-            refuse(diag::KinematicsWithoutParallel, reader_.place("uvw_compensation"));
+            refuse(diag::KinematicsWithoutParallel, reader_.location("uvw_compensation"));
     }
 
     bool has(Axis axis) const {
@@ -96,9 +96,9 @@ class KinematicsReader {
         if (numbers && vector_of(*numbers).norm() > kNoLength)
             return Vec3(vector_of(*numbers).normalized());
         if (numbers) {
-            refuse(diag::KinematicsNoDirection, reader.place(attribute)).arg(attribute);
+            refuse(diag::KinematicsNoDirection, reader.location(attribute)).arg(attribute);
         } else {
-            refuse(diag::KinematicsTriple, reader.place(attribute))
+            refuse(diag::KinematicsTriple, reader.location(attribute))
                 .arg(shown_value(reader.text(attribute)))
                 .arg("");
         }
@@ -114,7 +114,7 @@ class KinematicsReader {
             for (const MachineAxis& other : axes_) {
                 if (other.is_rotary) known.append(known.empty() ? "" : ", ").append(other.name);
             }
-            auto message = refuse(diag::KinematicsAxis, reader.place("axis"));
+            auto message = refuse(diag::KinematicsAxis, reader.location("axis"));
             message.arg(name);
             message.note(known.empty() ? "the file describes no rotary axis"
                                        : "the file describes " + known);
@@ -122,7 +122,7 @@ class KinematicsReader {
         }
         for (const XmlElement* other : seen_) {
             if (other->find("axis")->value != name) continue;
-            refuse(diag::MachineTwice, reader.place("axis"))
+            refuse(diag::MachineTwice, reader.location("axis"))
                 .arg("axis " + name + " of the chain")
                 .note(other->find("axis")->value_range, "the first description");
             return;
@@ -145,7 +145,7 @@ class KinematicsReader {
         if (reader.has("axis")) read_axis(reader, joint);
         const auto side = reader.choice("on", kSides);
         if (!side) is_sound_ = false;
-        joint.side = static_cast<Side>(side.value_or(0));
+        joint.side = static_cast<ChainSide>(side.value_or(0));
         if (const auto direction = direction_of(reader, "direction")) joint.direction = *direction;
         joint.sign = reader.choice("sign", kSigns).value_or(0) == 0 ? 1 : -1;
         if (!reader.has("point")) return;
@@ -163,7 +163,7 @@ class KinematicsReader {
         }
         spin_ = &element;
         joint.is_present = true;
-        joint.side = Side::Head;
+        joint.side = ChainSide::Head;
         joint.direction = chain().tool_direction;
         if (reader.has("axis")) read_axis(reader, joint);
         joint.sign = reader.choice("sign", kSigns).value_or(0) == 0 ? 1 : -1;
@@ -181,7 +181,8 @@ class KinematicsReader {
             kinematics_.swivel_reference = static_cast<std::size_t>(named - joints_.begin());
             return;
         }
-        auto message = refuse(diag::KinematicsSwivelReference, reader_.place("swivel_reference"));
+        auto message =
+            refuse(diag::KinematicsSwivelReference, reader_.location("swivel_reference"));
         message.arg(name);
         for (const XmlElement* joint : joints_)
             message.note(joint->range, "axis " + axis_text(*joint));
@@ -194,21 +195,23 @@ class KinematicsReader {
             const XmlAttribute* point = joint->find("point");
             if (has_vectors && point != nullptr) {
                 refuse(diag::KinematicsTwoPlaces, point->value_range)
-                    .note(reader_.place(reader_.has("l1") ? "l1" : "l2"), "the vectors");
+                    .note(reader_.location(reader_.has("l1") ? "l1" : "l2"), "the vectors");
             } else if (!has_vectors && point == nullptr) {
                 refuse(diag::KinematicsNoPlace, joint->range).arg(axis_text(*joint));
             }
         }
         if (!has_vectors) {
             if (reader_.has("start"))
-                refuse(diag::KinematicsHalfVectors, reader_.place("start")).arg("start").arg("l2");
+                refuse(diag::KinematicsHalfVectors, reader_.location("start"))
+                    .arg("start")
+                    .arg("l2");
             return;
         }
         AxisVectors vectors;
         // With one rotary axis the way from it to the tool is L2 alone.
         if (joints_.size() == 2 && reader_.has("l1") != reader_.has("l2")) {
             const char* there = reader_.has("l1") ? "l1" : "l2";
-            refuse(diag::KinematicsHalfVectors, reader_.place(there))
+            refuse(diag::KinematicsHalfVectors, reader_.location(there))
                 .arg(there)
                 .arg(reader_.has("l1") ? "l2" : "l1");
         }
@@ -247,27 +250,27 @@ class KinematicsReader {
         return axis == nullptr ? "" : axis->value;
     }
 
-    SourceRange place_of(std::size_t joint, std::string_view attribute) const {
-        return ElementReader(*joints_[joint], sink_).place(attribute);
+    SourceRange location_of(std::size_t joint, std::string_view attribute) const {
+        return ElementReader(*joints_[joint], sink_).location(attribute);
     }
 
     void report_chain(ChainFault fault) {
         switch (fault) {
             case ChainFault::NoJoint: sink_.report(diag::KinematicsEmpty, element_.range); return;
             case ChainFault::TableBehindHead:
-                sink_.report(diag::KinematicsOrder, place_of(kR2, "on"))
+                sink_.report(diag::KinematicsOrder, location_of(kR2, "on"))
                     .arg(axis_text(*joints_[kR2]))
                     .arg(axis_text(*joints_[kR1]))
-                    .note(place_of(kR1, "on"), "the axis on the head");
+                    .note(location_of(kR1, "on"), "the axis on the head");
                 return;
             case ChainFault::ParallelJoints:
-                sink_.report(diag::KinematicsParallel, place_of(kR2, "direction"))
+                sink_.report(diag::KinematicsParallel, location_of(kR2, "direction"))
                     .arg(axis_text(*joints_[kR2]))
                     .arg(axis_text(*joints_[kR1]))
-                    .note(place_of(kR1, "direction"), "the other axis");
+                    .note(location_of(kR1, "direction"), "the other axis");
                 return;
             case ChainFault::SecondAlongTool:
-                sink_.report(diag::KinematicsAlongTool, place_of(kR2, "direction"))
+                sink_.report(diag::KinematicsAlongTool, location_of(kR2, "direction"))
                     .arg(axis_text(*joints_[kR2]));
                 return;
             case ChainFault::SpinWithoutPair:

@@ -90,26 +90,28 @@ class PipelineReader {
         const auto op = path::find_op(name);
         const Serving serving = op ? serving_of(*op) : Serving::Never;
         if (serving == Serving::Never) {
-            auto message = sink_.report(diag::PipelineCommand, reader.place("command"));
+            auto message = sink_.report(diag::PipelineCommand, reader.location("command"));
             message.arg(name);
             const std::vector<std::string_view> names = path::op_names();
             const auto better = op ? std::nullopt : proposal(name, names);
-            if (better) message.fix(reader.place("command"), *better, "the command is called so");
+            if (better)
+                message.fix(reader.location("command"), *better, "the command is called so");
             return;
         }
-        if (!described_.require_first("who serves `" + name + '`', reader.place("command"))) return;
+        if (!described_.require_first("who serves `" + name + '`', reader.location("command")))
+            return;
         const std::string module = reader.text("by");
         if (module == kNoModule && serving != Serving::Time) {
-            sink_.report(diag::PipelineMotion, reader.place("by")).arg(name);
+            sink_.report(diag::PipelineMotion, reader.location("by")).arg(name);
             return;
         }
         if (module == kScannerModule && !require_scanner(reader, name, serving)) return;
-        pipeline_.modules.push_back({*op, module, reader.place("by")});
+        pipeline_.modules.push_back({*op, module, reader.location("by")});
     }
 
     Done require_scanner(const ElementReader& reader, const std::string& name, Serving serving) {
         if (serving == Serving::ScanPath && machine_.scanner) return kDone;
-        sink_.report(diag::PipelineScanner, reader.place("by"))
+        sink_.report(diag::PipelineScanner, reader.location("by"))
             .arg(name)
             .arg(serving == Serving::ScanPath ? "the machine file describes none"
                                               : "it is no way for a beam");
@@ -135,7 +137,7 @@ class PipelineReader {
         const double ticks = *period / machine_.tick;
         const double whole = std::round(ticks);
         if (std::fabs(ticks - whole) > kWhole * whole || whole < 1) {
-            sink_.report(diag::PipelinePeriod, reader.place("period"))
+            sink_.report(diag::PipelinePeriod, reader.location("period"))
                 .arg(reader.text("period"))
                 .arg(format_shortest(round_to(machine_.tick * 1000, 6)));
             return;
@@ -161,7 +163,7 @@ class PipelineReader {
             pipeline_.setpoints.file = file;
             return;
         }
-        sink_.report(diag::PipelineFile, reader.place("file"))
+        sink_.report(diag::PipelineFile, reader.location("file"))
             .arg(file)
             .arg(is_table ? "in braces stands `{program}`, once" : "it ends in `.csv` or `.npy`");
     }

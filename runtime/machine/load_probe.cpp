@@ -38,7 +38,7 @@ ProbeSolid read_block(const ElementReader& reader, DiagnosticSink& sink) {
     for (std::size_t i = 0; from && to && i < 3; ++i) {
         const auto at = static_cast<Eigen::Index>(i);
         if (block.from[at] < block.to[at]) continue;
-        sink.report(diag::ProbeBlockFlat, reader.place("to")).arg(kAxes3[i]);
+        sink.report(diag::ProbeBlockFlat, reader.location("to")).arg(kAxes3[i]);
     }
     return block;
 }
@@ -66,7 +66,7 @@ ProbeScene read_probe(const XmlElement& element, DiagnosticSink& sink) {
     const ElementReader reader(element, sink);
     ProbeScene scene;
     scene.radius = reader.magnitude("radius", Dimension::Length);
-    scene.is_center_told = reader.choice("length_to", kEnds).value_or(0) == 1;
+    scene.is_center_given = reader.choice("length_to", kEnds).value_or(0) == 1;
     if (reader.has("offset")) scene.offset = reader.whole("offset", 1, kMostOffsets).value_or(0);
     scene.error = vector_of(reader.triple("error", Dimension::Length));
     for (const XmlElement& child : element.children) {

@@ -41,7 +41,7 @@ std::string shown(double value) { return format_shortest(round_to(value, 6)); }
 /// A row of the table, and where it stands.
 struct GridRow {
     std::array<double, 4> values{};
-    SourceRange place;
+    SourceRange location;
 };
 
 /// Rows into a grid: every x with every y.
@@ -53,13 +53,13 @@ class GridBuilder {
         const auto key = std::pair(row.values[1], row.values[0]);
         const auto [first, is_new] = rows_.emplace(key, row);
         if (is_new) return;
-        sink_.report(diag::MachineTwice, row.place)
+        sink_.report(diag::MachineTwice, row.location)
             .arg("the correction at " + words(key))
-            .note(first->second.place, "the first description");
+            .note(first->second.location, "the first description");
         is_sound_ = false;
     }
 
-    std::optional<FieldGrid> grid(const SourceRange& place) {
+    std::optional<FieldGrid> grid(const SourceRange& location) {
         FieldGrid grid;
         for (const auto& [key, row] : rows_) {
             grid.x.push_back(key.second);
@@ -70,14 +70,16 @@ class GridBuilder {
             values->erase(std::unique(values->begin(), values->end()), values->end());
         }
         if (grid.x.size() < 2 || grid.y.size() < 2) {
-            sink_.report(diag::ScannerTableGap, place).arg("two values of x and two of y at least");
+            sink_.report(diag::ScannerTableGap, location)
+                .arg("two values of x and two of y at least");
             return std::nullopt;
         }
         for (const double y : grid.y) {
             for (const double x : grid.x) {
                 const auto row = rows_.find({y, x});
                 if (row == rows_.end()) {
-                    sink_.report(diag::ScannerTableGap, place).arg("the row of " + words({y, x}));
+                    sink_.report(diag::ScannerTableGap, location)
+                        .arg("the row of " + words({y, x}));
                     return std::nullopt;
                 }
                 grid.dx.push_back(row->second.values[2]);
@@ -130,7 +132,8 @@ class ScannerReader {
         scanner_.on_function = reader_.whole("on", kFirstFunction, kLastFunction).value_or(0);
         scanner_.off_function = reader_.whole("off", kFirstFunction, kLastFunction).value_or(0);
         if (scanner_.on_function != 0 && scanner_.on_function == scanner_.off_function) {
-            sink_.report(diag::ScannerOneFunction, reader_.place("off")).arg(scanner_.off_function);
+            sink_.report(diag::ScannerOneFunction, reader_.location("off"))
+                .arg(scanner_.off_function);
         }
     }
 
@@ -149,7 +152,7 @@ class ScannerReader {
     }
 
     void report_beam(const char* beam, double beam_delay, const char* motion, double delay) {
-        sink_.report(diag::ScannerBeamJumps, reader_.place(beam))
+        sink_.report(diag::ScannerBeamJumps, reader_.location(beam))
             .arg(beam)
             .arg(round_to(beam_delay * 1e6, 3))
             .arg(motion)
@@ -164,7 +167,7 @@ class ScannerReader {
             scanner_.matrix = *matrix;
             return;
         }
-        sink_.report(diag::ScannerMatrix, reader_.place("matrix")).arg(shown_value(text));
+        sink_.report(diag::ScannerMatrix, reader_.location("matrix")).arg(shown_value(text));
     }
 
     void read_correction() {
@@ -174,7 +177,7 @@ class ScannerReader {
             std::filesystem::path(sources_.name(element_.range.file)).parent_path();
         const auto file = sources_.read((folder / name).string());
         if (!file) {
-            sink_.report(diag::FileUnreadable, reader_.place("correction"))
+            sink_.report(diag::FileUnreadable, reader_.location("correction"))
                 .arg((folder / name).string());
             return;
         }
@@ -185,7 +188,7 @@ class ScannerReader {
         for (const std::vector<double>* values : {&grid->x, &grid->y}) {
             if (values->front() <= -half + kRounding && values->back() >= half - kRounding)
                 continue;
-            sink_.report(diag::ScannerTableSmall, reader_.place("correction"))
+            sink_.report(diag::ScannerTableSmall, reader_.location("correction"))
                 .arg(shown(values->front()))
                 .arg(shown(values->back()))
                 .arg(shown(half));
@@ -211,23 +214,23 @@ std::optional<FieldGrid> read_field_grid(FileId file, const Sources& sources,
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view line = trimmed(text.substr(begin, end - begin));
-        const SourceRange place{file, static_cast<std::uint32_t>(begin),
-                                static_cast<std::uint32_t>(begin + line.size())};
+        const SourceRange location{file, static_cast<std::uint32_t>(begin),
+                                   static_cast<std::uint32_t>(begin + line.size())};
         begin = end + 1;
         if (line.empty() || line.starts_with('#')) continue;
         if (!has_header) {
             has_header = true;
             if (line == kTableHeader) continue;
-            sink.report(diag::ScannerTableRow, place)
+            sink.report(diag::ScannerTableRow, location)
                 .arg(shown_value(line))
                 .arg("the header `" + std::string(kTableHeader) + "`");
             return std::nullopt;
         }
         if (const auto values = number_list<4>(line, ',')) {
-            builder.add({*values, place});
+            builder.add({*values, location});
             continue;
         }
-        sink.report(diag::ScannerTableRow, place).arg(shown_value(line)).arg("four numbers");
+        sink.report(diag::ScannerTableRow, location).arg(shown_value(line)).arg("four numbers");
         is_sound = false;
     }
     if (!is_sound) return std::nullopt;

@@ -125,10 +125,11 @@ Result<Varying, OrientationFault> by_lead_tilt(const Varying& tangent, const Var
     const auto t = unit_of(tangent);
     if (!n) return n.error();
     if (!t) return t.error();
-    const double lean = t->value.dot(n->value);
+    const double inclination = t->value.dot(n->value);
     const double lead_tilt_rate = t->rate.dot(n->value) + t->value.dot(n->rate);
-    const auto forward = unit_of(
-        Varying{t->value - lean * n->value, t->rate - lead_tilt_rate * n->value - lean * n->rate});
+    const auto forward =
+        unit_of(Varying{t->value - inclination * n->value,
+                        t->rate - lead_tilt_rate * n->value - inclination * n->rate});
     if (!forward) return OrientationFault::NormalAlongTangent;
     const Varying side = {n->value.cross(forward->value),
                           n->rate.cross(forward->value) + n->value.cross(forward->rate)};
@@ -152,8 +153,9 @@ LeadTilt lead_tilt_of(const Vec3& direction, const Vec3& tangent, const Vec3& no
     const double up = direction.dot(normal);
     if (about == TiltAbout::Tangent)
         return {std::atan2(along, std::hypot(beside, up)), std::atan2(-beside, up), about};
-    const double lean = std::hypot(along, beside);
-    return {std::atan2(lean, up), lean < kNoLength ? 0 : std::atan2(beside, along), about};
+    const double inclination = std::hypot(along, beside);
+    return {std::atan2(inclination, up), inclination < kNoLength ? 0 : std::atan2(beside, along),
+            about};
 }
 
 OrientationPoint at(const OrientationArc& arc, double fraction) {
@@ -224,9 +226,9 @@ Result<OrientationArc, OrientationFault> cone_of_opening(const Vec3& start, cons
     if (opening < angle - kNoLength) return OrientationFault::OpeningSmall;
     const Vec3 middle = (start + end).normalized();
     const Vec3 across = start.cross(end).normalized();
-    const double lean =
+    const double inclination =
         std::acos(std::clamp(std::cos(opening / 2) / std::cos(angle / 2), 0.0, 1.0));
-    const double e = sense == ConeSense::Ccw ? lean : -lean;
+    const double e = sense == ConeSense::Ccw ? inclination : -inclination;
     const Vec3 axis = middle * std::cos(e) + across * std::sin(e);
     const double turn = std::abs(turn_about(axis, start, end));
     return arc_about(axis, start, sense == ConeSense::Ccw ? turn : -turn);

@@ -58,7 +58,7 @@ struct Varying {
 Result<Varying, OrientationFault> unit_of(const Varying& vector);
 
 using path::TiltAbout;
-using LeadTilt = path::Lean;
+using LeadTilt = path::LeadTiltAngles;
 
 /// The tool by its angles to a surface: the tangent is first brought into the surface, t' = unit(t
 /// − (t·n)n); LEAD leans the normal towards t', TILT turns the result about t' or n.

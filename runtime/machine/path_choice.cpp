@@ -27,7 +27,7 @@ constexpr double kWayStep = 2 * kPi / 180;
 
 constexpr auto at(std::size_t joint) { return static_cast<Eigen::Index>(joint); }
 
-bool is_within(double value, const Limits& limits) {
+bool is_within(double value, const AxisRange& limits) {
     return value >= limits.lower - kLimitSlack && value <= limits.upper + kLimitSlack;
 }
 
@@ -45,7 +45,7 @@ double last_up_to(double angle, double bound) {
     return angle + kTurn * std::floor((bound - angle) / kTurn + kLimitSlack);
 }
 
-Neighbours neighbours(double angle, double start, const Limits& limits) {
+Neighbours neighbours(double angle, double start, const AxisRange& limits) {
     Neighbours found;
     const double below = last_up_to(angle, std::min(start, limits.upper));
     if (is_within(below, limits)) found.below = below;
@@ -57,12 +57,12 @@ Neighbours neighbours(double angle, double start, const Limits& limits) {
 
 /// The one next to the start, whatever the limits; half a turn either way: the positive one.
 double nearest_turn(double angle, double start) {
-    const double way = std::remainder(angle - start, kTurn);
-    return start + (way <= -kPi + kEqualTravel ? way + kTurn : way);
+    const double travel = std::remainder(angle - start, kTurn);
+    return start + (travel <= -kPi + kEqualTravel ? travel + kTurn : travel);
 }
 
 /// The nearest admissible one.
-std::optional<double> nearest(double angle, double start, const Limits& limits) {
+std::optional<double> nearest(double angle, double start, const AxisRange& limits) {
     const Neighbours found = neighbours(angle, start, limits);
     if (!found.below) return found.above;
     if (!found.above) return found.below;
@@ -93,8 +93,8 @@ class Choice {
     Result<PathEnd, PathRefusal> decide() {
         const auto solutions =
             chain_.has(kPsi) ? solve(chain_, query_.rotation) : solve(chain_, end_direction_);
-        if (!solutions) return PathRefusal{PathFault::Unreachable, solutions.error(), {}};
-        look_at_the_way(*solutions);
+        if (!solutions) return PathRefusal{PathChoiceFault::Unreachable, solutions.error(), {}};
+        look_at_path(*solutions);
         PathMode mode = query_.mode;
         collect(*solutions, mode);
         if (found_.count == 0 && mode == PathMode::Vector && query_.rule == PathRule::LongAlways) {
@@ -119,12 +119,12 @@ class Choice {
 
     /// From the middle of what R1 may.
     double off_middle(double first) const {
-        const Limits& limits = query_.limits[kR1];
+        const AxisRange& limits = query_.limits[kR1];
         return std::abs(first - (limits.lower + limits.upper) / 2);
     }
     /// Whether another turn of R1 is nearer to the middle. Without limits none is.
     bool is_wound(double first) const {
-        const Limits& limits = query_.limits[kR1];
+        const AxisRange& limits = query_.limits[kR1];
         if (std::isinf(limits.lower) || std::isinf(limits.upper)) return false;
         return off_middle(first) > kPi + kEqualTravel;
     }
@@ -142,7 +142,7 @@ class Choice {
     bool spins() const { return chain_.has(kPsi) && query_.fixes_spin; }
 
     /// Whether R1 may turn, or the configuration change, on the great circle.
-    void look_at_the_way(const Solutions& solutions) {
+    void look_at_path(const Solutions& solutions) {
         if (!chain_.orients()) return;
         start_configuration_ = configuration_of(chain_, query_.start);
         const Vec3 from = tool_vector(chain_, query_.start);
@@ -214,7 +214,7 @@ class Choice {
         if (follows && passes_pole_) {
             if (const auto refused = check_pole(wanted.configuration)) return refused;
         }
-        return ways_of_first(end, wanted.configuration, follows);
+        return travels_of_first(end, wanted.configuration, follows);
     }
 
     /// R2 and Ψ go to the admissible turn next to their start.
@@ -249,7 +249,7 @@ class Choice {
                 other ? CandidateFault::OnlyLongTravel : CandidateFault::FirstOutside, kR1,
                 end[kR1], query_.limits[kR1]};
         }
-        if (const auto refused = check_way(end)) return refused;
+        if (const auto refused = check_travel(end)) return refused;
         found_.add({end, configuration, false, false});
         return std::nullopt;
     }
@@ -269,7 +269,7 @@ class Choice {
     }
 
     /// Both ends may be within the limits and the way between them not.
-    std::optional<CandidateRefusal> check_way(const Vec3& end) const {
+    std::optional<CandidateRefusal> check_travel(const Vec3& end) const {
         const Vec3 from = tool_vector(chain_, query_.start);
         const double angle =
             std::atan2(from.cross(end_direction_).norm(), from.dot(end_direction_));
@@ -300,21 +300,22 @@ class Choice {
     }
 
     /// R1 on either side of its start; the long way only where the rule admits it.
-    std::optional<CandidateRefusal> ways_of_first(Vec3 end, int configuration, bool follows) {
+    std::optional<CandidateRefusal> travels_of_first(Vec3 end, int configuration, bool follows) {
         const double start = query_.start[kR1];
         const double target = end[kR1];
-        const Neighbours ways = neighbours(target, start, query_.limits[kR1]);
-        if (!ways.below && !ways.above) return outside(CandidateFault::FirstOutside, kR1, target);
+        const Neighbours travels = neighbours(target, start, query_.limits[kR1]);
+        if (!travels.below && !travels.above)
+            return outside(CandidateFault::FirstOutside, kR1, target);
         const double shortest = std::abs(std::remainder(target - start, kTurn));
         const bool unwinds = follows && starts_at_pole_ && !ends_at_pole_;
         const bool admits_long = unwinds || (query_.rule != PathRule::Shortest && !follows);
         bool was_added = false;
-        for (const auto& way : {ways.above, ways.below}) {
-            if (!way) continue;
-            const double change = std::abs(*way - start);
+        for (const auto& travel : {travels.above, travels.below}) {
+            if (!travel) continue;
+            const double change = std::abs(*travel - start);
             const bool is_long = change > shortest + kEqualTravel;
             if (is_long && !admits_long) continue;
-            end[kR1] = *way;
+            end[kR1] = *travel;
             const bool stands = change < kUnchanged || (passes_pole_ && follows && !is_long);
             found_.add({end, configuration, is_long,
                         chain_.orients() && configuration != start_configuration_ && stands});
@@ -352,30 +353,31 @@ class Choice {
         PathReason why;
     };
 
-    Vec3 ways_of(const Candidate& candidate) const {
-        Vec3 ways = Vec3::Zero();
+    Vec3 travels_of(const Candidate& candidate) const {
+        Vec3 travels = Vec3::Zero();
         for (std::size_t k = 0; k < kJoints; ++k) {
             if (chain_.has(k))
-                ways[at(k)] = std::abs(candidate.rotary[at(k)] - query_.start[at(k)]);
+                travels[at(k)] = std::abs(candidate.rotary[at(k)] - query_.start[at(k)]);
         }
-        return ways;
+        return travels;
     }
 
     /// Whether `a` goes before `b`.
     Verdict compared(const Candidate& a, const Candidate& b) const {
-        const Vec3 ways_a = ways_of(a);
-        const Vec3 ways_b = ways_of(b);
+        const Vec3 travels_a = travels_of(a);
+        const Vec3 travels_b = travels_of(b);
         const auto less = [](double x, double y) { return x < y - kEqualTravel; };
         const auto differ = [](double x, double y) { return std::abs(x - y) > kEqualTravel; };
         if (query_.rule == PathRule::LeastTravel || query_.rule == PathRule::MasterFirst) {
             const auto first = at(leading_joint());
             const auto second = first == at(kR1) ? at(kR2) : at(kR1);
-            if (differ(ways_a[first], ways_b[first]))
-                return {less(ways_a[first], ways_b[first]), PathReason::LeastFirst};
-            if (differ(ways_a[second], ways_b[second]))
-                return {less(ways_a[second], ways_b[second]), PathReason::LeastSecond};
-        } else if (differ(ways_a.squaredNorm(), ways_b.squaredNorm())) {
-            return {less(ways_a.squaredNorm(), ways_b.squaredNorm()), PathReason::LeastSquares};
+            if (differ(travels_a[first], travels_b[first]))
+                return {less(travels_a[first], travels_b[first]), PathReason::LeastFirst};
+            if (differ(travels_a[second], travels_b[second]))
+                return {less(travels_a[second], travels_b[second]), PathReason::LeastSecond};
+        } else if (differ(travels_a.squaredNorm(), travels_b.squaredNorm())) {
+            return {less(travels_a.squaredNorm(), travels_b.squaredNorm()),
+                    PathReason::LeastSquares};
         }
         return {wins_tie(a, b), PathReason::Tie};
     }
@@ -393,7 +395,7 @@ class Choice {
     /// FANUC's master is nearest to the machine's base: R2 of two tables, else R1 (motion.md 7.2;
     /// of a table and a head the table). SINUMERIK looks at R1.
     std::size_t leading_joint() const {
-        const bool two_tables = chain_.has(kR2) && chain_.joints[kR2].side == Side::Table;
+        const bool two_tables = chain_.has(kR2) && chain_.joints[kR2].side == ChainSide::Table;
         return query_.rule == PathRule::MasterFirst && two_tables ? kR2 : kR1;
     }
 
@@ -404,7 +406,7 @@ class Choice {
         end.mode = mode;
         end.is_long = candidate.is_long;
         end.switches_at_pole = candidate.switches_at_pole;
-        end.sum_squares = ways_of(candidate).squaredNorm();
+        end.sum_squares = travels_of(candidate).squaredNorm();
         end.reason = reason;
         return end;
     }

@@ -15,11 +15,11 @@
 namespace kadr::machine {
 
 /// Positions that a rotary axis may take, rad.
-struct Limits {
+struct AxisRange {
     double lower = -std::numeric_limits<double>::infinity();
     double upper = std::numeric_limits<double>::infinity();
 };
-using JointLimits = std::array<Limits, kJoints>;
+using JointLimits = std::array<AxisRange, kJoints>;
 
 /// How the block interpolates the orientation.
 enum class PathMode : std::uint8_t {
@@ -82,16 +82,16 @@ struct CandidateRefusal {
     CandidateFault fault = CandidateFault::NoSolution;
     std::size_t joint = kR1;  // the axis that is meant
     double value = 0;         // where it would be, rad: the turn next to its start
-    Limits limits;            // what it may
+    AxisRange limits;         // what it may
 };
 
-enum class PathFault : std::uint8_t {
+enum class PathChoiceFault : std::uint8_t {
     Unreachable,  // no position of the axes has the orientation, whatever the limits
     NoCandidate,  // step 3: both configurations are refused
 };
 
 struct PathRefusal {
-    PathFault fault = PathFault::NoCandidate;
+    PathChoiceFault fault = PathChoiceFault::NoCandidate;
     ReachFault reach = ReachFault::OutsideReach;       // of Unreachable
     std::array<CandidateRefusal, 2> configurations{};  // of NoCandidate: of configuration 1 and 2
 };

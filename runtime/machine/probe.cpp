@@ -33,9 +33,9 @@ double distance(const ProbeSolid& solid, const Vec3& point) {
             return outside.maxCoeff() > 0 ? beside.norm() : outside.maxCoeff();
         }
         case ProbeSolid::Kind::Boss: {
-            const Vec3 way = point - solid.from;
-            const double across = std::hypot(way.x(), way.y()) - solid.radius;
-            return beyond(across, std::max(way.z(), -solid.height - way.z()));
+            const Vec3 delta = point - solid.from;
+            const double across = std::hypot(delta.x(), delta.y()) - solid.radius;
+            return beyond(across, std::max(delta.z(), -solid.height - delta.z()));
         }
     }
     return kInfinity;
@@ -43,8 +43,8 @@ double distance(const ProbeSolid& solid, const Vec3& point) {
 
 /// How deep a point lies in the hole; negative beside it.
 double depth_in(const ProbeBore& bore, const Vec3& point) {
-    const Vec3 way = point - bore.center;
-    return std::min(bore.radius - std::hypot(way.x(), way.y()), way.z() + bore.depth);
+    const Vec3 delta = point - bore.center;
+    return std::min(bore.radius - std::hypot(delta.x(), delta.y()), delta.z() + bore.depth);
 }
 
 }  // namespace
@@ -68,32 +68,32 @@ std::optional<double> first_touch(const ProbeScene& scene, const Vec3& from, con
                                   double radius) {
     const double length = (to - from).norm();
     if (length <= kContact) return std::nullopt;
-    const auto gap_at = [&](double way) {
-        return distance_to_material(scene, from + (to - from) * (way / length)) - radius;
+    const auto gap_at = [&](double distance) {
+        return distance_to_material(scene, from + (to - from) * (distance / length)) - radius;
     };
     double gap = gap_at(0);
-    double way = 0;
+    double distance = 0;
     // One step away from the material tells whether the ball leaves it.
     if (gap <= kStanding) {
         constexpr double kStep = 1e-4;
-        way = std::min(kStep, length);
-        if (gap_at(way) <= gap) return 0;
-        gap = gap_at(way);
+        distance = std::min(kStep, length);
+        if (gap_at(distance) <= gap) return 0;
+        gap = gap_at(distance);
     }
     // No step is longer than the gap, so nothing is stepped over; on a way along a face steps would
     // become ever smaller, so none is below a hundredth of a micrometre.
     constexpr double kLeastStep = 1e-5;
-    while (way < length) {
-        const double next = std::min(way + std::max(gap, kLeastStep), length);
+    while (distance < length) {
+        const double next = std::min(distance + std::max(gap, kLeastStep), length);
         const double gap_there = gap_at(next);
         if (gap_there > kContact) {
-            way = next;
+            distance = next;
             gap = gap_there;
-            if (way >= length) return std::nullopt;
+            if (distance >= length) return std::nullopt;
             continue;
         }
         // Between the two: where exactly.
-        double before = way;
+        double before = distance;
         double behind = next;
         for (int i = 0; i < 60; ++i) {
             const double middle = (before + behind) / 2;

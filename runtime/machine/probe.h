@@ -38,7 +38,7 @@ struct ProbeBore {
 /// What the probe of a machine meets.
 struct ProbeScene {
     std::optional<double> radius;  // of the ball, mm; nothing: that of the tool in the spindle
-    bool is_center_told = false;   // the tool's length ends at the ball's centre, not below it
+    bool is_center_given = false;  // the tool's length ends at the ball's centre, not below it
     std::int64_t offset = 0;  // the coordinates are those of this work offset; 0: of the machine
     path::Vec3 error = path::Vec3::Zero();  // by which everything lies wrong, mm
     std::vector<ProbeSolid> solids;

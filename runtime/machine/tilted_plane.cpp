@@ -36,7 +36,7 @@ double wrapped(double angle) {
 }
 
 /// The turn of an angle that is nearest to the start and within the limits; nothing if none is.
-std::optional<double> nearest_turn(double angle, double start, const Limits& limits) {
+std::optional<double> nearest_turn(double angle, double start, const AxisRange& limits) {
     constexpr double kTurn = 2 * std::numbers::pi;
     const double nearest = start + std::remainder(angle - start, kTurn);
     const double lower = limits.lower - kLimitSlack;
@@ -133,7 +133,7 @@ path::Frame table_frame(const Chain& chain, const Vec3& rotary) {
     path::Frame frame;
     for (std::size_t k = 0; k < kJoints; ++k) {
         const RotaryJoint& joint = chain.joints[k];
-        if (!joint.is_present || joint.side != Side::Table) continue;
+        if (!joint.is_present || joint.side != ChainSide::Table) continue;
         frame = back_about(joint, rotary[static_cast<Eigen::Index>(k)]) * frame;
     }
     return frame;
@@ -143,7 +143,7 @@ Vec3 head_offset(const Chain& chain, const Vec3& rotary, const Vec3& tip) {
     Vec3 point = tip;
     for (const std::size_t k : {kPsi, kR2, kR1}) {
         const RotaryJoint& joint = chain.joints[k];
-        if (!joint.is_present || joint.side != Side::Head) continue;
+        if (!joint.is_present || joint.side != ChainSide::Head) continue;
         const double angle = joint.sign * rotary[static_cast<Eigen::Index>(k)];
         point = joint.point + rotation_about(joint.direction, angle) * (point - joint.point);
     }

@@ -9,7 +9,7 @@ namespace kadr::macro {
 const nc::Form* ActiveCodes::form(std::size_t group) const {
     const auto acts = [&](const nc::Form& form) {
         const nc::Group of = info(form.function).group;
-        if (of == nc::Group::Once || form.function == nc::Function::Cycle) return false;
+        if (of == nc::Group::NonModal || form.function == nc::Function::Cycle) return false;
         nc::Function active = modes_.active(of);
         if (of == nc::Group::Motion && active == nc::Function::None)
             active = dialect_.first_motion();
@@ -29,8 +29,8 @@ const nc::Form* ActiveCodes::form(std::size_t group) const {
     if (last != nc::kNoForm) {
         const nc::Form& form = tables_.forms[last];
         // Functions that act once, as frames do, are a group where one of them is the default.
-        const bool is_kept = info(form.function).group == nc::Group::Once && !defaults.empty() &&
-                             form.function != nc::Function::Cycle;
+        const bool is_kept = info(form.function).group == nc::Group::NonModal &&
+                             !defaults.empty() && form.function != nc::Function::Cycle;
         if (form.function == nc::Function::None || is_kept || acts(form)) return &form;
     }
     for (const nc::Form& form : tables_.forms) {
@@ -88,9 +88,9 @@ std::optional<std::int64_t> ActiveCodes::place(std::int64_t group_number) const 
 std::int64_t ActiveCodes::place_in(const nc::CodeList& list, std::size_t group) const {
     // A code that is no modal function of the vocabulary acts since it was said.
     const nc::FormId last = modes_.last_form(group);
-    const bool is_said =
-        last != nc::kNoForm && info(tables_.forms[last].function).group == nc::Group::Once;
-    const nc::Form* acting = is_said ? &tables_.forms[last] : form(group);
+    const bool is_given =
+        last != nc::kNoForm && info(tables_.forms[last].function).group == nc::Group::NonModal;
+    const nc::Form* acting = is_given ? &tables_.forms[last] : form(group);
     if (acting == nullptr) return list.standard;
     const auto found = std::ranges::find(list.codes, acting->words[0].text);
     if (found == list.codes.end()) return list.standard;

@@ -29,7 +29,7 @@ nc::Symbol symbol_of(const nc::ProcedureParameter& parameter) {
 
 }  // namespace
 
-Outcome CallParameters::bind(CompiledLine& line, const PreparedCall& call, Frame& callee) {
+Outcome CallParameters::bind(CompiledLine& line, const PreparedCall& call, RunningProgram& callee) {
     const ControlStatement* const head = call.unit->procedure();
     const std::size_t count = head == nullptr ? 0 : head->parameters.size();
     // The main program of a text without a head has the name of its file.
@@ -56,7 +56,8 @@ Outcome CallParameters::bind(CompiledLine& line, const PreparedCall& call, Frame
     return done;
 }
 
-Outcome CallParameters::bind_noted(CompiledLine& line, const PreparedCall& call, Frame& callee) {
+Outcome CallParameters::bind_noted(CompiledLine& line, const PreparedCall& call,
+                                   RunningProgram& callee) {
     references_.clear();
     const Outcome done = bind(line, call, callee);
     callee.references = std::move(references_);
@@ -84,13 +85,13 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
         const nc::Expression& length = parameter.declaration.sizes[i];
         if (length.is_given() && work_out(length, size)) {
             symbol.sizes[i] = static_cast<std::uint32_t>(std::clamp<double>(size.number, 1, 1e6));
-        } else if (given_value.place.symbol != nullptr) {
-            symbol.sizes[i] = given_value.place.symbol->sizes[i];
+        } else if (given_value.variable.symbol != nullptr) {
+            symbol.sizes[i] = given_value.variable.symbol->sizes[i];
         }
     }
     if (parameter.is_reference) return bind_reference(line, parameter, given_value, symbol);
     const std::size_t dimensions =
-        given_value.is_array ? given_value.place.symbol->dimensions : std::size_t{0};
+        given_value.is_array ? given_value.variable.symbol->dimensions : std::size_t{0};
     if (given_value.is_given && dimensions != symbol.dimensions) {
         return run_.fail(line, diag::ArgumentDiffers, given_value.span,
                          {quoted(symbol.name), symbol.dimensions > 0 ? "an array" : "one value"});
@@ -105,8 +106,9 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
     }
     const nc::Symbol& added = run_.variables.declare(std::move(symbol));
     const nc::Span span = given_value.is_given ? given_value.span : nc::Span{0, 1};
-    const auto set = [&](std::uint32_t place, const Value& value, const Content& content) {
-        const auto fault = run_.variables.store_element(added, added.slot + place, value, content);
+    const auto set = [&](std::uint32_t position, const Value& value, const Content& content) {
+        const auto fault =
+            run_.variables.store_element(added, added.slot + position, value, content);
         if (fault.row == nullptr) return Outcome::Nothing;
         if (given_value.is_given && fault.row == &diag::TypesDiffer) {
             const auto type =
@@ -118,11 +120,11 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
         return run_.fail(line, *fault.row, span, fault.arguments);
     };
     if (given_value.is_array) {
-        const Store& from = *given_value.place.store;
-        const std::uint32_t most = std::min(added.count(), given_value.place.symbol->count());
+        const Store& from = *given_value.variable.store;
+        const std::uint32_t most = std::min(added.count(), given_value.variable.symbol->count());
         Outcome done = Outcome::Nothing;
         for (std::uint32_t i = 0; i < most && goes_on(done); ++i) {
-            const Value& value = from.values[given_value.place.slot + i];
+            const Value& value = from.values[given_value.variable.slot + i];
             if (!value.is_vacant()) done = set(i, value, from.content(value));
         }
         return done;
@@ -145,38 +147,39 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
 /// The parameter is the caller's variable: of the same type, an array of the same dimensions.
 Outcome CallParameters::bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
                                        const GivenValue& given_value, nc::Symbol symbol) {
-    const ControlVariables::VariableRef& place = given_value.place;
+    const ControlVariables::VariableRef& variable = given_value.variable;
     const nc::Span span = given_value.is_given      ? given_value.span
                           : line.line.calls.empty() ? nc::Span{0, 1}
                                                     : line.line.calls[0].span;
-    if (place.store == nullptr)
+    if (variable.store == nullptr)
         return run_.fail(line, diag::ArgumentNoVariable, span, {quoted(symbol.name)});
-    const std::size_t dimensions = given_value.is_array ? place.symbol->dimensions : std::size_t{0};
-    if (place.type != parameter.type || dimensions != symbol.dimensions) {
+    const std::size_t dimensions =
+        given_value.is_array ? variable.symbol->dimensions : std::size_t{0};
+    if (variable.type != parameter.type || dimensions != symbol.dimensions) {
         const auto type =
             std::ranges::find(run_.language.types, parameter.type, &nc::TypeName::type);
         std::string wanted = symbol.dimensions > 0 ? "an array of " : "a variable of ";
         wanted += type == run_.language.types.end() ? "its type" : type->name;
         return run_.fail(line, diag::ArgumentDiffers, span, {quoted(symbol.name), wanted});
     }
-    symbol.slot = place.slot;
-    if (place.symbol != nullptr) {
-        symbol.text_size = place.symbol->text_size;
-        if (given_value.is_array) symbol.sizes = place.symbol->sizes;
+    symbol.slot = variable.slot;
+    if (variable.symbol != nullptr) {
+        symbol.text_size = variable.symbol->text_size;
+        if (given_value.is_array) symbol.sizes = variable.symbol->sizes;
     }
-    note_reference(symbol, place);
-    ControlVariables::bind(run_.variables.level(), std::move(symbol), *place.store);
+    note_reference(symbol, variable);
+    ControlVariables::bind(run_.variables.level(), std::move(symbol), *variable.store);
     return Outcome::Nothing;
 }
 
 /// For who looks on: the parameter has the value of the caller's variable, and what the variable
 /// was before the call is told when it returns.
 void CallParameters::note_reference(const nc::Symbol& symbol,
-                                    const ControlVariables::VariableRef& place) {
+                                    const ControlVariables::VariableRef& variable) {
     if (!run_.variables.notes_changes() || symbol.dimensions > 0) return;
-    ControlVariables::VariableRef named = place;
-    if (place.symbol == nullptr && place.store == &run_.frame->level->locals)
-        named.symbol = declared_at(*run_.frame->level, place.slot);
+    ControlVariables::VariableRef named = variable;
+    if (variable.symbol == nullptr && variable.store == &run_.frame->level->locals)
+        named.symbol = declared_at(*run_.frame->level, variable.slot);
     ControlVariable before = run_.variables.shown_at(named);
     ControlVariable parameter = before;
     parameter.name = symbol.name;
@@ -185,9 +188,9 @@ void CallParameters::note_reference(const nc::Symbol& symbol,
 }
 
 /// What a program that was left has written into variables of its caller.
-void CallParameters::note_returned(const Frame& left) {
+void CallParameters::note_returned(const RunningProgram& left) {
     for (const ReturnedVariable& reference : left.references) {
-        ControlVariable now = run_.variables.shown_at(reference.place);
+        ControlVariable now = run_.variables.shown_at(reference.variable);
         const ControlVariable& before = reference.before;
         const bool is_same =
             now.kind == before.kind && now.number == before.number && now.text == before.text;

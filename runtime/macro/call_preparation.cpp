@@ -162,10 +162,11 @@ Outcome CallPreparation::prepare_passes(CompiledLine& line, const nc::CallValue&
 Outcome CallPreparation::prepare_section(CompiledLine& line, const ControlStatement& statement,
                                          PreparedCall& out) {
     if (statement.from.kind == nc::JumpTarget::Kind::None) return Outcome::Nothing;
-    const Place head{out.unit->begin, out.unit->begin};
-    Place begin;
-    Place end;
-    const auto find = [&](const nc::JumpTarget& wanted, const Place& from, Place& found) {
+    const ProgramLine head{out.unit->begin, out.unit->begin};
+    ProgramLine begin;
+    ProgramLine end;
+    const auto find = [&](const nc::JumpTarget& wanted, const ProgramLine& from,
+                          ProgramLine& found) {
         const auto target = run_.jumps.resolve(line, wanted);
         if (!target) return target.error();
         const auto fault = out.unit->map.find(*target, Direction::Forward, from, found);
@@ -190,8 +191,8 @@ Outcome CallPreparation::prepare(CompiledLine& line, const ControlStatement& sta
     Outcome done = find_program(line, statement, out.form, out);
     if (!goes_on(done)) return done;
     const nc::Span span = is_by_text ? statement.second.span : words->span;
-    out.site = std::make_shared<nc::CallSite>(
-        nc::CallSite{run_.lines.place(line.text, line.place.line.line, span), run_.frame->site});
+    out.site = std::make_shared<nc::CallSite>(nc::CallSite{
+        run_.lines.location(line.text, line.program_line.line.line, span), run_.frame->site});
     if (is_by_text) return prepare_section(line, statement, out);
     nc::CallValue passes = words->repeats;
     if (statement.count.is_given()) {  // `CALL O200 Q2`
@@ -254,7 +255,7 @@ Outcome CallPreparation::prepare_list(CompiledLine& line, const nc::Call& words,
                 if (outcome == Evaluator::Outcome::Fault)
                     return run_.fail(line, run_.evaluator.fault());
             }
-            given_value.place = run_.variables.place_of(argument.variable.load, indices);
+            given_value.variable = run_.variables.variable_of(argument.variable.load, indices);
         }
         if (argument.is_array) continue;
         const Outcome done = run_.evaluate(line, argument.value, given_value.value);

@@ -93,10 +93,11 @@ Outcome ComputedWords::let_axis_move_alone(CompiledLine& line, Block& out) {
         return run_.fail(line, diag::IsoNotSupported, line.line.axes[0].axis.span,
                          {"an axis that moves by itself beside others"});
     }
-    if (count > 1 && !told_separate_) {
-        told_separate_ = true;
-        run_.sink.report(diag::AxesSeparate, run_.lines.place(line.text, line.place.line.line,
-                                                              line.line.axes[0].axis.span));
+    if (count > 1 && !reported_separate_) {
+        reported_separate_ = true;
+        run_.sink.report(diag::AxesSeparate,
+                         run_.lines.location(line.text, line.program_line.line.line,
+                                             line.line.axes[0].axis.span));
     }
     if (out.find(Function::RapidOnce) == nullptr) out.add(Function::RapidOnce, 0);
     run_.modal_calls.note_lone_motion();
@@ -127,8 +128,8 @@ Outcome ComputedWords::set_axes(CompiledLine& line) {
         nc::GivenWord& word = line.line.words.words[computed.word];
         const std::size_t begin = line.line.words.spans[computed.word].begin;
         const nc::ControlWords words(run_.tables, line.text);
-        const std::string said = words.normal(words.word_at(begin).text);
-        const bool is_axis_word = computed.is_alone || said == run_.language.axis_word;
+        const std::string text = words.normal(words.word_at(begin).text);
+        const bool is_axis_word = computed.is_alone || text == run_.language.axis_word;
         word.names_first = false;
         const std::optional<Axis> axis =
             is_axis_word ? axis_of(run_.variables, value) : value.axis();
@@ -139,15 +140,15 @@ Outcome ComputedWords::set_axes(CompiledLine& line) {
             const auto number = value.spindle().value_or(std::llround(value.number));
             word.names_first = number == 1;
             word.address =
-                run_.tables.find_address(number == 1 ? said : said + std::to_string(number));
+                run_.tables.find_address(number == 1 ? text : text + std::to_string(number));
             if (word.address == nc::kNoAddress)
-                word.address = run_.tables.find_address(said + '[' + std::to_string(number) + ']');
+                word.address = run_.tables.find_address(text + '[' + std::to_string(number) + ']');
             if (word.address != nc::kNoAddress) continue;
             return run_.fail(line, diag::SpindleMissing, computed.axis.span,
                              {std::to_string(number)});
         }
         const std::string axis_name(kAxisNames[index(*axis)]);
-        const std::string name = is_axis_word ? axis_name : said + '[' + axis_name + ']';
+        const std::string name = is_axis_word ? axis_name : text + '[' + axis_name + ']';
         word.address = run_.tables.find_address(name);
         if (word.address == nc::kNoAddress)
             return run_.fail(line, diag::IsoUnknownWord, computed.axis.span, {name});
@@ -189,10 +190,10 @@ Outcome ComputedWords::set_codes(CompiledLine& line) {
 }
 
 /// `G54` as its letter and number, `BRISK` as a word; false: the dialect has no such code.
-bool ComputedWords::set_code(nc::LexedLine& words, std::size_t place,
+bool ComputedWords::set_code(nc::LexedLine& words, std::size_t index,
                              const std::string& code) const {
-    nc::GivenWord& word = words.words[place];
-    words.decimals[place] = {};
+    nc::GivenWord& word = words.words[index];
+    words.decimals[index] = {};
     word.address = run_.tables.find_address(code);
     word.has_value = word.is_known = false;
     if (word.address != nc::kNoAddress) return true;
@@ -201,7 +202,7 @@ bool ComputedWords::set_code(nc::LexedLine& words, std::size_t place,
     if (word.address == nc::kNoAddress || number.end != code.data() + code.size()) return false;
     word.has_value = word.is_known = true;
     word.number = number.value;
-    words.decimals[place] = number;
+    words.decimals[index] = number;
     return run_.tables.find_code(word.address, number.value) != nullptr;
 }
 

@@ -19,12 +19,12 @@ class ComputedWords {
   private:
     Outcome set_axes(CompiledLine& line);
     Outcome set_codes(CompiledLine& line);
-    bool set_code(nc::LexedLine& words, std::size_t place, const std::string& code) const;
+    bool set_code(nc::LexedLine& words, std::size_t index, const std::string& code) const;
     Outcome let_axis_move_alone(CompiledLine& line, nc::Block& out);
 
     ProgramRun& run_;
     std::vector<nc::WordValue> values_;
-    bool told_separate_ = false;  // that axes move each by itself
+    bool reported_separate_ = false;  // that axes move each by itself
 };
 
 }  // namespace kadr::macro

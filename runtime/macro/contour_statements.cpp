@@ -60,7 +60,7 @@ Outcome ContourStatements::begin(CompiledLine& line, const ControlStatement& sta
     open.is_coded = statement.kind == Statement::ContourCode;
     open.depth = run_.frames.size();
     const std::size_t columns = open.is_coded ? kCodedColumns : kContourColumns;
-    open.table = run_.variables.place_of(statement.table.load, {});
+    open.table = run_.variables.variable_of(statement.table.load, {});
     if (open.table.symbol == nullptr || !is_table(*open.table.symbol, columns)) {
         return run_.fail(line, diag::ArgumentDiffers, statement.table.span,
                          {"the table", table_with(columns)});
@@ -82,7 +82,7 @@ Outcome ContourStatements::begin(CompiledLine& line, const ControlStatement& sta
             run_.evaluator.indices(line.line, statement.variable, indices) !=
                 Evaluator::Outcome::Done)
             return run_.fail(line, run_.evaluator.fault());
-        open.undercuts = run_.variables.place_of(statement.variable.load, indices);
+        open.undercuts = run_.variables.variable_of(statement.variable.load, indices);
         const bool takes_number =
             open.undercuts.store != nullptr && (open.undercuts.type == nc::ValueType::Int ||
                                                 open.undercuts.type == nc::ValueType::Real);
@@ -120,7 +120,7 @@ Outcome ContourStatements::end(CompiledLine& line, const ControlStatement& state
         run_.end();
         return Outcome::Nothing;
     }
-    run_.variables.system_variables().say_units(*said);
+    run_.variables.system_variables().put_units(*said);
     const std::size_t rows = open.table.symbol->sizes[0];
     const auto fail_for = [&](ContourFault fault) {
         switch (fault) {
@@ -137,7 +137,7 @@ Outcome ContourStatements::end(CompiledLine& line, const ControlStatement& state
     const auto fill = [&](const auto& filled) {
         for (const auto& row : filled) {
             for (std::size_t i = 0; i < row.cells.size(); ++i) {
-                const auto element = static_cast<std::uint32_t>(row.place * row.cells.size() + i);
+                const auto element = static_cast<std::uint32_t>(row.index * row.cells.size() + i);
                 run_.variables.set_number(open.table, element, row.cells[i]);
             }
         }
@@ -180,12 +180,12 @@ Outcome ContourStatements::run_row(CompiledLine& line, const ControlStatement& s
         return run_.fail(line, diag::ContourRowWrong, row.span, {std::to_string(indices[0])});
     // In the plane that acts, by coordinates and radii, whatever the program's words are now.
     const double unit = element->modes.is_metric ? 1 : kMmPerInch;
-    const auto axis = [&](nc::Quantity quantity) {
+    const auto axis = [&](nc::SystemQuantity quantity) {
         const double name = run_.interpreter->quantity(quantity, 0, 0).value_or(-1);
         return static_cast<std::size_t>(-name) - 1;
     };
-    const std::array<std::size_t, 2> axes{axis(nc::Quantity::FirstPlaneAxis),
-                                          axis(nc::Quantity::SecondPlaneAxis)};
+    const std::array<std::size_t, 2> axes{axis(nc::SystemQuantity::FirstPlaneAxis),
+                                          axis(nc::SystemQuantity::SecondPlaneAxis)};
     const bool is_arc = element->shape.is_arc();
     out.motion = is_arc ? (element->shape.sweep < 0 ? Function::ArcCw : Function::ArcCcw)
                  : element->is_rapid ? Function::Rapid

@@ -146,7 +146,7 @@ class Chain {
     std::int64_t next_row() const { return next_; }
 
   private:
-    struct Stretch {
+    struct MonotonePart {
         std::size_t first = 0;  // of the pieces
         bool rises = false;
     };
@@ -191,7 +191,7 @@ class Chain {
 
     Heights heights_;
     std::vector<Piece> pieces_;
-    std::vector<Stretch> stretches_;
+    std::vector<MonotonePart> stretches_;
     std::vector<double> levels_;       // of open undercuts, the last one is the lowest
     std::optional<std::int64_t> row_;  // of the element that comes, before its first piece
     std::int64_t next_;

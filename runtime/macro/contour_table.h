@@ -61,7 +61,7 @@ using CodedRow = std::array<double, kCodedColumns>;
 /// A row with its place in the table.
 template <typename Row>
 struct RowAtNumber {
-    std::size_t place = 0;
+    std::size_t index = 0;
     Row cells{};
 };
 

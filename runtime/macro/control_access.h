@@ -19,7 +19,7 @@ class ControlAccess {
     /// A quantity as it is behind the blocks that were pulled so far; mm, deg, mm/min, rpm. An axis
     /// is counted from 1 as the machine has them, or named: −1 for X, −2 for Y … Nothing: the
     /// quantity does not exist for these indices.
-    virtual std::optional<double> quantity(nc::Quantity quantity, std::int64_t first,
+    virtual std::optional<double> quantity(nc::SystemQuantity quantity, std::int64_t first,
                                            std::int64_t second) = 0;
     /// What became of a quantity that was to be set.
     enum class Write : std::uint8_t {
@@ -32,19 +32,20 @@ class ControlAccess {
     virtual double elapsed() = 0;
     /// Sets a quantity, in the units of `quantity`. A work offset acts from the next block on if it
     /// `acts_at_once`, else when it is called next.
-    virtual Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+    virtual Write set_quantity(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                                double value, bool acts_at_once) = 0;
     /// A frame as it is behind them; nothing: there is none with this number.
-    virtual std::optional<control::ControlFrame> frame(nc::Quantity quantity,
+    virtual std::optional<control::ControlFrame> frame(nc::SystemQuantity quantity,
                                                        std::int64_t number) = 0;
     /// Sets it. A settable frame acts at once, if `acts_at_once` and it is the one that acts, or
     /// when it is called next; the others act from the next block on.
-    virtual Write set_frame(nc::Quantity quantity, std::int64_t number,
+    virtual Write set_frame(nc::SystemQuantity quantity, std::int64_t number,
                             const control::ControlFrame& frame, bool acts_at_once) = 0;
     /// A quantity that is a text; nothing: as above.
-    virtual std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) = 0;
+    virtual std::optional<std::string> text(nc::SystemQuantity quantity, std::int64_t index) = 0;
     /// Sets it.
-    virtual Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text) = 0;
+    virtual Write set_text(nc::SystemQuantity quantity, std::int64_t index,
+                           std::string_view text) = 0;
     /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
     virtual std::optional<std::int64_t> axis_number(Axis axis) const = 0;
     /// Whether the machine has a spindle with this number; 0 is the master.

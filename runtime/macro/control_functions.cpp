@@ -182,8 +182,8 @@ MeasuredFrame measured_frame(std::span<const double, 9> ideal, std::span<const d
     const Eigen::Vector3d shift = fit.topRightCorner<3, 1>();
     for (Eigen::Index i = 0; i < 3; ++i) out.frame.shift[static_cast<std::size_t>(i)] = shift[i];
     for (Eigen::Index i = 0; i < 3; ++i) {
-        const Eigen::Vector3d place = out.frame.linear * from.col(i) + shift;
-        out.error += (place - to.col(i)).norm() / 3;
+        const Eigen::Vector3d point = out.frame.linear * from.col(i) + shift;
+        out.error += (point - to.col(i)).norm() / 3;
     }
     return out;
 }

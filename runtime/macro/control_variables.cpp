@@ -64,8 +64,8 @@ void ControlVariables::bind(Level& level, nc::Symbol symbol, Store& store) {
     level.stores.push_back(&store);
 }
 
-ControlVariables::VariableRef ControlVariables::place_of(const Instruction& load,
-                                                         std::span<const std::int64_t> indices) {
+ControlVariables::VariableRef ControlVariables::variable_of(const Instruction& load,
+                                                            std::span<const std::int64_t> indices) {
     switch (load.kind) {
         case Instruction::Kind::Global: return {&globals_, load.index, load.type, nullptr};
         case Instruction::Kind::Local: return {&level_->locals, load.index, load.type, nullptr};
@@ -102,9 +102,9 @@ bool ControlVariables::set_global(std::string_view name, double value) {
     return false;
 }
 
-Variables::Answer ControlVariables::system(nc::Quantity quantity, std::int64_t first,
+Variables::Answer ControlVariables::system(nc::SystemQuantity quantity, std::int64_t first,
                                            std::int64_t second, double& out) {
-    if (quantity != nc::Quantity::ArgumentGiven)
+    if (quantity != nc::SystemQuantity::ArgumentGiven)
         return system_variables_.number(quantity, first, second, out);
     if (first < 1 || first > static_cast<std::int64_t>(level_->given.size()))
         return Answer::Missing;
@@ -250,10 +250,10 @@ std::vector<ControlVariable> ControlVariables::list() const {
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {
             ControlVariable variable = shown_in(store, symbol.slot + i, &symbol);
             // Of an array those are told that were set.
-            const bool is_told = symbol.dimensions == 0
-                                     ? variable.kind != ControlVariable::Kind::Vacant
-                                     : !store.values[symbol.slot + i].is_vacant();
-            if (is_told) out.push_back(std::move(variable));
+            const bool is_reported = symbol.dimensions == 0
+                                         ? variable.kind != ControlVariable::Kind::Vacant
+                                         : !store.values[symbol.slot + i].is_vacant();
+            if (is_reported) out.push_back(std::move(variable));
         }
     }
     return out;

@@ -42,16 +42,17 @@ class ControlVariables final : public Variables {
     std::string named(std::uint32_t form, std::int64_t number) const override;
     Answer input(std::uint32_t form, std::span<const std::int64_t> indices, Value& out,
                  std::string& text) override;
-    Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+    Answer system(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                   double& out) override;
-    bool set_system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+    bool set_system(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                     double value) override {
         return system_variables_.set_whole_number(quantity, first, second, value);
     }
-    Answer frame(nc::Quantity quantity, std::int64_t index, control::ControlFrame& out) override {
+    Answer frame(nc::SystemQuantity quantity, std::int64_t index,
+                 control::ControlFrame& out) override {
         return system_variables_.frame(quantity, index, out);
     }
-    Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) override {
+    Answer text(nc::SystemQuantity quantity, std::int64_t index, std::string& out) override {
         return system_variables_.text(quantity, index, out);
     }
     double axis_unit(Axis axis) const override { return system_variables_.axis_unit(axis); }
@@ -90,14 +91,14 @@ class ControlVariables final : public Variables {
         nc::ValueType type = nc::ValueType::Real;
         const nc::Symbol* symbol = nullptr;  // if it was declared
     };
-    VariableRef place_of(const nc::Instruction& load, std::span<const std::int64_t> indices);
+    VariableRef variable_of(const nc::Instruction& load, std::span<const std::int64_t> indices);
     /// Sets an element from there on, of a variable that takes numbers.
-    void set_number(const VariableRef& place, std::uint32_t element, double number);
+    void set_number(const VariableRef& variable, std::uint32_t element, double number);
     /// The parameter of `level` stands for a variable elsewhere; `symbol.slot` counts there.
     static void bind(Level& level, nc::Symbol symbol, Store& store);
 
     /// What the number of a family stands for; None: a variable that holds something.
-    nc::Quantity quantity_of(std::uint32_t form, std::int64_t number) const;
+    nc::SystemQuantity quantity_of(std::uint32_t form, std::int64_t number) const;
     /// Whether writing it has to wait for the blocks before.
     bool must_wait(const nc::Instruction& target, std::span<const std::int64_t> indices) const;
     VariableFault store(const nc::Instruction& target, std::span<const std::int64_t> indices,
@@ -120,8 +121,8 @@ class ControlVariables final : public Variables {
     bool notes_changes() const { return changes_ != nullptr; }
     /// Without `before`: it had no value under this name.
     void note_change(std::optional<ControlVariable> before, ControlVariable after);
-    ControlVariable shown_at(const VariableRef& place) const {
-        return shown_in(*place.store, place.slot, place.symbol);
+    ControlVariable shown_at(const VariableRef& variable) const {
+        return shown_in(*variable.store, variable.slot, variable.symbol);
     }
     /// Whether it is no variable that holds something, but the control's own state.
     bool is_state(const nc::Instruction& target, std::span<const std::int64_t> indices) const;

@@ -45,7 +45,7 @@ void Definitions::begin() {
         if (is_own && *name == own) continue;
         ProgramUnit* const unit = run_.units.find_definitions(*name);
         if (unit == nullptr) continue;
-        auto open = std::make_unique<Frame>();
+        auto open = std::make_unique<RunningProgram>();
         open->unit = unit;
         open->text.name = unit->text->name;
         open->text.program = unit->name;
@@ -58,7 +58,7 @@ void Definitions::begin() {
 }
 
 /// The next program has its macros, and so have, behind the last one, all.
-void Definitions::leave(const Frame& left) {
+void Definitions::leave(const RunningProgram& left) {
     run_.frames.back()->macros = left.macros;
     if (run_.frames.back()->is_definition) return;
     run_.frames[0]->macros = common_macros_ = left.macros;
@@ -83,7 +83,7 @@ Outcome Definitions::step(Block& out) {
     if (is_end || run_.frame->is_returning) return Outcome::Nothing;
     run_.lines.begin(here.line);
     CompiledLine line;
-    line.place = {here, here};
+    line.program_line = {here, here};
     run_.end();
     return run_.fail(line, diag::DefinitionsOnly, {}, {name()});
 }

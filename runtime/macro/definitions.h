@@ -19,7 +19,7 @@ class Definitions {
     /// A line that defines something, or the end of the program.
     Outcome step(nc::Block& out);
     /// The next program has its macros, and so have, behind the last one, all.
-    void leave(const Frame& left);
+    void leave(const RunningProgram& left);
     /// Nothing else stands in such a program.
     Done require_definition(CompiledLine& line, const nc::ControlStatement& statement);
     /// Of all programs.

@@ -72,10 +72,10 @@ Evaluator::Outcome Evaluator::execute(const nc::ControlLine& line, const nc::Exp
         } else if (instruction.kind == Instruction::Kind::Operate) {
             const bool is_sign = expression.keeps_vacant && at + 1 == end;
             if (is_sign && stack_[size_ - 1].is_vacant()) continue;
-            place_ = line.places[at];
+            place_ = line.spans[at];
             is_fine = operate(instruction, decimals);
         } else {
-            place_ = line.places[at];
+            place_ = line.spans[at];
             is_fine = load(line, at);
         }
         if (!is_fine) return is_later_ ? Outcome::Later : Outcome::Fault;
@@ -189,7 +189,7 @@ Done Evaluator::load_system(const Instruction& instruction) {
         const Value& value = stack_[size_ + i];
         return value.spindle().value_or(index_of(value.number));
     };
-    const auto quantity = static_cast<nc::Quantity>(instruction.index);
+    const auto quantity = static_cast<nc::SystemQuantity>(instruction.index);
     if (instruction.type == nc::ValueType::Frame) {
         control::ControlFrame frame;
         const auto answered = variables_.frame(quantity, index(0), frame);
@@ -223,29 +223,29 @@ Done Evaluator::load_frame_part(const Instruction& instruction) {
     const nc::FramePart part = instruction.part();
     const auto value = part_of(from, part, *axis.axis());
     if (!value) return fail(diag::IsoNotSupported, {"a component of a frame that shears"});
-    const bool is_way = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
-    push(Value::real(is_way ? *value / variables_.axis_unit(*axis.axis()) : *value));
+    const bool is_distance = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
+    push(Value::real(is_distance ? *value / variables_.axis_unit(*axis.axis()) : *value));
     return kDone;
 }
 
 std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
                                                 std::span<const std::int64_t> indices) {
-    std::uint32_t place = 0;
+    std::uint32_t index = 0;
     for (std::size_t i = 0; i < symbol.dimensions; ++i) {
         if (indices[i] < 0 || indices[i] >= symbol.sizes[i]) return std::nullopt;
-        place = place * symbol.sizes[i] + static_cast<std::uint32_t>(indices[i]);
+        index = index * symbol.sizes[i] + static_cast<std::uint32_t>(indices[i]);
     }
-    return symbol.slot + place;
+    return symbol.slot + index;
 }
 
 std::string Evaluator::wrong_index(const nc::Symbol& symbol,
                                    std::span<const std::int64_t> indices) {
-    std::size_t place = 0;
-    while (place + 1 < symbol.dimensions && indices[place] >= 0 &&
-           indices[place] < symbol.sizes[place])
-        ++place;
+    std::size_t index = 0;
+    while (index + 1 < symbol.dimensions && indices[index] >= 0 &&
+           indices[index] < symbol.sizes[index])
+        ++index;
     const std::string name = '`' + symbol.name + '`';
-    return place == 0 ? name : name + " in place " + std::to_string(place + 1);
+    return index == 0 ? name : name + " in place " + std::to_string(index + 1);
 }
 
 Done Evaluator::load_element(const Instruction& instruction) {
@@ -274,10 +274,10 @@ Done Evaluator::load_element(const Instruction& instruction) {
         push(keep_text(text));
         return kDone;
     }
-    const std::int64_t place = indices[symbol.dimensions];
-    if (place < 0 || place >= symbol.text_size)
+    const std::int64_t index = indices[symbol.dimensions];
+    if (index < 0 || index >= symbol.text_size)
         return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
-    const auto i = static_cast<std::size_t>(place);
+    const auto i = static_cast<std::size_t>(index);
     const std::string_view character = code_points(text, i, 1);
     const char32_t code = character.empty() ? 0 : first_code_point(character);
     push(Value::of(code, nc::ValueType::Char));
@@ -406,9 +406,9 @@ Done Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
 /// S 1.4.
 void Evaluator::make_character(Value& value, const Value& other) const {
     if (!value.is_text() || other.kind != Value::Kind::Char) return;
-    const std::string_view said = text(value);
-    if (count_code_points(said) != 1) return;
-    value = Value::of(static_cast<double>(first_code_point(said)), nc::ValueType::Char);
+    const std::string_view words = text(value);
+    if (count_code_points(words) != 1) return;
+    value = Value::of(static_cast<double>(first_code_point(words)), nc::ValueType::Char);
 }
 
 std::optional<bool> Evaluator::is_same(Value a, const Value& b) {
@@ -541,11 +541,11 @@ Done Evaluator::function(Operation operation, Value* a, int decimals) {
             const std::uint64_t from = is_to ? 10 : 16;
             const std::uint64_t to = is_to ? 16 : 10;
             std::uint64_t result = 0;
-            std::uint64_t place = 1;
+            std::uint64_t index = 1;
             for (auto rest = static_cast<std::uint64_t>(std::round(x)); rest != 0;
-                 rest /= from, place *= to) {
+                 rest /= from, index *= to) {
                 if (rest % from > 9) return out_of_range();
-                result += rest % from * place;
+                result += rest % from * index;
             }
             return real(*a, static_cast<double>(result));
         }

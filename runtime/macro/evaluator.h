@@ -40,15 +40,16 @@ class Variables {
     virtual Answer input(std::uint32_t form, std::span<const std::int64_t> indices, Value& out,
                          std::string& text) = 0;
     /// `Later`: the blocks before have to be executed first.
-    virtual Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+    virtual Answer system(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                           double& out) = 0;
     /// Sets a quantity that is a whole number; false: there is no such place.
-    virtual bool set_system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+    virtual bool set_system(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                             double value) = 0;
     /// The same of a quantity that is a frame.
-    virtual Answer frame(nc::Quantity quantity, std::int64_t index, control::ControlFrame& out) = 0;
+    virtual Answer frame(nc::SystemQuantity quantity, std::int64_t index,
+                         control::ControlFrame& out) = 0;
     /// The same of a quantity that is a text.
-    virtual Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) = 0;
+    virtual Answer text(nc::SystemQuantity quantity, std::int64_t index, std::string& out) = 0;
     /// mm, or degrees, that 1 in a word of the axis is.
     virtual double axis_unit(Axis axis) const = 0;
     /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
@@ -167,7 +168,7 @@ class Evaluator {
     Done measured_frame(Value* a);
     Done common_point(Value* a);
     // Cutting edges by their numbers.
-    Done ask(nc::Quantity quantity, double first, double second, double& out);
+    Done ask(nc::SystemQuantity quantity, double first, double second, double& out);
     Done edge_question(nc::Operation operation, Value* a, int count);
     Done tool_of_edge(Value* a);
     Done edges_unique(Value* a, int count);

@@ -87,7 +87,8 @@ Done Evaluator::axis_function(Operation operation, Value* a) {
 /// Axes and their values in turn; lengths in mm.
 Done Evaluator::pairs(Operation operation, const Value* a, int count,
                       std::vector<control::AxisAndValue>& out) {
-    const bool is_way = operation == Operation::FrameShift || operation == Operation::FrameFine;
+    const bool is_distance =
+        operation == Operation::FrameShift || operation == Operation::FrameFine;
     for (int i = 0; i + 1 < count; i += 2) {
         const auto axis = a[i].axis();
         if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(a[i]))});
@@ -95,8 +96,8 @@ Done Evaluator::pairs(Operation operation, const Value* a, int count,
             return fail(diag::TypesDiffer,
                         {"a component of a frame", std::string(kind_name(a[i + 1]))});
         }
-        out.push_back({*axis, a[i + 1].number * (is_way ? variables_.axis_unit(*axis) : 1)});
-        if (!is_way && index(*axis) >= 3) {
+        out.push_back({*axis, a[i + 1].number * (is_distance ? variables_.axis_unit(*axis) : 1)});
+        if (!is_distance && index(*axis) >= 3) {
             return fail(diag::IsoNotSupported,
                         {"a rotation or a scale of an axis besides X, Y and Z"});
         }
@@ -155,7 +156,8 @@ Done Evaluator::plane_rotation(Value* a) {
         const double plane = a[0].number;
         if (plane == 0) {
             double axis = 0;
-            if (!answer(variables_.system(nc::Quantity::NormalAxis, 0, 0, axis))) return kFailed;
+            if (!answer(variables_.system(nc::SystemQuantity::NormalAxis, 0, 0, axis)))
+                return kFailed;
             across = Value::of(axis, nc::ValueType::Axis).axis();
         } else if (plane == 1 || plane == 2 || plane == 3) {
             across = kAcross[static_cast<std::size_t>(plane) - 1];

@@ -171,7 +171,7 @@ Done Evaluator::common_point(Value* a) {
 }
 
 /// A whole number of the control, where it is known and there is one.
-Done Evaluator::ask(nc::Quantity quantity, double first, double second, double& out) {
+Done Evaluator::ask(nc::SystemQuantity quantity, double first, double second, double& out) {
     return answer(variables_.system(quantity, std::llround(first), std::llround(second), out));
 }
 
@@ -185,14 +185,15 @@ Done Evaluator::edge_question(Operation operation, Value* a, int count) {
             return fail(diag::ArgumentRange, {variables_.word_of(operation), written(a[i])});
     }
     double edge = 0;
-    if (!ask(nc::Quantity::EdgeNumberOf, a[0].number, a[1].number, edge)) return kFailed;
+    if (!ask(nc::SystemQuantity::EdgeNumberOf, a[0].number, a[1].number, edge)) return kFailed;
     if (operation == Operation::EdgeNumber) {
         *a = Value::of(edge, nc::ValueType::Int);
         return kDone;
     }
     const bool is_given =
-        edge != 0 && variables_.set_system(nc::Quantity::EdgeNumberOf, std::llround(a[0].number),
-                                           std::llround(a[1].number), a[2].number);
+        edge != 0 &&
+        variables_.set_system(nc::SystemQuantity::EdgeNumberOf, std::llround(a[0].number),
+                              std::llround(a[1].number), a[2].number);
     *a = Value::truth(is_given);
     return kDone;
 }
@@ -205,8 +206,8 @@ Done Evaluator::tool_of_edge(Value* a) {
         return fail(diag::ArgumentRange, {variables_.word_of(operation_), written(a[1])});
     double tool = 0;
     double other = 0;
-    if (!ask(nc::Quantity::ToolWithEdge, a[1].number, 0, tool) ||
-        !ask(nc::Quantity::ToolWithEdge, a[1].number, 1, other) || !set_element(*to, 0, tool))
+    if (!ask(nc::SystemQuantity::ToolWithEdge, a[1].number, 0, tool) ||
+        !ask(nc::SystemQuantity::ToolWithEdge, a[1].number, 1, other) || !set_element(*to, 0, tool))
         return kFailed;
     *a = Value::of(tool == 0 ? -1 : other == 0 ? 0 : -2, nc::ValueType::Int);
     return kDone;
@@ -228,7 +229,8 @@ Done Evaluator::edges_unique(Value* a, int count) {
         std::vector<double> tools;
         double tool = 0;
         do {
-            if (!ask(nc::Quantity::ToolWithEdge, edge, static_cast<double>(tools.size()), tool))
+            if (!ask(nc::SystemQuantity::ToolWithEdge, edge, static_cast<double>(tools.size()),
+                     tool))
                 return kFailed;
             if (tool != 0) tools.push_back(tool);
         } while (tool != 0);

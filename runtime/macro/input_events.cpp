@@ -75,7 +75,7 @@ void InputEvents::act_event(const InputEvent& event) {
     line.text = event.text;
     nc::TextState apart;
     apart.name = event.file;
-    const LinePosition goes_on = std::exchange(run_.frame->goes_on, line.place.next);
+    const LinePosition goes_on = std::exchange(run_.frame->goes_on, line.program_line.next);
     const std::size_t resume = std::exchange(run_.frame->resume, 0);
     const bool has_executed = run_.frame->has_executed;
     run_.lines.bounds().enter(apart);
@@ -92,7 +92,7 @@ void InputEvents::act_event(const InputEvent& event) {
     run_.ear.listen(nullptr);
     if (run_.lines.faults().failed()) {
         run_.lines.faults().forget_fault();
-        run_.machine_inputs.tell_wrong(event.text, heard.all(), true);
+        run_.machine_inputs.report_wrong(event.text, heard.all(), true);
         run_.lines.faults().note_fault();
         run_.end();
     }

@@ -33,7 +33,7 @@ Variables::Answer ControlVariables::read_bits(std::uint32_t form, const Variable
     // Of inputs that nobody has told the number is told that the program reads, and not each.
     bool is_missing = false;
     bool is_given = false;
-    const auto tell = machine_values_.tell_missing_to(
+    const auto report = machine_values_.report_missing_to(
         [&](const std::string&, const std::string&) { is_missing = true; });
     Answer answered = Answer::Value;
     for (int i = 0; i < kBits && answered == Answer::Value; ++i) {
@@ -43,10 +43,10 @@ Variables::Answer ControlVariables::read_bits(std::uint32_t form, const Variable
         is_given |=
             machine_values_.find(names_.in_family(language_.variables[form], first + i)) != nullptr;
     }
-    machine_values_.tell_missing_to(tell);
+    machine_values_.report_missing_to(report);
     if (answered != Answer::Value) return answered;
-    if (is_missing && !is_given && tell)
-        tell(names_.in_family(language_.variables[form], number), range.meaning);
+    if (is_missing && !is_given && report)
+        report(names_.in_family(language_.variables[form], number), range.meaning);
     out = Value::of(static_cast<std::int32_t>(bits), range.type);
     return Answer::Value;
 }

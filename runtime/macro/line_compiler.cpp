@@ -24,7 +24,8 @@ void LineCompiler::compile(CompiledLine& line, Block& out) {
     }
     // Of anybody else's line only what it says counts: `#100=#5061` is an assignment.
     line.kind = CompiledLine::Kind::Known;
-    if (run_.source().is_phrase(line.place.line.line) && run_.lines.knows(line.text, out)) return;
+    if (run_.source().is_phrase(line.program_line.line.line) && run_.lines.knows(line.text, out))
+        return;
     compile_language(line);
 }
 
@@ -55,7 +56,7 @@ void LineCompiler::note_lost_names(const CompiledLine& line) {
     for (std::size_t at = 0; !words.is_end(at);) {
         const nc::Word word = words.word_at(at);
         const auto declares = [&](const nc::StatementForm& form) {
-            return form.statement == Statement::Declare && words.says(word, form.tokens[0].text);
+            return form.statement == Statement::Declare && words.matches(word, form.tokens[0].text);
         };
         if (is_declaration && !word.text.empty()) lost_names_.insert(words.normal(word.text));
         is_declaration |= std::ranges::any_of(run_.language.statements, declares);

@@ -42,19 +42,19 @@ Outcome LineTexts::name_variables(CompiledLine& line, const ControlStatement& st
     constexpr std::size_t kLongest = 8;
     constexpr std::int64_t kFirst = 500;
     constexpr std::int64_t kLast = 549;
-    const std::string& said = statement.name;
+    const std::string& text = statement.name;
     const auto wrong = [&](const DiagnosticRow& row, std::string_view what) {
         return run_.fail(line, row, statement.span, {std::string(what)});
     };
-    const std::size_t open = said.find(run_.language.index_open);
-    const bool is_closed = said.ends_with(run_.language.index_close) && open != std::string::npos;
+    const std::size_t open = text.find(run_.language.index_open);
+    const bool is_closed = text.ends_with(run_.language.index_close) && open != std::string::npos;
     std::int64_t number = 0;
     for (std::size_t i = 0; is_closed && i < open; ++i) {
-        if (said[i] < '0' || said[i] > '9' || number > kLast) return wrong(diag::NamesForm, said);
-        number = number * 10 + (said[i] - '0');
+        if (text[i] < '0' || text[i] > '9' || number > kLast) return wrong(diag::NamesForm, text);
+        number = number * 10 + (text[i] - '0');
     }
-    if (!is_closed || open == 0) return wrong(diag::NamesForm, said);
-    std::string_view rest = std::string_view(said).substr(open + 1, said.size() - open - 2);
+    if (!is_closed || open == 0) return wrong(diag::NamesForm, text);
+    std::string_view rest = std::string_view(text).substr(open + 1, text.size() - open - 2);
     for (;; ++number) {
         const std::size_t comma = std::min(rest.find(','), rest.size());
         std::string name(rest.substr(0, comma));

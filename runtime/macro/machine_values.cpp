@@ -25,7 +25,7 @@ void MachineValues::read(const VariableRange& range, const std::string& name, Va
         return;
     }
     out = Value::of(0, range.type);
-    const bool is_first = told_missing_.emplace(front_of(name, language_.index_open)).second;
+    const bool is_first = reported_missing_.emplace(front_of(name, language_.index_open)).second;
     if (is_first && missing_listener_) missing_listener_(name, range.meaning);
 }
 

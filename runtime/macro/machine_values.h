@@ -33,7 +33,7 @@ class MachineValues {
 
     /// Who is told that a value was read that nobody has given. Each is told once, of an array its
     /// first element. Returns who was told before.
-    MissingListener tell_missing_to(MissingListener listener) {
+    MissingListener report_missing_to(MissingListener listener) {
         return std::exchange(missing_listener_, std::move(listener));
     }
     /// Whether what is written next comes from the machine, which sets what programs cannot.
@@ -57,8 +57,8 @@ class MachineValues {
 
   private:
     const nc::Language& language_;
-    std::map<std::string, Entry, std::less<>> values_;  // by their whole names
-    std::set<std::string, std::less<>> told_missing_;   // without their indices
+    std::map<std::string, Entry, std::less<>> values_;     // by their whole names
+    std::set<std::string, std::less<>> reported_missing_;  // without their indices
     MissingListener missing_listener_;
     bool is_machine_ = false;
 };

@@ -21,8 +21,8 @@ namespace {
 bool moves(const Block& block) {
     if ((block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0) return true;
     // A full circle names no end, and an arc may say the angle that it goes.
-    const bool is_arc_said = (block.given & (nc::kArcSlots | bit(nc::Slot::Opening))) != 0;
-    if (is_arc_said &&
+    const bool is_arc_given = (block.given & (nc::kArcSlots | bit(nc::Slot::Opening))) != 0;
+    if (is_arc_given &&
         (block.motion == Function::None || nc::has_fact(block.motion, nc::Fact::Circle)))
         return true;
     return block.find(Function::ReferenceReturn) != nullptr ||
@@ -88,22 +88,22 @@ void ModalCalls::call_behind(const Block& block, std::string_view text_of_line,
     const PreparedCall* const active = acting();
     if (active == nullptr || run_.is_left_out(block)) return;
     const bool is_pattern = run_.interpreter != nullptr && block.find(Function::Cycle) != nullptr &&
-                            goes_to_places(run_.dialect.cycles()[block.cycle]);
+                            goes_to_positions(run_.dialect.cycles()[block.cycle]);
     if (is_pattern) return call_at_positions(block, *active, text_of_line, number);
     if (!moves(block) || !is_path) return;
     due_ = *active;
     due_->site = std::make_shared<nc::CallSite>(
-        nc::CallSite{run_.lines.place(text_of_line, number, {0, 1}), run_.frame->site});
+        nc::CallSite{run_.lines.location(text_of_line, number, {0, 1}), run_.frame->site});
 }
 
 /// The modal call that the block before has made.
 Outcome ModalCalls::begin_due() {
     CompiledLine here;
-    here.text = due_->site->place.text;
+    here.text = due_->site->location.text;
     const Outcome done = run_.calls.begin(here, *due_);
     if (done == Outcome::Wait) return done;
     due_.reset();
-    Frame* const next = run_.calls.begun();
+    RunningProgram* const next = run_.calls.begun();
     if (next == nullptr) return done;
     next->modal_limit =
         next->call.is_shape ? 0 : std::min(run_.frame->modal_limit, calls_.size()) - 1;
@@ -120,9 +120,9 @@ Outcome ModalCalls::call_with_block(CompiledLine& line) {
     Outcome done = run_.call_preparation.prepare_letters(line, words, call);
     if (!goes_on(done)) return done;
     call.site = std::make_shared<nc::CallSite>(nc::CallSite{
-        run_.lines.place(line.text, line.place.line.line, words.span), run_.frame->site});
+        run_.lines.location(line.text, line.program_line.line.line, words.span), run_.frame->site});
     done = run_.calls.begin(line, call);
-    if (Frame* const next = run_.calls.begun())
+    if (RunningProgram* const next = run_.calls.begun())
         next->modal_limit = std::min(run_.frame->modal_limit, calls_.size()) - 1;
     return done;
 }

@@ -38,9 +38,9 @@ class ModalCalls {
     /// It begins.
     Outcome begin_due();
     /// At a place of a pattern: the call, or on to the next place.
-    Outcome go_on_at_places(nc::Block& out);
+    Outcome go_on_at_positions(nc::Block& out);
     /// A return that goes elsewhere leaves the places that are left.
-    void leave_pattern_positions(Frame& of);
+    void leave_pattern_positions(RunningProgram& of);
 
   private:
     void call_at_positions(const nc::Block& block, const PreparedCall& active,

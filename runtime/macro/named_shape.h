@@ -39,7 +39,7 @@ inline constexpr std::string_view kContourEnd = "E_LAB_E_";
 /// A cycle that has it is a pattern of places: whether something is called at each.
 inline constexpr std::string_view kPatternParameter = "calls";
 
-inline bool goes_to_places(const nc::CycleInfo& cycle) {
+inline bool goes_to_positions(const nc::CycleInfo& cycle) {
     return std::ranges::any_of(cycle.parameters, [](const nc::Parameter& parameter) {
         return parameter.name == kPatternParameter;
     });

@@ -10,7 +10,7 @@ namespace kadr::macro {
 
 using nc::FramePart;
 using nc::Instruction;
-using nc::Quantity;
+using nc::SystemQuantity;
 using nc::VariableRange;
 
 namespace {
@@ -25,21 +25,21 @@ std::string with_indices(std::string_view written, std::span<const std::int64_t>
     if (begin == std::string_view::npos || written.back() != close) return std::string(written);
     std::string out(written.substr(0, begin + 1));
     const std::string_view inner = written.substr(begin + 1, written.size() - begin - 2);
-    std::size_t place = 0;
+    std::size_t index = 0;
     int depth = 0;
     std::size_t from = 0;
     const auto put = [&](std::string_view part) {
-        if (place > 0) out += kIndexSeparator;
-        const bool is_number = place < indices.size() && indices[place] >= 0;
+        if (index > 0) out += kIndexSeparator;
+        const bool is_number = index < indices.size() && indices[index] >= 0;
         const bool is_name = !part.empty() && part.find_first_of("0123456789") == part.npos &&
                              part.find(open) == part.npos;
         if (is_number && !is_name) {
             // Of a datum of tools the last index is that of the edge as well.
-            out += std::to_string(place == 0 ? indices[place] : indices[place] % nc::kDatum);
+            out += std::to_string(index == 0 ? indices[index] : indices[index] % nc::kDatum);
         } else {
             out += part;
         }
-        ++place;
+        ++index;
     };
     for (std::size_t i = 0; i < inner.size(); ++i) {
         if (inner[i] == open || inner[i] == '(') ++depth;
@@ -52,15 +52,15 @@ std::string with_indices(std::string_view written, std::span<const std::int64_t>
     return out + close;
 }
 
-bool is_of_tool_offset(Quantity quantity) {
+bool is_of_tool_offset(SystemQuantity quantity) {
     switch (quantity) {
-        case Quantity::LengthGeometry:
-        case Quantity::LengthWear:
-        case Quantity::RadiusGeometry:
-        case Quantity::RadiusWear:
-        case Quantity::CrossGeometry:
-        case Quantity::CrossWear:
-        case Quantity::ToolTip: return true;
+        case SystemQuantity::LengthGeometry:
+        case SystemQuantity::LengthWear:
+        case SystemQuantity::RadiusGeometry:
+        case SystemQuantity::RadiusWear:
+        case SystemQuantity::CrossGeometry:
+        case SystemQuantity::CrossWear:
+        case SystemQuantity::ToolTip: return true;
         default: return false;
     }
 }
@@ -86,15 +86,15 @@ ControlVariable ControlVariables::shown_state(const Instruction& target,
             take_number(value.number, nc::ValueType::Real);
         return out;
     }
-    const auto quantity = static_cast<Quantity>(target.index);
+    const auto quantity = static_cast<SystemQuantity>(target.index);
     control::ControlFrame whole;
     if (target.kind == Instruction::Kind::SystemPart) {
         const auto axis = static_cast<Axis>(-indices[target.count - 1u] - 1);
         const FramePart part = target.part();
-        const bool is_way = part == FramePart::Shift || part == FramePart::Fine;
+        const bool is_distance = part == FramePart::Shift || part == FramePart::Fine;
         if (frame(quantity, target.count > 1 ? indices[0] : 0, whole) != Answer::Value) return out;
         if (const auto value = part_of(whole, part, axis))
-            take_number(*value / (is_way ? axis_unit(axis) : 1), nc::ValueType::Real);
+            take_number(*value / (is_distance ? axis_unit(axis) : 1), nc::ValueType::Real);
         return out;
     }
     if (target.type == nc::ValueType::Frame) {
@@ -116,13 +116,13 @@ ControlVariable ControlVariables::shown_state(const Instruction& target,
 
 std::vector<ControlVariable> ControlVariables::shown_data(bool is_of_tool, std::int64_t number) {
     std::vector<ControlVariable> out;
-    std::vector<std::pair<Quantity, std::int64_t>> known;
+    std::vector<std::pair<SystemQuantity, std::int64_t>> known;
     for (std::size_t form = 0; form < language_.variables.size(); ++form) {
         const nc::VariableForm& family = language_.variables[form];
         if (!family.is_family) continue;
         for (const VariableRange& range : family.ranges) {
             const bool is_wanted = is_of_tool ? is_of_tool_offset(range.quantity)
-                                              : range.quantity == Quantity::WorkOffset;
+                                              : range.quantity == SystemQuantity::WorkOffset;
             if (range.kind != VariableRange::Kind::System || !is_wanted) continue;
             for (std::int64_t at = range.first; at <= range.last; ++at) {
                 const QuantityIndices indices = indices_of(range, at);
@@ -144,7 +144,7 @@ std::vector<ControlVariable> ControlVariables::shown_data(bool is_of_tool, std::
 bool ControlVariables::is_state(const Instruction& target,
                                 std::span<const std::int64_t> indices) const {
     if (target.kind == Instruction::Kind::Family)
-        return quantity_of(target.index, indices[0]) != Quantity::None;
+        return quantity_of(target.index, indices[0]) != SystemQuantity::None;
     return target.kind == Instruction::Kind::System || target.kind == Instruction::Kind::SystemPart;
 }
 
@@ -172,7 +172,7 @@ void NotedWrites::note_data(const nc::Block& block) {
     }
 }
 
-void NotedWrites::tell_data() {
+void NotedWrites::report_data() {
     const std::vector<ControlVariable> before = std::move(data_);
     data_.clear();
     std::vector<ControlVariable> now = variables_.shown_data(owner_.is_of_tool, owner_.number);

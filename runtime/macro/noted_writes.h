@@ -17,10 +17,10 @@ class NotedWrites {
 
     /// Keeps the data that the block may write, as they are before it.
     void note_data(const nc::Block& block);
-    /// Whether `tell_data` has something to tell, when the block is executed.
+    /// Whether `report_data` has something to tell, when the block is executed.
     bool has_data() const { return !data_.empty(); }
     /// What has become of them.
-    void tell_data();
+    void report_data();
     /// Writes a variable.
     VariableFault store(const CompiledLine& line, const nc::Reference& reference,
                         std::span<const std::int64_t> indices, const Value& value);

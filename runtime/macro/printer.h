@@ -5,9 +5,9 @@
 
 namespace kadr::macro {
 
-class Printer {
+class PrintTarget {
   public:
-    virtual ~Printer() = default;
+    virtual ~PrintTarget() = default;
     /// One whole line, without its end.
     virtual void line(std::string_view text) = 0;
 };

@@ -25,9 +25,10 @@ namespace kadr::macro {
 /// What the machine tells a program before it begins: assignments of the control's language, and
 /// blocks that write data (`G10 L2`).
 struct ProgramInputs {
-    std::string name;      // of the file, for messages
-    std::string text;      // with the line numbers that messages show
-    bool is_said = false;  // each line was meant: a name that the control does not have is an error
+    std::string name;  // of the file, for messages
+    std::string text;  // with the line numbers that messages show
+    bool is_given =
+        false;  // each line was meant: a name that the control does not have is an error
 };
 
 /// An assignment that the machine makes while the program runs, in front of the line that begins
@@ -55,7 +56,7 @@ struct ProgramOptions {
     std::function<bool()>
         is_over;  // asked now and then: whether the program has to end; may be empty
     ProgramFiles* files = nullptr;      // programs that do not stand in the text
-    Printer* printer = nullptr;         // null: what the program prints is lost
+    PrintTarget* printer = nullptr;     // null: what the program prints is lost
     std::vector<ProgramInputs> inputs;  // in the order in which they act
     std::vector<InputEvent> events;
     /// The main program is called with these arguments, `A1. B2.` or `(1, 2.5)`, as another program
@@ -81,12 +82,12 @@ struct VariableChange {
 
 struct ActiveCode;  // code_list.h
 
-class Program final : public Stream<nc::Block>, public nc::BlockLocations {
+class NcProgram final : public Stream<nc::Block>, public nc::BlockLocations {
   public:
     /// `name` is shown in messages. All references outlive the program.
-    Program(const nc::Dialect& dialect, nc::TextSource& text, std::string name,
-            const ProgramOptions& options, DiagnosticSink& sink);
-    ~Program() override;
+    NcProgram(const nc::Dialect& dialect, nc::TextSource& text, std::string name,
+              const ProgramOptions& options, DiagnosticSink& sink);
+    ~NcProgram() override;
 
     /// From here on lines are only read, for their mistakes: nothing is worked out, no jump goes.
     void check_only();
@@ -99,22 +100,22 @@ class Program final : public Stream<nc::Block>, public nc::BlockLocations {
     /// Who executes the blocks. Without one, asking for its state is an alarm.
     void follow(ControlAccess& state);
     /// Who gets the lines that the program prints; it outlives the run.
-    void print_to(Printer& printer);
+    void print_to(PrintTarget& printer);
 
     /// Who looks on, and where each variable that is set is noted from now on. Null: nobody.
     void show_to(LineWatch* watch, std::vector<VariableChange>* changes);
 
     std::size_t pull(std::span<nc::Block> out) override;
 
-    TextLocation place(const nc::Block& block) const override;
-    TextLocation place(const nc::Block& block, nc::Slot slot) const override;
-    TextLocation place(const nc::Block& block, nc::Function function) const override;
+    TextLocation location(const nc::Block& block) const override;
+    TextLocation location(const nc::Block& block, nc::Slot slot) const override;
+    TextLocation location(const nc::Block& block, nc::Function function) const override;
     std::vector<TextLocation> calls(const nc::Block& block) const override;
     /// Where a line of a block (Block::line) stands: its file and its number there.
-    TextLocation place(std::uint32_t line) const;
+    TextLocation location(std::uint32_t line) const;
     /// The same with its text and the word that set the slot, else the first one, while the line is
     /// among the latest (ProgramOptions::kept_lines); without them for an older one.
-    TextLocation shown_place(std::uint32_t line, std::optional<nc::Slot> slot) const;
+    TextLocation shown_location(std::uint32_t line, std::optional<nc::Slot> slot) const;
     /// The calls that have led to a block with this Block::source, the nearest first. A block of a
     /// program that was called has the number of the call there, any other has none.
     std::vector<TextLocation> calls(SourceId source) const;

@@ -81,7 +81,7 @@ Outcome prepare_arguments(ProgramRun& run, CompiledLine& line) {
 Outcome begin_with_arguments(ProgramRun& run) {
     CompiledLine line;
     line.text = call_line(run.language.calls, *run.options.call);
-    line.place = {run.frame->here, run.frame->here};
+    line.program_line = {run.frame->here, run.frame->here};
     nc::TextState apart;
     apart.name = "--call";
     run.lines.bounds().enter(apart);
@@ -92,12 +92,15 @@ Outcome begin_with_arguments(ProgramRun& run) {
     run.ear.listen(nullptr);
     if (run.lines.faults().failed() || line.text.empty()) {
         run.lines.faults().forget_fault();
-        const auto place =
-            run.lines.place(line.text.empty() ? *run.options.call : line.text, 1, {0, 1});
-        const bool is_told = !heard.all().empty();
-        run.sink.report(diag::CallWrong, is_told ? heard.all()[0].line.value_or(place) : place)
-            .arg(is_told ? heard.all()[0].message()
-                         : std::string("`" + *run.options.call + "` is no list of arguments here"));
+        const auto location =
+            run.lines.location(line.text.empty() ? *run.options.call : line.text, 1, {0, 1});
+        const bool is_reported = !heard.all().empty();
+        run.sink
+            .report(diag::CallWrong,
+                    is_reported ? heard.all()[0].line.value_or(location) : location)
+            .arg(is_reported
+                     ? heard.all()[0].message()
+                     : std::string("`" + *run.options.call + "` is no list of arguments here"));
         run.lines.faults().note_fault();
         run.end();
     }

@@ -28,24 +28,24 @@ ProgramBase::ProgramBase(const nc::Dialect& dialect_, nc::TextSource& main, std:
       codes(variables.system_variables().codes(), tables, lines.modes()),
       writes(variables, evaluator, language) {
     kept.keep_earlier(options.kept_lines);
-    auto first = std::make_unique<Frame>();
+    auto first = std::make_unique<RunningProgram>();
     first->unit = &units.main();
     first->text.name = std::move(name);
     first->level = &variables.main_level();
     add_frame(std::move(first));
     resume_frame(*frames[0]);
-    variables.machine_values().tell_missing_to(
+    variables.machine_values().report_missing_to(
         [this](const std::string& missing, const std::string& meaning) {
             missing_inputs_.push_back({missing, meaning, evaluator.place()});
         });
     lines.faults().add_notes([this](DiagnosticBuilder& message) {
-        for (TextLocation& call : nc::places_of(frame->site.get()))
+        for (TextLocation& call : nc::locations_of(frame->site.get()))
             message.note(std::move(call), "called here");
     });
 }
 
-std::unique_ptr<Frame> ProgramBase::take_frame() {
-    std::unique_ptr<Frame> taken = std::move(frames.back());
+std::unique_ptr<RunningProgram> ProgramBase::take_frame() {
+    std::unique_ptr<RunningProgram> taken = std::move(frames.back());
     frames.pop_back();
     return taken;
 }
@@ -69,7 +69,7 @@ Outcome ProgramBase::fail(CompiledLine& line, ProgramMap::Fault fault, const Dia
 Outcome ProgramBase::evaluate(CompiledLine& line, const nc::Expression& expression, Value& out,
                               int decimals) {
     const Evaluator::Outcome outcome = evaluator.run(line.line, expression, out, decimals);
-    if (!missing_inputs_.empty()) tell_missing(line);
+    if (!missing_inputs_.empty()) report_missing(line);
     switch (outcome) {
         case Evaluator::Outcome::Done:
             if (evaluator.has_radians()) [[unlikely]]
@@ -84,9 +84,10 @@ Outcome ProgramBase::evaluate(CompiledLine& line, const nc::Expression& expressi
 /// Said once a run: what thinks in radians does so everywhere.
 void ProgramBase::warn_of_radians(const CompiledLine& line) {
     const auto found = evaluator.take_radians();
-    if (!found || told_radians_) return;
-    told_radians_ = true;
-    sink.report(diag::RadiansInText, lines.place(line.text, line.place.line.line, found->place))
+    if (!found || reported_radians_) return;
+    reported_radians_ = true;
+    sink.report(diag::RadiansInText,
+                lines.location(line.text, line.program_line.line.line, found->place))
         .arg(variables.word_of(found->operation))
         .arg(round_to(found->angle, 6));
 }
@@ -107,7 +108,7 @@ Outcome ProgramBase::store(CompiledLine& line, const nc::Reference& reference, c
     std::array<std::int64_t, 4> indices{};
     if (reference.indices.is_given()) {
         const Evaluator::Outcome outcome = evaluator.indices(line.line, reference, indices);
-        if (!missing_inputs_.empty()) tell_missing(line);
+        if (!missing_inputs_.empty()) report_missing(line);
         switch (outcome) {
             case Evaluator::Outcome::Done: break;
             case Evaluator::Outcome::Later: return Outcome::Wait;
@@ -121,7 +122,7 @@ Outcome ProgramBase::store(CompiledLine& line, const nc::Reference& reference, c
     const bool is_family = reference.load.kind == nc::Instruction::Kind::Family;
     const bool is_state = is_family || reference.load.kind == nc::Instruction::Kind::System;
     const auto quantity = is_family ? variables.quantity_of(reference.load.index, indices[0])
-                                    : static_cast<nc::Quantity>(reference.load.index);
+                                    : static_cast<nc::SystemQuantity>(reference.load.index);
     if (is_state && !fault.arguments.empty() && fault.arguments[0] == info(quantity).name) {
         fault.arguments[0] =
             line.text.substr(reference.span.begin, reference.span.end - reference.span.begin);
@@ -130,11 +131,11 @@ Outcome ProgramBase::store(CompiledLine& line, const nc::Reference& reference, c
 }
 
 /// Of what the line reads and nobody has given, once.
-void ProgramBase::tell_missing(const CompiledLine& line) {
+void ProgramBase::report_missing(const CompiledLine& line) {
     for (const MissingInput& missing : std::exchange(missing_inputs_, {})) {
         const bool is_explained = !missing.meaning.empty();
         const bool has_index = missing.name.find(language.index_open) != std::string::npos;
-        sink.report(diag::InputMissing, lines.place(line.text, frame->here.line, missing.span))
+        sink.report(diag::InputMissing, lines.location(line.text, frame->here.line, missing.span))
             .arg('`' + missing.name + '`' + (is_explained ? " (" + missing.meaning + ')' : ""))
             .fix("give it a value: `--set '" + missing.name +
                  "=1'`, or `<data>` in the machine file" +
@@ -143,7 +144,7 @@ void ProgramBase::tell_missing(const CompiledLine& line) {
 }
 
 /// What follows is executed in this program, with its variables.
-void ProgramBase::resume_frame(Frame& next) {
+void ProgramBase::resume_frame(RunningProgram& next) {
     frame = &next;
     variables.enter(*next.level);
     evaluator.enter(*next.level);

@@ -67,8 +67,8 @@ class ProgramBase {
     NotedWrites writes;
     LineWatch* watch = nullptr;
     ControlAccess* interpreter = nullptr;
-    std::vector<std::unique_ptr<Frame>> frames;  // the main program first
-    Frame* frame = nullptr;                      // that runs
+    std::vector<std::unique_ptr<RunningProgram>> frames;  // the main program first
+    RunningProgram* frame = nullptr;                      // that runs
     RunCounts counts;
     RunPhase phase;
 
@@ -79,11 +79,11 @@ class ProgramBase {
     LinePosition& frontier() { return frame->unit->frontier; }
 
     /// What follows is executed in this program, with its variables.
-    void resume_frame(Frame& next);
+    void resume_frame(RunningProgram& next);
     /// A program that was called, or comes in front of those there are.
-    void add_frame(std::unique_ptr<Frame> added) { frames.push_back(std::move(added)); }
+    void add_frame(std::unique_ptr<RunningProgram> added) { frames.push_back(std::move(added)); }
     /// The one that was called last.
-    std::unique_ptr<Frame> take_frame();
+    std::unique_ptr<RunningProgram> take_frame();
     /// All but the main program are left.
     void keep_main_frame() { frames.resize(1); }
     /// The program ends here.
@@ -117,7 +117,7 @@ class ProgramBase {
 
   private:
     void warn_of_radians(const CompiledLine& line);
-    void tell_missing(const CompiledLine& line);
+    void report_missing(const CompiledLine& line);
 
     /// Values of the machine that nobody has given and that the line reads.
     struct MissingInput {
@@ -126,7 +126,7 @@ class ProgramBase {
         nc::Span span;
     };
     std::vector<MissingInput> missing_inputs_;
-    bool told_radians_ = false;  // that an angle is one in radians
+    bool reported_radians_ = false;  // that an angle is one in radians
 };
 
 }  // namespace kadr::macro

@@ -57,15 +57,16 @@ Outcome Calls::call_section(CompiledLine& line, const ControlStatement& statemen
     if (count.number != 0) return run_.jumps.repeat_section(line, statement);
     const auto target = run_.jumps.resolve(line, statement.from);
     if (!target) return target.error();
-    const Place head{run_.frame->unit->begin, run_.frame->unit->begin};
+    const ProgramLine head{run_.frame->unit->begin, run_.frame->unit->begin};
     PreparedCall prepared;
     prepared.unit = run_.frame->unit;
     const auto fault = run_.map().find(*target, Direction::Forward, head, prepared.from.emplace());
     if (fault != ProgramMap::Fault::None)
         return run_.fail(line, fault, diag::RepeatLabelMissing, statement.from.span,
                          quoted(target->label));
-    prepared.site = std::make_shared<nc::CallSite>(nc::CallSite{
-        run_.lines.place(line.text, line.place.line.line, statement.span), run_.frame->site});
+    prepared.site = std::make_shared<nc::CallSite>(
+        nc::CallSite{run_.lines.location(line.text, line.program_line.line.line, statement.span),
+                     run_.frame->site});
     return begin(line, prepared);
 }
 
@@ -101,7 +102,7 @@ Outcome Calls::begin(CompiledLine& line, const PreparedCall& call) {
     if (!run_.count_turn())
         return run_.fail(line, diag::EndlessLoop, span, {std::to_string(run_.options.max_turns)});
 
-    auto callee = std::make_unique<Frame>();
+    auto callee = std::make_unique<RunningProgram>();
     callee->unit = call.unit;
     callee->text.name = call.unit->text->name;
     callee->text.program = call.unit->name;
@@ -125,7 +126,7 @@ Outcome Calls::begin(CompiledLine& line, const PreparedCall& call) {
     done = run_.call_parameters.bind_noted(line, call, *callee);
     if (!goes_on(done)) return done;
     if (call.start >= 0) {
-        Place found;
+        ProgramLine found;
         const auto fault = call.unit->map.find({{}, call.start}, Direction::Forward,
                                                {call.unit->begin, call.unit->begin}, found);
         if (fault != ProgramMap::Fault::None) {
@@ -168,7 +169,7 @@ Outcome Calls::declare_procedure(CompiledLine& line, const ControlStatement& sta
 
 std::optional<std::string> Calls::name_at(std::int64_t level) const {
     if (level < 0 || level >= static_cast<std::int64_t>(run_.frames.size())) return std::nullopt;
-    const Frame& at = *run_.frames[static_cast<std::size_t>(level)];
+    const RunningProgram& at = *run_.frames[static_cast<std::size_t>(level)];
     if (!at.unit->name.empty()) return at.unit->name;
     const std::string& head = at.text.program;
     return head.empty() ? nc::program_of_path(run_.language.calls, at.text.name,

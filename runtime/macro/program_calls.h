@@ -20,7 +20,7 @@ class Calls {
     /// Sets the call up as the program that runs next; `line` is where it is called.
     Outcome begin(CompiledLine& line, const PreparedCall& call);
     /// The program that was set up; null: none.
-    Frame* begun() const { return begins_.get(); }
+    RunningProgram* begun() const { return begins_.get(); }
     /// It is the program that runs.
     void perform();
     /// … if one was set up.
@@ -38,7 +38,7 @@ class Calls {
     Outcome declare_procedure(CompiledLine& line, const nc::ControlStatement& statement);
 
     ProgramRun& run_;
-    std::unique_ptr<Frame> begins_;  // called by the line that is executed
+    std::unique_ptr<RunningProgram> begins_;  // called by the line that is executed
 };
 
 }  // namespace kadr::macro

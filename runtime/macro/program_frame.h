@@ -19,9 +19,9 @@ namespace kadr::macro {
 struct OpenStructure {
     nc::Statement kind = nc::Statement::None;
     int loop = 0;
-    Place head;
-    Place end;
-    std::optional<Place> otherwise;
+    ProgramLine head;
+    ProgramLine end;
+    std::optional<ProgramLine> otherwise;
     double last = 0;                          // For
     std::unique_ptr<nc::ControlLine> counts;  // … its head
 };
@@ -39,9 +39,9 @@ struct OpenRepeat {
 struct GivenValue {
     bool is_given = false;
     Value value;
-    std::string text;                     // of a text
-    control::ControlFrame frame;          // of a frame
-    ControlVariables::VariableRef place;  // of a variable alone
+    std::string text;                        // of a text
+    control::ControlFrame frame;             // of a frame
+    ControlVariables::VariableRef variable;  // of a variable alone
     bool is_array = false;
     nc::Span span;
 };
@@ -54,7 +54,7 @@ struct PreparedCall {
     std::int64_t start = -1;            // number of the block where it begins
     std::vector<GivenValue> arguments;  // by their places
     std::shared_ptr<Level> level;       // of a macro: arguments are set once
-    std::optional<Place> from;          // of a section
+    std::optional<ProgramLine> from;    // of a section
     std::optional<LinePosition> to;
     std::shared_ptr<const nc::CallSite> site;
     bool is_modal = false;
@@ -64,7 +64,7 @@ struct PreparedCall {
 
 /// A variable of the caller for which a parameter stands.
 struct ReturnedVariable {
-    ControlVariables::VariableRef place;
+    ControlVariables::VariableRef variable;
     ControlVariable before;  // the call
 };
 
@@ -78,7 +78,7 @@ struct CallsAtPositions {
 };
 
 /// A program that runs: the main program, or one that was called.
-struct Frame {
+struct RunningProgram {
     ProgramUnit* unit = nullptr;
     nc::TextState text;
     Level* level = nullptr;
@@ -109,8 +109,8 @@ struct Frame {
     // How it ends.
     bool is_returning = false;
     bool leaves_all_passes = false;
-    int levels = 1;                   // that are left
-    std::optional<Place> returns_to;  // in the program that goes on
+    int levels = 1;                         // that are left
+    std::optional<ProgramLine> returns_to;  // in the program that goes on
 };
 
 }  // namespace kadr::macro

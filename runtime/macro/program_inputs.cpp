@@ -66,7 +66,7 @@ void MachineInputs::begin() {
     onlooker_changes_ = run_.variables.note_changes(nullptr);
     for (auto inputs = run_.options.inputs.rbegin(); inputs != run_.options.inputs.rend();
          ++inputs) {
-        auto open = std::make_unique<Frame>();
+        auto open = std::make_unique<RunningProgram>();
         open->unit = &run_.units.add(std::make_unique<HeldText>(inputs->text), inputs->name);
         open->text.name = inputs->name;
         open->level = &run_.variables.main_level();
@@ -94,7 +94,7 @@ Outcome MachineInputs::step(Block& out) {
     }
     const LinePosition next{run_.source().offset(), run_.frame->here.line + 1};
     run_.scratch.text = text;
-    run_.scratch.place = {run_.frame->here, next};
+    run_.scratch.program_line = {run_.frame->here, next};
     run_.frame->goes_on = next;
     run_.frame->resume = 0;
     run_.lines.begin(run_.frame->here.line);
@@ -106,7 +106,7 @@ Outcome MachineInputs::step(Block& out) {
     run_.ear.listen(nullptr);
     if (done == Outcome::Wait) return done;
     if (run_.lines.faults().failed()) {
-        tell_wrong(run_.scratch.text, heard.all(), run_.frame->inputs->is_said);
+        report_wrong(run_.scratch.text, heard.all(), run_.frame->inputs->is_given);
         run_.lines.faults().forget_fault();
         out.reset();
         done = Outcome::Nothing;
@@ -145,31 +145,31 @@ Outcome MachineInputs::run(CompiledLine& line, Block& out) {
     return writes_data(out) ? done : run_.fail(line, diag::InputNoValue, whole);
 }
 
-void MachineInputs::tell_wrong(const std::string& text, const std::vector<Diagnostic>& heard,
-                               bool is_said) {
+void MachineInputs::report_wrong(const std::string& text, const std::vector<Diagnostic>& heard,
+                                 bool is_given) {
     const auto fault = std::ranges::find_if(
         heard, [](const Diagnostic& each) { return each.severity != Severity::Warning; });
     if (fault == heard.end()) return;
     const std::string name(name_in_front(text, run_.language.index_open));
-    const TextLocation place =
-        fault->line.value_or(run_.lines.place(text, run_.frame->here.line, {0, 1}));
+    const TextLocation location =
+        fault->line.value_or(run_.lines.location(text, run_.frame->here.line, {0, 1}));
     const bool is_named = text.find('=') != std::string::npos && !name.empty();
     const bool is_unknown = is_named && !run_.variables.type_of(name);
-    if (is_unknown && !is_said) {
-        if (passed_.insert(name).second) run_.sink.report(diag::InputPassed, place).arg(name);
+    if (is_unknown && !is_given) {
+        if (passed_.insert(name).second) run_.sink.report(diag::InputPassed, location).arg(name);
         return;
     }
     // What was local in the run that wrote the file is gone.
-    if (!is_said && fault->row == &diag::InputOfProgram) return;
+    if (!is_given && fault->row == &diag::InputOfProgram) return;
     has_wrong_ = true;
     const bool is_own = fault->row == &diag::InputNoValue || fault->row == &diag::InputOfProgram;
     if (is_own) {
-        DiagnosticBuilder message = run_.sink.report(*fault->row, place);
+        DiagnosticBuilder message = run_.sink.report(*fault->row, location);
         for (const std::string& argument : fault->arguments) message.arg(argument);
     } else if (is_unknown) {
-        run_.sink.report(diag::InputUnknown, place).arg(name);
+        run_.sink.report(diag::InputUnknown, location).arg(name);
     } else {
-        run_.sink.report(diag::InputWrong, place).arg(fault->message());
+        run_.sink.report(diag::InputWrong, location).arg(fault->message());
     }
 }
 

@@ -25,8 +25,8 @@ class MachineInputs {
     Outcome run(CompiledLine& line, nc::Block& out);
     /// What was heard of a line that is wrong.
     ///
-    /// is_said  it was meant: a name that the control does not have is an error
-    void tell_wrong(const std::string& text, const std::vector<Diagnostic>& heard, bool is_said);
+    /// is_given  it was meant: a name that the control does not have is an error
+    void report_wrong(const std::string& text, const std::vector<Diagnostic>& heard, bool is_given);
     /// Behind the last one the program begins, unless something was wrong.
     void leave();
 

@@ -51,16 +51,17 @@ Result<LineTarget, Outcome> Jumps::resolve(CompiledLine& line, const JumpTarget&
 /// Where a jump goes to. An alarm where there is no such place, but for a jump that may have none:
 /// nothing is found then.
 Outcome Jumps::find_target(CompiledLine& line, const ControlStatement& statement,
-                           LineTarget& target, std::optional<Place>& found) {
+                           LineTarget& target, std::optional<ProgramLine>& found) {
     const auto wanted = resolve(line, statement.target);
     if (!wanted) return wanted.error();
     target = *wanted;
     const Direction direction = statement.kind == Statement::JumpForward    ? Direction::Forward
                                 : statement.kind == Statement::JumpBackward ? Direction::Backward
                                                                             : Direction::Both;
-    Place place;
-    const ProgramMap::Fault fault = run_.map().find(target, direction, line.place, place);
-    if (fault == ProgramMap::Fault::None) found = place;
+    ProgramLine program_line;
+    const ProgramMap::Fault fault =
+        run_.map().find(target, direction, line.program_line, program_line);
+    if (fault == ProgramMap::Fault::None) found = program_line;
     if (found || (fault == ProgramMap::Fault::Missing && statement.kind == Statement::JumpIfThere))
         return Outcome::Nothing;
     const std::string what =
@@ -74,7 +75,7 @@ Outcome Jumps::find_target(CompiledLine& line, const ControlStatement& statement
 
 Outcome Jumps::jump(CompiledLine& line, const ControlStatement& statement) {
     LineTarget target;
-    std::optional<Place> found;
+    std::optional<ProgramLine> found;
     const Outcome done = find_target(line, statement, target, found);
     if (!goes_on(done) || !found) return done;
     warn_of_twin(line, statement.target.span, target, *found);
@@ -99,7 +100,7 @@ void Jumps::check(CompiledLine& line, const std::vector<ControlStatement>& state
         if (run_.lines.faults().failed() || !is_jump || !is_fixed(line.line, statement.target))
             continue;
         LineTarget target;
-        std::optional<Place> found;
+        std::optional<ProgramLine> found;
         find_target(line, statement, target, found);
     }
 }
@@ -107,23 +108,25 @@ void Jumps::check(CompiledLine& line, const std::vector<ControlStatement>& state
 /// A target that stands twice is found as the control looks for it, which need not be the one that
 /// was meant. Said once a target.
 void Jumps::warn_of_twin(const CompiledLine& line, const Span& span, const LineTarget& target,
-                         const Place& found) {
+                         const ProgramLine& found) {
     const auto twice = run_.map().twice(target);
-    if (!twice || !told_twins_.emplace(run_.frame->unit, target).second) return;
+    if (!twice || !reported_twins_.emplace(run_.frame->unit, target).second) return;
     const std::string what =
         target.label.empty() ? "N" + std::to_string(target.number) : target.label;
-    run_.sink.report(diag::JumpTargetTwice, run_.lines.place(line.text, line.place.line.line, span))
+    run_.sink
+        .report(diag::JumpTargetTwice,
+                run_.lines.location(line.text, line.program_line.line.line, span))
         .arg(what)
         .arg(static_cast<std::size_t>(twice->first))
         .arg(static_cast<std::size_t>(twice->second))
         .arg(static_cast<std::size_t>(found.line.line));
 }
 
-Outcome Jumps::go(CompiledLine& line, const Place& target, const Span& span) {
+Outcome Jumps::go(CompiledLine& line, const ProgramLine& target, const Span& span) {
     const std::uint64_t to = target.line.offset;
     leave_open(target.line);
     run_.frame->goes_on = target.line;
-    if (to <= line.place.line.offset && !run_.count_turn())
+    if (to <= line.program_line.line.offset && !run_.count_turn())
         return run_.fail(line, diag::EndlessLoop, span, {std::to_string(run_.options.max_turns)});
     return Outcome::Nothing;
 }
@@ -163,7 +166,7 @@ Outcome Jumps::choose_case(CompiledLine& line, const ControlStatement& statement
 
 Outcome Jumps::enter(CompiledLine& line, const ControlStatement& statement) {
     const bool is_known = !run_.frame->structures.empty() &&
-                          run_.frame->structures.back().head.line == line.place.line &&
+                          run_.frame->structures.back().head.line == line.program_line.line &&
                           statement.kind == Statement::While;
     bool is_true = true;
     if (statement.kind == Statement::If || statement.kind == Statement::While) {
@@ -176,14 +179,14 @@ Outcome Jumps::enter(CompiledLine& line, const ControlStatement& statement) {
         front.loop = statement.loop;
         const Structure* found = nullptr;
         ProgramMap::Crossing crossing;
-        const auto fault = run_.map().find_end(line.place, front, found, crossing);
+        const auto fault = run_.map().find_end(line.program_line, front, found, crossing);
         if (fault != ProgramMap::Fault::None) return fail_at_end(line, statement, fault, crossing);
         if (static_cast<int>(run_.frame->structures.size()) >= run_.language.rules.most_levels) {
             return run_.fail(line, diag::StructuresTooDeep, statement.span,
                              {std::to_string(run_.language.rules.most_levels)});
         }
-        run_.frame->structures.push_back(
-            {statement.kind, statement.loop, line.place, found->end, found->otherwise, 0, nullptr});
+        run_.frame->structures.push_back({statement.kind, statement.loop, line.program_line,
+                                          found->end, found->otherwise, 0, nullptr});
         if (statement.kind == Statement::For)
             run_.frame->structures.back().counts = std::make_unique<nc::ControlLine>(line.line);
     }
@@ -221,9 +224,9 @@ Outcome Jumps::fail_at_end(CompiledLine& line, const ControlStatement& statement
         run_.lines.begin(crossing.line);
         const std::string number = std::to_string(statement.loop);
         run_.lines.report_event(crossing.text, {&diag::LoopNumber, {0, end}, {number}})
-            .note(run_.lines.place(line.text, line.place.line.line, statement.span),
+            .note(run_.lines.location(line.text, line.program_line.line.line, statement.span),
                   "it lies in this loop, which has it");
-        run_.lines.begin(line.place.line.line);
+        run_.lines.begin(line.program_line.line.line);
         return Outcome::Failed;
     }
     if (crossing.line == 0 || fault != ProgramMap::Fault::Missing)
@@ -234,17 +237,18 @@ Outcome Jumps::fail_at_end(CompiledLine& line, const ControlStatement& statement
                                    : "this comes while the structure of line " +
                                          std::to_string(crossing.inside) + " is open";
     run_.lines.report_event(line.text, {&diag::StructureEndMissing, statement.span, {}})
-        .note(run_.lines.place(crossing.text, crossing.line, {0, end}), std::move(why));
+        .note(run_.lines.location(crossing.text, crossing.line, {0, end}), std::move(why));
     return Outcome::Failed;
 }
 
 /// `ENDIF` that ends no condition, as behind `IF … GOTOF …`, or behind a jump into one: there is
 /// nothing to do. Said once for each.
 Outcome Jumps::pass_end(const CompiledLine& line, const ControlStatement& statement) {
-    if (!told_ends_.emplace(run_.frame->unit, line.place.line.offset).second)
+    if (!reported_ends_.emplace(run_.frame->unit, line.program_line.line.offset).second)
         return Outcome::Nothing;
     DiagnosticBuilder message = run_.sink.report(
-        diag::EndOfNothing, run_.lines.place(line.text, line.place.line.line, statement.span));
+        diag::EndOfNothing,
+        run_.lines.location(line.text, line.program_line.line.line, statement.span));
     message.arg(line.text.substr(statement.span.begin, statement.span.end - statement.span.begin));
     run_.lines.faults().write_notes(message);
     return Outcome::Nothing;
@@ -252,7 +256,9 @@ Outcome Jumps::pass_end(const CompiledLine& line, const ControlStatement& statem
 
 /// The end of a structure, or of one pass.
 Outcome Jumps::leave(CompiledLine& line, const ControlStatement& statement) {
-    const auto is_own = [&](const OpenStructure& open) { return open.end.line == line.place.line; };
+    const auto is_own = [&](const OpenStructure& open) {
+        return open.end.line == line.program_line.line;
+    };
     const bool is_of_none = std::ranges::none_of(run_.frame->structures, is_own);
     if (is_of_none && statement.kind == Statement::EndIf) return pass_end(line, statement);
     while (!run_.frame->structures.empty() && !is_own(run_.frame->structures.back()))
@@ -310,7 +316,7 @@ Outcome Jumps::count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_l
 
 Outcome Jumps::otherwise(CompiledLine& line, const ControlStatement& statement) {
     const auto is_own = [&](const OpenStructure& open) {
-        return open.otherwise && open.otherwise->line == line.place.line;
+        return open.otherwise && open.otherwise->line == line.program_line.line;
     };
     while (!run_.frame->structures.empty() && !is_own(run_.frame->structures.back()))
         run_.frame->structures.pop_back();
@@ -339,28 +345,30 @@ Outcome Jumps::repeat_section(CompiledLine& line, const ControlStatement& statem
         return run_.fail(line, fault, diag::RepeatLabelMissing, which.span,
                          '`' + which.label + '`');
     };
-    Place begin;
+    ProgramLine begin;
     // Toward the head first, then forward.
-    ProgramMap::Fault fault = run_.map().find(*target, Direction::Backward, line.place, begin);
+    ProgramMap::Fault fault =
+        run_.map().find(*target, Direction::Backward, line.program_line, begin);
     if (fault == ProgramMap::Fault::Missing)
-        fault = run_.map().find(*target, Direction::Forward, line.place, begin);
+        fault = run_.map().find(*target, Direction::Forward, line.program_line, begin);
     if (fault != ProgramMap::Fault::None) return missing(fault, statement.from);
-    OpenRepeat repeat{begin.line, line.place.line, line.place.next, passes, false};
-    const bool is_behind = begin.line.offset > line.place.line.offset;
+    OpenRepeat repeat{begin.line, line.program_line.line, line.program_line.next, passes, false};
+    const bool is_behind = begin.line.offset > line.program_line.line.offset;
     if (statement.kind == Statement::RepeatBlock) {
         repeat.end = begin.next;
     } else if (statement.to.kind != JumpTarget::Kind::None) {
         const auto last = resolve(line, statement.to);
         if (!last) return last.error();
-        Place end;
+        ProgramLine end;
         fault = run_.map().find(*last, Direction::Forward, begin, end);
         const bool is_before_end = fault == ProgramMap::Fault::None &&
-                                   (is_behind || end.line.offset < line.place.line.offset);
+                                   (is_behind || end.line.offset < line.program_line.line.offset);
         if (is_before_end) repeat.end = end.next;
         if (fault != ProgramMap::Fault::None) return missing(fault, statement.to);
     } else if (!run_.language.end_label.empty()) {
-        Place end;
-        const LinePosition limit = is_behind ? LinePosition{~std::uint64_t{0}, 0} : line.place.line;
+        ProgramLine end;
+        const LinePosition limit =
+            is_behind ? LinePosition{~std::uint64_t{0}, 0} : line.program_line.line;
         fault = run_.map().find_label_between(run_.language.end_label, begin.line, limit, end);
         if (fault == ProgramMap::Fault::None) repeat.end = end.next;
         if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.from);

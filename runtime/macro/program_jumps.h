@@ -24,7 +24,7 @@ class Jumps {
     /// The jump of the first case whose value it is.
     Outcome choose_case(CompiledLine& line, const nc::ControlStatement& statement);
     /// Goes on at this place.
-    Outcome go(CompiledLine& line, const Place& target, const nc::Span& span);
+    Outcome go(CompiledLine& line, const ProgramLine& target, const nc::Span& span);
     /// A jump leaves structures and sections that the target does not stand in.
     void leave_open(const LinePosition& target);
     /// The head of a structure.
@@ -40,17 +40,17 @@ class Jumps {
 
   private:
     Outcome find_target(CompiledLine& line, const nc::ControlStatement& statement,
-                        LineTarget& target, std::optional<Place>& found);
+                        LineTarget& target, std::optional<ProgramLine>& found);
     void warn_of_twin(const CompiledLine& line, const nc::Span& span, const LineTarget& target,
-                      const Place& found);
+                      const ProgramLine& found);
     Outcome fail_at_end(CompiledLine& line, const nc::ControlStatement& statement,
                         ProgramMap::Fault fault, const ProgramMap::Crossing& crossing);
     Outcome pass_end(const CompiledLine& line, const nc::ControlStatement& statement);
     Outcome count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
 
     ProgramBase& run_;
-    std::set<std::pair<const ProgramUnit*, std::uint64_t>> told_ends_;  // unit, place of line
-    std::set<std::pair<const ProgramUnit*, LineTarget>> told_twins_;
+    std::set<std::pair<const ProgramUnit*, std::uint64_t>> reported_ends_;  // unit, place of line
+    std::set<std::pair<const ProgramUnit*, LineTarget>> reported_twins_;
 };
 
 }  // namespace kadr::macro

@@ -60,9 +60,9 @@ ProgramMap::Fault ProgramMap::scan(const LinePosition& from, Look look) {
             if (is_behind_head) break;
             is_behind_head = true;
         }
-        const Place place{here, {source_.offset(), here.line + 1}};
-        if (!look(line, place)) break;
-        here = place.next;
+        const ProgramLine program_line{here, {source_.offset(), here.line + 1}};
+        if (!look(line, program_line)) break;
+        here = program_line.next;
     }
     return Fault::None;
 }
@@ -72,26 +72,26 @@ bool ProgramMap::is_target(const nc::LineFront& front, const LineTarget& target)
     return nc::ControlWords(tables_, front.label).is_same(front.label, target.label);
 }
 
-ProgramMap::Fault ProgramMap::find(const LineTarget& target, Direction direction, const Place& from,
-                                   Place& out) {
+ProgramMap::Fault ProgramMap::find(const LineTarget& target, Direction direction,
+                                   const ProgramLine& from, ProgramLine& out) {
     const std::tuple key{from.line.offset, direction, target};
     if (const auto known = targets_.find(key); known != targets_.end()) {
         out = known->second;
         return Fault::None;
     }
-    std::optional<Place> found;
+    std::optional<ProgramLine> found;
     Fault fault = Fault::None;
     if (direction != Direction::Backward) {
-        fault = scan(from.next, [&](std::string_view line, const Place& place) {
-            if (is_target(nc::front_of(tables_, line), target)) found = place;
+        fault = scan(from.next, [&](std::string_view line, const ProgramLine& program_line) {
+            if (is_target(nc::front_of(tables_, line), target)) found = program_line;
             return !found;
         });
     }
     if (!found && fault == Fault::None && direction != Direction::Forward) {
         // Backward the nearest one is the last before the jump; from the head on it is the first.
-        fault = scan(begin_, [&](std::string_view line, const Place& place) {
-            if (place.line.offset > from.line.offset) return false;
-            if (is_target(nc::front_of(tables_, line), target)) found = place;
+        fault = scan(begin_, [&](std::string_view line, const ProgramLine& program_line) {
+            if (program_line.line.offset > from.line.offset) return false;
+            if (is_target(nc::front_of(tables_, line), target)) found = program_line;
             return !found || direction == Direction::Backward;
         });
     }
@@ -110,13 +110,13 @@ std::optional<ProgramMap::Twice> ProgramMap::twice(const LineTarget& target) {
             const auto [known, is_new] = seen.emplace(each, line);
             if (!is_new) twice_->emplace(each, Twice{known->second, line});
         };
-        scan(begin_, [&](std::string_view line, const Place& place) {
+        scan(begin_, [&](std::string_view line, const ProgramLine& program_line) {
             const nc::LineFront front = nc::front_of(tables_, line);
             if (!front.label.empty())
                 note({nc::ControlWords(tables_, front.label).normal(front.label), -1},
-                     place.line.line);
-            if (front.number >= 0) note({"", front.number}, place.line.line);
-            return place.line.offset - begin_.offset < kSearchedForTwice &&
+                     program_line.line.line);
+            if (front.number >= 0) note({"", front.number}, program_line.line.line);
+            return program_line.line.offset - begin_.offset < kSearchedForTwice &&
                    seen.size() < kMostPlaces;
         });
     }
@@ -139,32 +139,32 @@ class OpenStructures {
     /// The line of the innermost structure; 0: of the one that was begun with.
     std::uint64_t innermost() const { return open_.size() == 1 ? 0 : heads_.back(); }
 
-    Step take(const nc::LineFront& line, const Place& place, Structure& out) {
-        if (begins_structure(line.statement)) return begin(line, place);
-        if (line.statement == Statement::Else) return take_else(place, out);
-        return is_end(line.statement) ? end(line, place, out) : Step::On;
+    Step take(const nc::LineFront& line, const ProgramLine& program_line, Structure& out) {
+        if (begins_structure(line.statement)) return begin(line, program_line);
+        if (line.statement == Statement::Else) return take_else(program_line, out);
+        return is_end(line.statement) ? end(line, program_line, out) : Step::On;
     }
 
   private:
-    Step begin(const nc::LineFront& line, const Place& place) {
+    Step begin(const nc::LineFront& line, const ProgramLine& program_line) {
         const bool is_numbered_twice =
             line.loop != 0 &&
             std::ranges::any_of(open_, [&](const auto& open) { return open.loop == line.loop; });
         open_.push_back(line);
-        heads_.push_back(place.line.line);
+        heads_.push_back(program_line.line.line);
         return is_numbered_twice ? Step::NumberedTwice : Step::On;
     }
 
     /// Of a condition inside, its own map looks at the order.
-    Step take_else(const Place& place, Structure& out) {
+    Step take_else(const ProgramLine& program_line, Structure& out) {
         const bool is_own = open_.size() == 1;
         if (open_.back().statement != Statement::If) return Step::Crossed;
         if (is_own && out.otherwise) return Step::SecondElse;
-        if (is_own) out.otherwise = place;
+        if (is_own) out.otherwise = program_line;
         return Step::On;
     }
 
-    Step end(const nc::LineFront& line, const Place& place, Structure& out) {
+    Step end(const nc::LineFront& line, const ProgramLine& program_line, Structure& out) {
         // An end of a condition inside of a loop that none has opened there: it is passed over.
         if (line.statement == Statement::EndIf && open_.back().statement != Statement::If)
             return Step::On;
@@ -173,7 +173,7 @@ class OpenStructures {
         open_.pop_back();
         if (!open_.empty()) heads_.pop_back();
         if (!open_.empty()) return Step::On;
-        out.end = place;
+        out.end = program_line;
         return Step::Done;
     }
 
@@ -183,7 +183,7 @@ class OpenStructures {
 
 }  // namespace
 
-ProgramMap::Fault ProgramMap::find_end(const Place& head, const nc::LineFront& front,
+ProgramMap::Fault ProgramMap::find_end(const ProgramLine& head, const nc::LineFront& front,
                                        const Structure*& out, Crossing& crossing) {
     if (const auto known = structures_.find(head.line.offset); known != structures_.end()) {
         out = &known->second;
@@ -193,13 +193,14 @@ ProgramMap::Fault ProgramMap::find_end(const Place& head, const nc::LineFront& f
     OpenStructures open(front);
     Structure structure;
     Step step = Step::On;
-    const Fault fault = scan(head.next, [&](std::string_view line, const Place& place) {
-        step = open.take(nc::front_of(tables_, line), place, structure);
-        if (step != Step::On && step != Step::Done)
-            crossing = {place.line.line, std::string(line), step == Step::SecondElse,
-                        open.innermost()};
-        return step == Step::On;
-    });
+    const Fault fault =
+        scan(head.next, [&](std::string_view line, const ProgramLine& program_line) {
+            step = open.take(nc::front_of(tables_, line), program_line, structure);
+            if (step != Step::On && step != Step::Done)
+                crossing = {program_line.line.line, std::string(line), step == Step::SecondElse,
+                            open.innermost()};
+            return step == Step::On;
+        });
     if (fault != Fault::None) return fault;
     if (step == Step::NumberedTwice) return Fault::LoopNumber;
     if (step != Step::Done) return Fault::Missing;
@@ -209,12 +210,12 @@ ProgramMap::Fault ProgramMap::find_end(const Place& head, const nc::LineFront& f
 }
 
 ProgramMap::Fault ProgramMap::find_label_between(std::string_view label, const LinePosition& from,
-                                                 const LinePosition& to, Place& out) {
+                                                 const LinePosition& to, ProgramLine& out) {
     const LineTarget target{std::string(label), -1};
-    std::optional<Place> found;
-    const Fault fault = scan(from, [&](std::string_view line, const Place& place) {
-        if (place.line.offset >= to.offset) return false;
-        if (is_target(nc::front_of(tables_, line), target)) found = place;
+    std::optional<ProgramLine> found;
+    const Fault fault = scan(from, [&](std::string_view line, const ProgramLine& program_line) {
+        if (program_line.line.offset >= to.offset) return false;
+        if (is_target(nc::front_of(tables_, line), target)) found = program_line;
         return !found;
     });
     if (fault != Fault::None) return fault;
@@ -225,8 +226,8 @@ ProgramMap::Fault ProgramMap::find_label_between(std::string_view label, const L
 
 bool ProgramMap::finds_nothing_between(const LinePosition& from, const LinePosition& to) {
     bool all_empty = true;
-    const Fault fault = scan(from, [&](std::string_view line, const Place& place) {
-        if (place.line.offset >= to.offset) return false;
+    const Fault fault = scan(from, [&](std::string_view line, const ProgramLine& program_line) {
+        if (program_line.line.offset >= to.offset) return false;
         all_empty = nc::front_of(tables_, line).is_empty;
         return all_empty;
     });

@@ -21,15 +21,15 @@ struct LinePosition {
 };
 
 /// Where a line is and where the next one begins.
-struct Place {
+struct ProgramLine {
     LinePosition line;
     LinePosition next;
 };
 
 /// The further parts of a loop or a condition, from its head.
 struct Structure {
-    std::optional<Place> otherwise;  // of a condition
-    Place end;
+    std::optional<ProgramLine> otherwise;  // of a condition
+    ProgramLine end;
 };
 
 enum class Direction : std::uint8_t { Both, Forward, Backward };
@@ -54,7 +54,8 @@ class ProgramMap {
 
     /// The nearest line with the target, forward from `from` to the end of the program, then from
     /// its head; backward the nearest one before it.
-    Fault find(const LineTarget& target, Direction direction, const Place& from, Place& out);
+    Fault find(const LineTarget& target, Direction direction, const ProgramLine& from,
+               ProgramLine& out);
     /// The first two lines of the program that this target stands in, if it stands there twice.
     /// Only the first megabyte of the program is looked at, once.
     struct Twice {
@@ -74,11 +75,11 @@ class ProgramMap {
     /// The end of the structure whose head stands at `head`.
     ///
     /// crossing  set where a line of another structure is in the way
-    Fault find_end(const Place& head, const nc::LineFront& front, const Structure*& out,
+    Fault find_end(const ProgramLine& head, const nc::LineFront& front, const Structure*& out,
                    Crossing& crossing);
     /// The next mark of this name behind `from`.
     Fault find_label_between(std::string_view label, const LinePosition& from,
-                             const LinePosition& to, Place& out);
+                             const LinePosition& to, ProgramLine& out);
 
     /// Whether nothing but comments and numbers of blocks stands between two places.
     bool finds_nothing_between(const LinePosition& from, const LinePosition& to);
@@ -92,7 +93,7 @@ class ProgramMap {
     const nc::DialectTables& tables_;
     nc::LineSource& source_;
     LinePosition begin_;
-    std::map<std::tuple<std::uint64_t, Direction, LineTarget>, Place> targets_;
+    std::map<std::tuple<std::uint64_t, Direction, LineTarget>, ProgramLine> targets_;
     std::unordered_map<std::uint64_t, Structure> structures_;
     std::optional<std::map<LineTarget, Twice>> twice_;  // nothing: not looked for yet
 };

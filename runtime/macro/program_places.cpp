@@ -16,7 +16,7 @@ namespace {
 
 /// Between the places the interpreter moves at rapid and counts from the origin; the other codes
 /// are those from before the pattern.
-nc::ModalFunctions modal_between_places(const CallsAtPositions& calls) {
+nc::ModalFunctions modal_between_positions(const CallsAtPositions& calls) {
     nc::ModalFunctions out = calls.modal_before;
     out[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
     out[static_cast<std::size_t>(Group::Distance)] = Function::Absolute;
@@ -31,18 +31,18 @@ void ModalCalls::call_at_positions(const Block& block, const PreparedCall& activ
     CallsAtPositions& calls = run_.frame->at_positions.emplace();
     calls.call = active;
     calls.call.site = std::make_shared<nc::CallSite>(
-        nc::CallSite{run_.lines.place(text_of_line, number, {0, 1}), run_.frame->site});
+        nc::CallSite{run_.lines.location(text_of_line, number, {0, 1}), run_.frame->site});
     calls.line = block.line;
     calls.number = number;
     calls.modal_before = run_.lines.modes().modal();
     Block ignored{};
-    run_.lines.modes().restore(modal_between_places(calls), ignored);
+    run_.lines.modes().restore(modal_between_positions(calls), ignored);
 }
 
 /// The tool stands at a place: the call; behind it on to the next one, which the interpreter does
 /// behind a block that takes back the codes of the program that was called. Behind the last place
 /// those act again that acted before the pattern.
-Outcome ModalCalls::go_on_at_places(Block& out) {
+Outcome ModalCalls::go_on_at_positions(Block& out) {
     if (run_.counts.given > 0) return Outcome::Wait;
     CallsAtPositions& calls = *run_.frame->at_positions;
     const bool is_at_pattern_position = run_.interpreter->is_at_pattern_position();
@@ -52,10 +52,10 @@ Outcome ModalCalls::go_on_at_places(Block& out) {
         return begin_due();
     }
     run_.lines.modes().restore(
-        is_at_pattern_position ? modal_between_places(calls) : calls.modal_before, out);
+        is_at_pattern_position ? modal_between_positions(calls) : calls.modal_before, out);
     const bool says_something = out.function_count > 0 || out.motion != Function::None;
     out.line = calls.line;
-    run_.kept.add(out.line, calls.number, calls.call.site->place.text, &run_.text().name,
+    run_.kept.add(out.line, calls.number, calls.call.site->location.text, &run_.text().name,
                   run_.frame->site);
     if (run_.frame->site) run_.name_call(out);
     if (is_at_pattern_position) {
@@ -69,7 +69,7 @@ Outcome ModalCalls::go_on_at_places(Block& out) {
 }
 
 /// A return that goes elsewhere leaves the places that are left.
-void ModalCalls::leave_pattern_positions(Frame& of) {
+void ModalCalls::leave_pattern_positions(RunningProgram& of) {
     if (!of.at_positions) return;
     of.at_positions.reset();
     run_.interpreter->leave_pattern();

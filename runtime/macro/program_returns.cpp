@@ -49,9 +49,9 @@ Outcome Returns::leave(CompiledLine& line, const ControlStatement& statement, Bl
     const auto most = static_cast<double>(run_.frames.size() - 1);
     run_.frame->levels = static_cast<int>(std::clamp(std::round(levels.number), 1.0, most));
     if (target) {
-        Frame& next =
+        RunningProgram& next =
             *run_.frames[run_.frames.size() - 1 - static_cast<std::size_t>(run_.frame->levels)];
-        Place found;
+        ProgramLine found;
         const auto fault = next.unit->map.find(*target, Direction::Forward,
                                                {next.unit->begin, next.unit->begin}, found);
         const std::string what =
@@ -116,7 +116,7 @@ Outcome Returns::return_in_main(CompiledLine& line, const ControlStatement& stat
         out.add(Function::End);
         return Outcome::Block;
     }
-    Place found{run_.frame->unit->begin, run_.frame->unit->begin};
+    ProgramLine found{run_.frame->unit->begin, run_.frame->unit->begin};
     if (target) {
         const auto fault = run_.map().find(*target, Direction::Forward, found, found);
         if (fault != ProgramMap::Fault::None) {
@@ -128,10 +128,10 @@ Outcome Returns::return_in_main(CompiledLine& line, const ControlStatement& stat
     // a block with a number and the end stand behind, a jump may lead there and end the loop: it is
     // one of the program's.
     const bool is_jump = target && found.line.offset > run_.frame->here.offset;
-    const bool is_optionally_skipped = line.line.words.skip >= 0;
+    const bool is_optionally_skipped = line.line.words.skip_level >= 0;
     const auto is_own_loop = [&] {
         return !run_.options.passes && !is_optionally_skipped &&
-               has_exit_behind(run_.dialect, run_.source(), line.place.next);
+               has_exit_behind(run_.dialect, run_.source(), line.program_line.next);
     };
     const std::uint64_t passes = run_.options.passes.value_or(1);
     if (is_jump || is_own_loop() || ++passes_done_ < passes) {
@@ -141,7 +141,8 @@ Outcome Returns::return_in_main(CompiledLine& line, const ControlStatement& stat
     if (!run_.options.passes) {
         const nc::Span& span = statement.span;
         run_.sink
-            .report(diag::MainBeginsAgain, run_.lines.place(line.text, run_.frame->here.line, span))
+            .report(diag::MainBeginsAgain,
+                    run_.lines.location(line.text, run_.frame->here.line, span))
             .arg(line.text.substr(span.begin, span.end - span.begin));
     }
     out.add(Function::End);
@@ -172,12 +173,12 @@ Outcome Returns::finish(Block& out) {
         restart(*run_.frame);
         return Outcome::Nothing;
     }
-    const std::optional<Place> target = run_.frame->returns_to;
+    const std::optional<ProgramLine> target = run_.frame->returns_to;
     const LinePosition from = run_.frame->here;
     ProgramText& left_text = run_.text();
     Outcome done = Outcome::Nothing;
     for (int levels = run_.frame->levels; levels > 0 && run_.frames.size() > 1; --levels) {
-        const std::unique_ptr<Frame> left = run_.take_frame();
+        const std::unique_ptr<RunningProgram> left = run_.take_frame();
         run_.resume_frame(*run_.frames.back());
         // The variables that take the contour are gone.
         if (run_.contours.is_left_open(run_.frames.size())) {
@@ -211,7 +212,7 @@ Outcome Returns::finish(Block& out) {
 }
 
 /// One more pass of the program that runs.
-void Returns::restart(Frame& again) {
+void Returns::restart(RunningProgram& again) {
     again.is_returning = false;
     again.text.has_content = again.text.has_ended = false;
     again.structures.clear();
@@ -221,7 +222,7 @@ void Returns::restart(Frame& again) {
     again.next_line = nullptr;
     again.here = again.unit->begin;
     if (again.call.start >= 0) {
-        Place found;
+        ProgramLine found;
         const auto fault = again.unit->map.find({{}, again.call.start}, Direction::Forward,
                                                 {again.unit->begin, again.unit->begin}, found);
         if (fault == ProgramMap::Fault::None) again.here = found.line;

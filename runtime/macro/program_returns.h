@@ -23,7 +23,7 @@ class Returns {
   private:
     Outcome return_in_main(CompiledLine& line, const nc::ControlStatement& statement,
                            const std::optional<LineTarget>& target, nc::Block& out);
-    void restart(Frame& again);
+    void restart(RunningProgram& again);
 
     ProgramRun& run_;
     std::uint64_t passes_done_ = 0;  // of the main program

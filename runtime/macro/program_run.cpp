@@ -94,8 +94,8 @@ bool ProgramRun::runs_flat() {
                            frame->is_returning || !modal_calls.is_empty() ||
                            !frame->macros.is_empty();
     const bool is_at_end = phase.is_only_checking || phase.has_ended || lines.bounds().has_ended();
-    const bool is_told = frame->inputs != nullptr || events.waits_for_block();
-    return !is_called && !is_at_end && !phase.is_waiting && !is_told && watch == nullptr &&
+    const bool is_reported = frame->inputs != nullptr || events.waits_for_block();
+    return !is_called && !is_at_end && !phase.is_waiting && !is_reported && watch == nullptr &&
            frame->repeats.empty();
 }
 
@@ -153,9 +153,9 @@ bool ProgramRun::show(std::string_view text) {
 }
 
 Outcome ProgramRun::step(Block& out) {
-    if (writes.has_data() && counts.given == 0) writes.tell_data();
+    if (writes.has_data() && counts.given == 0) writes.report_data();
     if (modal_calls.has_due()) return modal_calls.begin_due();
-    if (frame->at_positions && !phase.is_only_checking) return modal_calls.go_on_at_places(out);
+    if (frame->at_positions && !phase.is_only_checking) return modal_calls.go_on_at_positions(out);
     if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
     if (frame->is_returning) return returns.finish(out);
     if (skipped_end_ && frame->here.offset >= *skipped_end_) {
@@ -173,11 +173,11 @@ Outcome ProgramRun::step(Block& out) {
     if (watch != nullptr && !show(line->as_written.empty() ? line->text : line->as_written))
         return Outcome::Nothing;
     lines.begin(frame->here.line);
-    frame->goes_on = line->place.next;
+    frame->goes_on = line->program_line.next;
     const Outcome done = run(*line, out);
     if (done == Outcome::Wait) return done;
     frame->resume = 0;
-    const bool is_straight = frame->goes_on == line->place.next;
+    const bool is_straight = frame->goes_on == line->program_line.next;
     frame->here = frame->goes_on;
     if (is_straight && line != &scratch && frame->here.offset < frontier().offset) {
         if (line->next == nullptr) line->next = line_at(frame->here);
@@ -187,8 +187,9 @@ Outcome ProgramRun::step(Block& out) {
     }
     if (!frame->repeats.empty()) advance();
     if (done == Outcome::Block) {
-        deliver(out, line->text, line->place.line.line, true);
-        if (out.function_count != 0) shape_calls.follow(out, line->text, Place(line->place));
+        deliver(out, line->text, line->program_line.line.line, true);
+        if (out.function_count != 0)
+            shape_calls.follow(out, line->text, ProgramLine(line->program_line));
         if (shape_calls.has_modal()) shape_calls.follow_modal(out);
     }
     calls.perform_begun();
@@ -198,14 +199,14 @@ Outcome ProgramRun::step(Block& out) {
 /// The line that nobody has executed yet: most are plain words, and go straight out.
 Outcome ProgramRun::first_time(Block& out) {
     if (phase.is_waiting) {
-        frame->goes_on = scratch.place.next;
+        frame->goes_on = scratch.program_line.next;
         lines.begin(frame->here.line);
-        return finish_first(run(scratch, out), scratch.text, scratch.place.next, out);
+        return finish_first(run(scratch, out), scratch.text, scratch.program_line.next, out);
     }
     if (source().offset() != frame->here.offset && !source().seek(frame->here.offset)) {
         lines.begin(frame->here.line);
         scratch.text.clear();
-        scratch.place = {frame->here, frame->here};
+        scratch.program_line = {frame->here, frame->here};
         end();
         if (lines.faults().failed()) return Outcome::Nothing;  // said at the jump
         return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(frame->here.line)});
@@ -230,7 +231,7 @@ Outcome ProgramRun::first_time(Block& out) {
     if (is_plain && lines.read_plain(text, out))
         return finish_first(Outcome::Block, text, next, out);
     scratch.text = text;
-    scratch.place = {frame->here, next};
+    scratch.program_line = {frame->here, next};
     line_compiler.compile(scratch, out);
     const bool is_readable = scratch.kind != CompiledLine::Kind::New;
     const Outcome done = is_readable ? run(scratch, out) : Outcome::Nothing;
@@ -268,7 +269,7 @@ Outcome ProgramRun::end_of_text() {
         }
         lines.begin(std::max<std::uint64_t>(frame->here.line, 2) - 1);
         scratch.text.clear();
-        scratch.place = {frame->here, frame->here};
+        scratch.program_line = {frame->here, frame->here};
         end();
         return fail(scratch, diag::ReturnMissing, {});
     }
@@ -357,9 +358,9 @@ void ProgramRun::end_after(Block& block) {
     const bool is_cancelled = !frame->repeats.empty() && !phase.is_only_checking;
     if ((frames.size() > 1 || is_cancelled) && language.rules.program_end_returns &&
         !phase.is_only_checking) {
-        const auto place = found - block.functions.data();
+        const auto index = found - block.functions.data();
         const auto begin = block.functions.begin();
-        std::move(begin + place + 1, begin + block.function_count, begin + place);
+        std::move(begin + index + 1, begin + block.function_count, begin + index);
         --block.function_count;
         // Nothing is left of a block that said only this.
         const bool is_empty =
@@ -382,8 +383,8 @@ void ProgramRun::end_after(Block& block) {
 }
 
 bool ProgramRun::is_left_out(const Block& block) const {
-    return block.skip >= 0 &&
-           ((1u << block.skip | block.further_skip_levels) & options.skip_levels) != 0;
+    return block.skip_level >= 0 &&
+           ((1u << block.skip_level | block.further_skip_levels) & options.skip_levels) != 0;
 }
 
 /// A line that was executed before, kept compiled; nullptr: it cannot be read again.
@@ -402,8 +403,8 @@ CompiledLine* ProgramRun::line_at(const LinePosition& position) {
     }
     line->text = line_texts.with_macros(text);
     if (watch != nullptr && line->text != text) line->as_written = text;
-    line->place = {position, {source().offset(), position.line + 1}};
-    if (frame->unit == &units.main()) skipped_.take_out(position, line->place.next);
+    line->program_line = {position, {source().offset(), position.line + 1}};
+    if (frame->unit == &units.main()) skipped_.take_out(position, line->program_line.next);
     line->kind = CompiledLine::Kind::New;
     line->next = nullptr;
     if (is_there) return line;
@@ -462,10 +463,11 @@ Outcome ProgramRun::run(CompiledLine& line, Block& out) {
         if (phase.has_ended) return Outcome::Nothing;
     }
     const nc::LexedLine& words = line.line.words;
-    if (words.skip >= 0 && (options.skip_levels >> words.skip & 1u) != 0) return Outcome::Nothing;
+    if (words.skip_level >= 0 && (options.skip_levels >> words.skip_level & 1u) != 0)
+        return Outcome::Nothing;
     if (!words.passed.empty()) {
         lines.bounds().note_content();
-        lines.tell_passed(words, line.text);
+        lines.report_passed(words, line.text);
     }
     const std::vector<ControlStatement>& statements = line.line.statements;
     // A subprogram is called behind the words of its block.
@@ -484,7 +486,7 @@ Outcome ProgramRun::run(CompiledLine& line, Block& out) {
         const Outcome done = computed_words.read(line, out);
         if (done != Outcome::Block || phase.is_only_checking) return done;
         frame->has_given_words = true;
-        frame->goes_on = line.place.line;
+        frame->goes_on = line.program_line.line;
         return done;
     }
     // Names are declared for the sake of the lines that are only checked.
@@ -505,7 +507,7 @@ Outcome ProgramRun::run(CompiledLine& line, Block& out) {
             ++counts.executed;
             const Outcome done = execute(line, statements[frame->resume], out);
             if (done != Outcome::Nothing || phase.has_ended) return done;
-            if (lines.faults().failed() || frame->goes_on != line.place.next)
+            if (lines.faults().failed() || frame->goes_on != line.program_line.next)
                 return Outcome::Nothing;
             ++frame->resume;
         }

@@ -111,7 +111,7 @@ class ProgramRun : public ProgramBase {
     PassedText skipped_;                        // of the main program
     std::optional<std::uint64_t> skipped_end_;  // of the part of it that is read for its mistakes
     std::set<std::pair<const ProgramUnit*, std::uint64_t>>
-        told_synchronous_;  // unit, place of line
+        reported_synchronous_;  // unit, place of line
 };
 
 /// The main program is called with the arguments of the options.

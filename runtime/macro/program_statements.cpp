@@ -97,7 +97,7 @@ Outcome ProgramRun::run_text(CompiledLine& line, const ControlStatement& stateme
         }
         auto block = std::make_unique<CompiledLine>();
         block->text = evaluator.text(text);
-        block->place = line.place;
+        block->program_line = line.program_line;
         const nc::LineFront front = nc::front_of(tables, block->text);
         const bool is_head = front.statement == Statement::Declare ||
                              front.statement == Statement::Procedure ||
@@ -117,15 +117,15 @@ Outcome ProgramRun::run_text(CompiledLine& line, const ControlStatement& stateme
 
 /// What happens beside the motion is not executed; each such action is said once.
 Outcome ProgramRun::pass_synchronous(CompiledLine& line, const ControlStatement& statement) {
-    if (!told_synchronous_.insert({frame->unit, line.place.line.offset}).second)
+    if (!reported_synchronous_.insert({frame->unit, line.program_line.line.offset}).second)
         return Outcome::Nothing;
     const nc::ControlWords words(tables, line.text);
     std::size_t end = statement.span.begin;
     while (end < line.text.size() && !words.is_comment(end)) ++end;
     const Span whole{statement.span.begin,
                      static_cast<std::uint32_t>(words.trim(statement.span.begin, end))};
-    DiagnosticBuilder message =
-        sink.report(diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
+    DiagnosticBuilder message = sink.report(
+        diag::SynchronousPassed, lines.location(line.text, line.program_line.line.line, whole));
     message.arg(line.text.substr(whole.begin, whole.end - whole.begin));
     lines.faults().write_notes(message);
     return Outcome::Nothing;

@@ -137,9 +137,9 @@ const LinePosition* ProgramUnits::first_of(const ProgramText& text, const std::s
         return found == kinds.end() ? nullptr : &found->second;
     };
     if (!kind.empty()) return place_of(kind);
-    if (const LinePosition* place = place_of({})) return place;
+    if (const LinePosition* line = place_of({})) return line;
     for (const nc::ProgramPattern& pattern : tables_.language.calls.files) {
-        if (const LinePosition* place = place_of(nc::kind_of(pattern))) return place;
+        if (const LinePosition* line = place_of(nc::kind_of(pattern))) return line;
         if (!is_whole) return nullptr;  // one of the first kind may come still
     }
     return &kinds.begin()->second;

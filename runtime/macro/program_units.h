@@ -19,7 +19,7 @@ namespace kadr::macro {
 struct CompiledLine {
     std::string text;
     std::string as_written;  // if names or words in it stood for other text
-    Place place;
+    ProgramLine program_line;
     enum class Kind : std::uint8_t {
         New,       // nobody has looked at it
         Plain,     // words and numbers: the reader's way

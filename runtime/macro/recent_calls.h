@@ -18,17 +18,17 @@ class RecentCalls {
     SourceId add(std::shared_ptr<const nc::CallSite> call) {
         const SourceId id{next_};
         next_ = next_ + 1 == SourceId::kNone ? 0 : next_ + 1;
-        const std::size_t place = id.index % kCalls;
-        if (place >= entries_.size()) entries_.resize(place + 1);
-        entries_[place] = {id, std::move(call)};
+        const std::size_t index = id.index % kCalls;
+        if (index >= entries_.size()) entries_.resize(index + 1);
+        entries_[index] = {id, std::move(call)};
         return id;
     }
 
     /// Null: it was never there, or it is forgotten.
     const nc::CallSite* find(SourceId id) const {
-        const std::size_t place = id.index % kCalls;
-        const bool is_there = id.is_valid() && place < entries_.size() && entries_[place].id == id;
-        return is_there ? entries_[place].call.get() : nullptr;
+        const std::size_t index = id.index % kCalls;
+        const bool is_there = id.is_valid() && index < entries_.size() && entries_[index].id == id;
+        return is_there ? entries_[index].call.get() : nullptr;
     }
 
   private:

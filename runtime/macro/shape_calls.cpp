@@ -23,10 +23,10 @@ using nc::quoted;
 /// A cycle that works along a shape is followed by the blocks of the shape, wherever they stand;
 /// then the program goes on with the block behind the cycle. Where that is the shape itself, and
 /// the cycle works something out of it, it goes on behind the shape.
-void ShapeCalls::follow(const Block& block, std::string_view text, const Place& place) {
+void ShapeCalls::follow(const Block& block, std::string_view text, const ProgramLine& line) {
     if (run_.phase.is_only_checking || run_.phase.has_ended) return;
     if (block.find(Function::CycleModal) != nullptr && !run_.is_left_out(block))
-        return keep_modal_shape(block, text, place);
+        return keep_modal_shape(block, text, line);
     const nc::Invocation* const call = block.find(Function::Cycle);
     if (call == nullptr || run_.is_left_out(block)) return;
     const nc::CycleInfo& cycle = run_.dialect.cycles()[block.cycle];
@@ -37,14 +37,14 @@ void ShapeCalls::follow(const Block& block, std::string_view text, const Place& 
         const std::optional<std::size_t> kind = nc::find_parameter(cycle.parameters, "kind");
         return keep_contour(block, kind ? argument_of(static_cast<int>(*kind)) : -1);
     }
-    if (names_shape(cycle)) return follow_named_shape(block, text, place);
+    if (names_shape(cycle)) return follow_named_shape(block, text, line);
     if (!cycle.takes_shape()) return;
     const std::int64_t first = argument_of(cycle.roles.first_block);
     const std::int64_t last = argument_of(cycle.roles.last_block);
     if (first < 0 || last < 0) return;  // the interpreter says so
-    Place begin;
-    Place end;
-    ProgramMap::Fault fault = run_.map().find({"", first}, Direction::Both, place, begin);
+    ProgramLine begin;
+    ProgramLine end;
+    ProgramMap::Fault fault = run_.map().find({"", first}, Direction::Both, line, begin);
     std::int64_t missing = first;
     if (fault == ProgramMap::Fault::None) {
         end = begin;
@@ -69,25 +69,26 @@ void ShapeCalls::follow(const Block& block, std::string_view text, const Place& 
 
 /// MCALL in front of such a cycle, or alone, which ends it.
 void ShapeCalls::keep_modal_shape(const Block& block, std::string_view text_of_line,
-                                  const Place& place) {
+                                  const ProgramLine& line) {
     modal_.reset();
     const bool has_shape =
         block.find(Function::Cycle) != nullptr && names_shape(run_.dialect.cycles()[block.cycle]);
-    if (has_shape) modal_.emplace(ModalShape{block, std::string(text_of_line), place});
+    if (has_shape) modal_.emplace(ModalShape{block, std::string(text_of_line), line});
 }
 
 /// The interpreter calls the cycle behind every block that moves an axis.
 void ShapeCalls::follow_modal(const Block& block) {
     constexpr nc::SlotMask kPlaces = nc::kTargetSlots | nc::kPolarSlots;
     const bool is_in_shape = std::ranges::any_of(
-        run_.frames, [](const std::unique_ptr<Frame>& each) { return each->call.is_shape; });
+        run_.frames,
+        [](const std::unique_ptr<RunningProgram>& each) { return each->call.is_shape; });
     if (run_.phase.is_only_checking || run_.phase.has_ended || is_in_shape ||
         run_.modal_calls.has_due())
         return;
     const bool is_alone = block.find(Function::RapidOnce) != nullptr;
     if ((block.given & kPlaces) == 0 || is_alone || run_.is_left_out(block)) return;
     const ModalShape shape = *modal_;
-    follow_named_shape(shape.block, shape.text, shape.place);
+    follow_named_shape(shape.block, shape.text, shape.program_line);
 }
 
 namespace {
@@ -130,7 +131,7 @@ ShapeCalls::NamedContour ShapeCalls::contour_of(const Block& block) const {
 /// program that runs (`"BEGIN:END"`) or of another. They come next; behind them the cycle is
 /// called.
 void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of_line,
-                                    const Place& place) {
+                                    const ProgramLine& line) {
     const nc::Span whole{0, static_cast<std::uint32_t>(text_of_line.size())};
     const auto missing = [&](const DiagnosticRow& row, std::string what) {
         run_.lines.report_fault(text_of_line, nc::LineFault{&row, whole, {std::move(what)}});
@@ -141,19 +142,19 @@ void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of
     PreparedCall call;
     call.is_shape = true;
     call.site = std::make_shared<nc::CallSite>(
-        nc::CallSite{run_.lines.place(text_of_line, place.line.line, whole), run_.frame->site});
+        nc::CallSite{run_.lines.location(text_of_line, line.line.line, whole), run_.frame->site});
     call.unit = run_.frame->unit;
     if (kind == ContourSource::Program || kind == ContourSource::ProgramLabels) {
-        const std::string said = contour.parts.empty() ? std::string() : contour.parts[0];
+        const std::string text = contour.parts.empty() ? std::string() : contour.parts[0];
         const std::string name =
-            nc::program_of_path(run_.language.calls, said, run_.tables.notation.ignores_case);
+            nc::program_of_path(run_.language.calls, text, run_.tables.notation.ignores_case);
         const std::string its_kind =
-            nc::kind_of_path(run_.language.calls, said, run_.tables.notation.ignores_case);
+            nc::kind_of_path(run_.language.calls, text, run_.tables.notation.ignores_case);
         call.unit = name.empty() ? nullptr : run_.units.find(name, run_.text(), its_kind);
         if (call.unit == nullptr)
             return missing(
                 diag::ProgramMissing,
-                quoted(name.empty() ? said : nc::shown_program(run_.language.calls, name)));
+                quoted(name.empty() ? text : nc::shown_program(run_.language.calls, name)));
         if (!contour.parts.empty()) contour.parts.erase(contour.parts.begin());
     }
     if (kind == ContourSource::Program) {
@@ -161,11 +162,11 @@ void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of
         return;
     }
     contour.parts.resize(2);  // a label that nobody said is missing
-    Place begin{call.unit->begin, call.unit->begin};
-    Place end;
+    ProgramLine begin{call.unit->begin, call.unit->begin};
+    ProgramLine end;
     for (const std::string& label : contour.parts) {
-        const Place from = begin;
-        Place& found = &label == &contour.parts[0] ? begin : end;
+        const ProgramLine from = begin;
+        ProgramLine& found = &label == &contour.parts[0] ? begin : end;
         if (call.unit->map.find({label, -1}, Direction::Forward, from, found) !=
             ProgramMap::Fault::None)
             return missing(diag::JumpTargetMissing, quoted(label));

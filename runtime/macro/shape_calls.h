@@ -17,7 +17,7 @@ class ShapeCalls {
     /// A cycle that is called behind motions and names the program of its shape.
     bool has_modal() const { return modal_.has_value(); }
     /// The shape of the cycle that the block calls comes next.
-    void follow(const nc::Block& block, std::string_view text, const Place& place);
+    void follow(const nc::Block& block, std::string_view text, const ProgramLine& line);
     /// … of the modal one, if the block moves an axis.
     void follow_modal(const nc::Block& block);
 
@@ -26,17 +26,17 @@ class ShapeCalls {
     struct ModalShape {
         nc::Block block;
         std::string text;
-        Place place;
+        ProgramLine program_line;
     };
     /// Of the cycles that name none: parts of a text, and which they are.
     struct NamedContour {
         std::vector<std::string> parts;
         std::int64_t kind = 0;
     };
-    void keep_modal_shape(const nc::Block& block, std::string_view text, const Place& place);
+    void keep_modal_shape(const nc::Block& block, std::string_view text, const ProgramLine& line);
     void keep_contour(const nc::Block& block, std::int64_t kind);
     NamedContour contour_of(const nc::Block& block) const;
-    void follow_named_shape(const nc::Block& block, std::string_view text, const Place& place);
+    void follow_named_shape(const nc::Block& block, std::string_view text, const ProgramLine& line);
 
     ProgramRun& run_;
     std::optional<ModalShape> modal_;

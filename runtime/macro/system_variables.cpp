@@ -11,57 +11,57 @@
 
 namespace kadr::macro {
 
-using nc::Quantity;
+using nc::SystemQuantity;
 
 namespace {
 
 /// Whether the last index of the quantity is an axis, so that it is a length or an angle.
-bool is_of_axis(Quantity quantity) {
+bool is_of_axis(SystemQuantity quantity) {
     switch (quantity) {
-        case Quantity::EndPosition:
-        case Quantity::WorkPosition:
-        case Quantity::HeadPosition:
-        case Quantity::MachinePosition:
-        case Quantity::ToolLength:
-        case Quantity::BasePosition:
-        case Quantity::BaseZeroPosition:
-        case Quantity::SettablePosition:
-        case Quantity::ProbePosition:
-        case Quantity::ProbePlace:
-        case Quantity::ProbeMachine:
-        case Quantity::ApproachStart:
-        case Quantity::ApproachEnd:
-        case Quantity::WorkOffset: return true;
+        case SystemQuantity::EndPosition:
+        case SystemQuantity::WorkPosition:
+        case SystemQuantity::HeadPosition:
+        case SystemQuantity::MachinePosition:
+        case SystemQuantity::ToolLength:
+        case SystemQuantity::BasePosition:
+        case SystemQuantity::BaseZeroPosition:
+        case SystemQuantity::SettablePosition:
+        case SystemQuantity::ProbePosition:
+        case SystemQuantity::ProbePlace:
+        case SystemQuantity::ProbeMachine:
+        case SystemQuantity::ApproachStart:
+        case SystemQuantity::ApproachEnd:
+        case SystemQuantity::WorkOffset: return true;
         default: return false;
     }
 }
 
 /// Whether the quantity is a length of a tool.
-bool is_of_tool_data(Quantity quantity) {
+bool is_of_tool_data(SystemQuantity quantity) {
     switch (quantity) {
-        case Quantity::ToolRadius:
-        case Quantity::ToolPart:
-        case Quantity::RadiusAllowance:
-        case Quantity::LengthGeometry:
-        case Quantity::LengthWear:
-        case Quantity::RadiusGeometry:
-        case Quantity::RadiusWear:
-        case Quantity::CrossGeometry:
-        case Quantity::CrossWear:
-        case Quantity::FirstLength:
-        case Quantity::FirstWear:
-        case Quantity::SecondLength:
-        case Quantity::SecondWear:
-        case Quantity::ThirdLength:
-        case Quantity::ThirdWear:
-        case Quantity::FirstBase:
-        case Quantity::SecondBase:
-        case Quantity::ThirdBase:
-        case Quantity::ExtraLength:
-        case Quantity::FirstExtraLength:
-        case Quantity::ExtraAlong:
-        case Quantity::ExtraRadius:
-        case Quantity::ExtraBoth: return true;
+        case SystemQuantity::ToolRadius:
+        case SystemQuantity::ToolPart:
+        case SystemQuantity::RadiusAllowance:
+        case SystemQuantity::LengthGeometry:
+        case SystemQuantity::LengthWear:
+        case SystemQuantity::RadiusGeometry:
+        case SystemQuantity::RadiusWear:
+        case SystemQuantity::CrossGeometry:
+        case SystemQuantity::CrossWear:
+        case SystemQuantity::FirstLength:
+        case SystemQuantity::FirstWear:
+        case SystemQuantity::SecondLength:
+        case SystemQuantity::SecondWear:
+        case SystemQuantity::ThirdLength:
+        case SystemQuantity::ThirdWear:
+        case SystemQuantity::FirstBase:
+        case SystemQuantity::SecondBase:
+        case SystemQuantity::ThirdBase:
+        case SystemQuantity::ExtraLength:
+        case SystemQuantity::FirstExtraLength:
+        case SystemQuantity::ExtraAlong:
+        case SystemQuantity::ExtraRadius:
+        case SystemQuantity::ExtraBoth: return true;
         default: return false;
     }
 }
@@ -69,34 +69,38 @@ bool is_of_tool_data(Quantity quantity) {
 }  // namespace
 
 QuantityIndices indices_of(const nc::VariableRange& range, std::int64_t number) {
-    const std::int64_t place = number - range.first;
-    if (range.stride == 0) return {place + range.start, 0};
-    return {place / range.stride + range.start, place % range.stride + range.second};
+    const std::int64_t index = number - range.first;
+    if (range.stride == 0) return {index + range.start, 0};
+    return {index / range.stride + range.start, index % range.stride + range.second};
 }
 
-Variables::Answer SystemVariables::number(Quantity quantity, std::int64_t first,
+Variables::Answer SystemVariables::number(SystemQuantity quantity, std::int64_t first,
                                           std::int64_t second, double& out) {
     if (info(quantity).access == nc::QuantityInfo::Access::Write) return Answer::NotReadable;
-    if (quantity == Quantity::ModalCode) {
+    if (quantity == SystemQuantity::ModalCode) {
         const auto code = codes_.number(first);
         if (!code) return Answer::Missing;
         out = *code;
         return Answer::Value;
     }
-    if (quantity == Quantity::ModalNumber) {
+    if (quantity == SystemQuantity::ModalNumber) {
         const auto place = codes_.place(first);
         if (!place) return Answer::Missing;
         out = static_cast<double>(*place);
         return Answer::Value;
     }
     switch (quantity) {
-        case Quantity::BlockNumber: out = static_cast<double>(block_number_); return Answer::Value;
-        case Quantity::MachineCode: out = reader_.modes().machine_code(); return Answer::Value;
-        case Quantity::ModalCall: out = modal_call_ ? modal_call_() : 0; return Answer::Value;
-        case Quantity::ProgramLevel:
+        case SystemQuantity::BlockNumber:
+            out = static_cast<double>(block_number_);
+            return Answer::Value;
+        case SystemQuantity::MachineCode:
+            out = reader_.modes().machine_code();
+            return Answer::Value;
+        case SystemQuantity::ModalCall: out = modal_call_ ? modal_call_() : 0; return Answer::Value;
+        case SystemQuantity::ProgramLevel:
             out = static_cast<double>(program_level_);
             return Answer::Value;
-        case Quantity::ProgramNumber:
+        case SystemQuantity::ProgramNumber:
             out = static_cast<double>(whole_number(reader_.bounds().text().program).value_or(0));
             return Answer::Value;
         default: break;
@@ -104,9 +108,10 @@ Variables::Answer SystemVariables::number(Quantity quantity, std::int64_t first,
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;
     const bool is_of_tool =
-        quantity == Quantity::WorkPosition || quantity == Quantity::HeadPosition ||
-        quantity == Quantity::MachinePosition || quantity == Quantity::BasePosition ||
-        quantity == Quantity::BaseZeroPosition || quantity == Quantity::SettablePosition;
+        quantity == SystemQuantity::WorkPosition || quantity == SystemQuantity::HeadPosition ||
+        quantity == SystemQuantity::MachinePosition || quantity == SystemQuantity::BasePosition ||
+        quantity == SystemQuantity::BaseZeroPosition ||
+        quantity == SystemQuantity::SettablePosition;
     if (is_of_tool && state_->is_compensated()) return Answer::Compensated;
     const auto value = state_->quantity(quantity, first, second);
     if (!value) return Answer::Missing;
@@ -114,13 +119,13 @@ Variables::Answer SystemVariables::number(Quantity quantity, std::int64_t first,
     return Answer::Value;
 }
 
-bool SystemVariables::set_whole_number(Quantity quantity, std::int64_t first, std::int64_t second,
-                                       double value) {
+bool SystemVariables::set_whole_number(SystemQuantity quantity, std::int64_t first,
+                                       std::int64_t second, double value) {
     if (state_ == nullptr) return false;
     return state_->set_quantity(quantity, first, second, value, true) == ControlAccess::Write::Done;
 }
 
-Variables::Answer SystemVariables::frame(Quantity quantity, std::int64_t index,
+Variables::Answer SystemVariables::frame(SystemQuantity quantity, std::int64_t index,
                                          control::ControlFrame& out) {
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;
@@ -130,8 +135,9 @@ Variables::Answer SystemVariables::frame(Quantity quantity, std::int64_t index,
     return Answer::Value;
 }
 
-Variables::Answer SystemVariables::text(Quantity quantity, std::int64_t index, std::string& out) {
-    if (quantity == Quantity::ProgramName) {
+Variables::Answer SystemVariables::text(SystemQuantity quantity, std::int64_t index,
+                                        std::string& out) {
+    if (quantity == SystemQuantity::ProgramName) {
         const auto name = name_at_ ? name_at_(index) : std::nullopt;
         if (!name) return Answer::Missing;
         out = *name;
@@ -153,20 +159,20 @@ bool SystemVariables::has_spindle(std::int64_t number) const {
     return state_ == nullptr ? number <= 1 : state_->has_spindle(number);
 }
 
-void SystemVariables::say_units(ContourElements& contour) const {
+void SystemVariables::put_units(ContourElements& contour) const {
     const double unit = axis_unit(Axis::X);
     const double feed = text_scale(nc::Dimension::Feed, reader_.modes().units(), true);
     const nc::Function function =
         reader_.modes().units().inch ? nc::Function::Inch : nc::Function::Metric;
     // The code that acts by its place in the list of its group.
-    int place = reader_.modes().units().inch ? 0 : 1;
+    int index = reader_.modes().units().inch ? 0 : 1;
     for (const nc::Form& form : tables_.forms) {
         if (form.function != function || form.group < 0) continue;
         const auto group = static_cast<std::size_t>(form.group);
         const auto list = std::ranges::find(language_.code_lists, tables_.groups[group].name,
                                             &nc::CodeList::group);
         if (list == language_.code_lists.end()) break;
-        place = static_cast<int>(codes_.place_in(*list, group)) - 1;
+        index = static_cast<int>(codes_.place_in(*list, group)) - 1;
         break;
     }
     for (ContourElement& element : contour) {
@@ -175,7 +181,7 @@ void SystemVariables::say_units(ContourElements& contour) const {
         element.shape.center /= unit;
         element.feed *= feed;
         element.modes.is_metric = !reader_.modes().units().inch;
-        element.modes.units = place;
+        element.modes.units = index;
     }
 }
 
@@ -189,13 +195,14 @@ double SystemVariables::text_factor(std::int64_t axis) const {
     return state_->word_factor(axis) / (is_inch ? kMmPerInch : 1);
 }
 
-double SystemVariables::to_text_units(Quantity quantity, const QuantityIndices& indices,
+double SystemVariables::to_text_units(SystemQuantity quantity, const QuantityIndices& indices,
                                       double value) const {
     if (is_of_axis(quantity)) {
-        const std::int64_t axis = quantity == Quantity::WorkOffset ? indices.second : indices.first;
+        const std::int64_t axis =
+            quantity == SystemQuantity::WorkOffset ? indices.second : indices.first;
         return on_increment(value * text_factor(axis), state_->is_length(axis));
     }
-    if (quantity == Quantity::Feed)
+    if (quantity == SystemQuantity::Feed)
         return value * text_scale(nc::Dimension::Feed, reader_.modes().units(), true);
     if (is_of_tool_data(quantity))
         return on_increment(
@@ -212,19 +219,19 @@ double SystemVariables::on_increment(double value, bool is_length) const {
     return std::round(value * power) / power + 0.0;
 }
 
-VariableFault SystemVariables::set_number(Quantity quantity, const QuantityIndices& indices,
+VariableFault SystemVariables::set_number(SystemQuantity quantity, const QuantityIndices& indices,
                                           const Value& value) {
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
         return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
     const std::string name(info(quantity).name);
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
-    const bool is_axis = quantity == Quantity::CarrierAxis && value.kind == Value::Kind::Axis;
+    const bool is_axis = quantity == SystemQuantity::CarrierAxis && value.kind == Value::Kind::Axis;
     if (!value.is_number() && !is_axis)
         return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
-    if (quantity == Quantity::CarrierAxis && !is_axis && value.number != 0)
+    if (quantity == SystemQuantity::CarrierAxis && !is_axis && value.number != 0)
         return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     double number = value.number;
-    if (quantity == Quantity::WorkOffset) {
+    if (quantity == SystemQuantity::WorkOffset) {
         number =
             on_increment(number, state_->is_length(indices.second)) / text_factor(indices.second);
     }
@@ -236,7 +243,7 @@ VariableFault SystemVariables::set_number(Quantity quantity, const QuantityIndic
                                  language_.rules.offsets_act_at_once)) {
         case ControlAccess::Write::Done: return {};
         case ControlAccess::Write::NoSuchEntry:
-            if (quantity == Quantity::EdgeSpeed) return {&diag::ToothFeedNoTool, {}};
+            if (quantity == SystemQuantity::EdgeSpeed) return {&diag::ToothFeedNoTool, {}};
             return {&diag::VariableNumber, {"of this offset"}};
         case ControlAccess::Write::TooLarge: {
             std::string shown;
@@ -248,7 +255,7 @@ VariableFault SystemVariables::set_number(Quantity quantity, const QuantityIndic
     return {&diag::IsoNotSupported, {name}};
 }
 
-VariableFault SystemVariables::set_frame(Quantity quantity, std::int64_t number,
+VariableFault SystemVariables::set_frame(SystemQuantity quantity, std::int64_t number,
                                          const control::ControlFrame& frame) {
     const std::string name(info(quantity).name);
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
@@ -263,8 +270,8 @@ VariableFault SystemVariables::set_frame(Quantity quantity, std::int64_t number,
     return {&diag::IsoNotSupported, {name}};
 }
 
-VariableFault SystemVariables::set_text(Quantity quantity, std::int64_t index, const Value& value,
-                                        std::string_view text) {
+VariableFault SystemVariables::set_text(SystemQuantity quantity, std::int64_t index,
+                                        const Value& value, std::string_view text) {
     const std::string name(info(quantity).name);
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
         return {&diag::VariableReadOnly, {name}};
@@ -276,7 +283,8 @@ VariableFault SystemVariables::set_text(Quantity quantity, std::int64_t index, c
     const auto most = static_cast<std::size_t>(language_.rules.most_tool_name);
     if (const std::size_t length = count_code_points(written); length > most)
         return {&diag::TextTooLong, {std::to_string(length), std::to_string(most)}};
-    if (written.empty() && quantity == Quantity::ToolNameOf) return {&diag::ToolNameEmpty, {}};
+    if (written.empty() && quantity == SystemQuantity::ToolNameOf)
+        return {&diag::ToolNameEmpty, {}};
     switch (state_->set_text(quantity, index, written)) {
         case ControlAccess::Write::Done: return {};
         case ControlAccess::Write::NoSuchEntry: return {&diag::VariableNumber, {"of this tool"}};

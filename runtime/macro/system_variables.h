@@ -57,11 +57,12 @@ class SystemVariables {
 
     /// A quantity that is a number. `Missing`: it does not exist for these indices. `Compensated`:
     /// it is a position, and the tool stands beside the programmed contour.
-    Answer number(nc::Quantity quantity, std::int64_t first, std::int64_t second, double& out);
+    Answer number(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
+                  double& out);
     /// One that is a frame; lengths in mm.
-    Answer frame(nc::Quantity quantity, std::int64_t index, control::ControlFrame& out);
+    Answer frame(nc::SystemQuantity quantity, std::int64_t index, control::ControlFrame& out);
     /// One that is a text.
-    Answer text(nc::Quantity quantity, std::int64_t index, std::string& out);
+    Answer text(nc::SystemQuantity quantity, std::int64_t index, std::string& out);
     /// mm, or degrees, that 1 in a word of the axis is.
     double axis_unit(Axis axis) const;
     /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
@@ -71,22 +72,23 @@ class SystemVariables {
     /// Whether a program has this name.
     bool has_program(std::string_view name) const { return is_program_ && is_program_(name); }
     /// A contour in mm gets the units of the text, and tells which those are.
-    void say_units(ContourElements& contour) const;
+    void put_units(ContourElements& contour) const;
 
     /// Sets a quantity that has no unit; false: there is no such place.
-    bool set_whole_number(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+    bool set_whole_number(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                           double value);
     /// Sets a number by a value in the units of the text.
-    VariableFault set_number(nc::Quantity quantity, const QuantityIndices& indices,
+    VariableFault set_number(nc::SystemQuantity quantity, const QuantityIndices& indices,
                              const Value& value);
-    VariableFault set_frame(nc::Quantity quantity, std::int64_t number,
+    VariableFault set_frame(nc::SystemQuantity quantity, std::int64_t number,
                             const control::ControlFrame& frame);
     /// value  what it becomes, which is this text if it is one
-    VariableFault set_text(nc::Quantity quantity, std::int64_t index, const Value& value,
+    VariableFault set_text(nc::SystemQuantity quantity, std::int64_t index, const Value& value,
                            std::string_view text);
 
   private:
-    double to_text_units(nc::Quantity quantity, const QuantityIndices& indices, double value) const;
+    double to_text_units(nc::SystemQuantity quantity, const QuantityIndices& indices,
+                         double value) const;
     double on_increment(double value, bool is_length) const;
     double text_factor(std::int64_t axis) const;
 

@@ -23,9 +23,9 @@ Outcome ValueStatements::assign(CompiledLine& line, const ControlStatement& stat
     if (!goes_on(done)) return done;
     // Writing some variables acts: an alarm, a stop.
     const nc::Instruction& load = statement.variable.load;
-    nc::Quantity quantity = nc::Quantity::None;
+    nc::SystemQuantity quantity = nc::SystemQuantity::None;
     if (load.kind == nc::Instruction::Kind::System)
-        quantity = static_cast<nc::Quantity>(load.index);
+        quantity = static_cast<nc::SystemQuantity>(load.index);
     if (load.kind == nc::Instruction::Kind::Family) {
         std::array<std::int64_t, 2> number{};
         if (run_.evaluator.indices(line.line, statement.variable, number) ==
@@ -34,8 +34,9 @@ Outcome ValueStatements::assign(CompiledLine& line, const ControlStatement& stat
         // The value of the assignment lives in the texts of the evaluator, not on its stack.
     }
     const std::string comment = utf8_text(line.line.words.comment);
-    if (quantity == nc::Quantity::Alarm) return raise(line, statement.span, value.number, comment);
-    if (quantity == nc::Quantity::MessageStop) return stop_with_message(comment, out);
+    if (quantity == nc::SystemQuantity::Alarm)
+        return raise(line, statement.span, value.number, comment);
+    if (quantity == nc::SystemQuantity::MessageStop) return stop_with_message(comment, out);
     done = fit_text(line, statement, value);
     return goes_on(done) ? run_.store(line, statement.variable, value) : done;
 }
@@ -48,13 +49,13 @@ Outcome ValueStatements::fit_text(CompiledLine& line, const ControlStatement& st
     if (!value.is_text() || statement.variable.load.kind != Kind::Element) return Outcome::Nothing;
     const nc::Symbol& symbol = run_.variables.level().symbols.at(statement.variable.load.index);
     const std::string text(run_.evaluator.text(value));
-    const nc::Expression& said = statement.value;
-    const nc::Instruction& last = line.line.code[said.first + said.count - 1];
+    const nc::Expression& expression = statement.value;
+    const nc::Instruction& last = line.line.code[expression.first + expression.count - 1];
     const std::size_t length = count_code_points(text);
     const bool fits = symbol.type != nc::ValueType::Text || length <= symbol.text_size;
     if (fits || last.kind == Kind::Text) return Outcome::Nothing;
     if (last.kind == Kind::Operate && last.operation == nc::Operation::Concatenate)
-        return run_.fail(line, diag::JoinedTooLong, said.span,
+        return run_.fail(line, diag::JoinedTooLong, expression.span,
                          {std::to_string(length), std::to_string(symbol.text_size)});
     value = run_.evaluator.keep_text(std::string(code_points(text, 0, symbol.text_size)));
     return Outcome::Nothing;
@@ -62,15 +63,15 @@ Outcome ValueStatements::fit_text(CompiledLine& line, const ControlStatement& st
 
 /// `SET(1,,3)`, `REP(0)`, `REP(0,3)`: for elements of an array, or for variables with numbers.
 Outcome ValueStatements::assign_list(CompiledLine& line, const ControlStatement& statement) {
-    ListTarget place;
-    Outcome done = list_place(line, statement.variable, place);
+    ListTarget target;
+    Outcome done = list_target(line, statement.variable, target);
     if (!goes_on(done)) return done;
     std::size_t count = statement.list.size();
     if (statement.fills) {
-        done = fill_count(line, statement.list, place.left, count);
+        done = fill_count(line, statement.list, target.left, count);
         if (!goes_on(done)) return done;
-    } else if (count > place.left) {
-        return run_.fail(line, diag::TooManyInitialValues, statement.span, {place.name});
+    } else if (count > target.left) {
+        return run_.fail(line, diag::TooManyInitialValues, statement.span, {target.name});
     }
     for (std::size_t i = 0; i < count; ++i) {
         const nc::Expression& expression = statement.list[statement.fills ? 0 : i];
@@ -78,7 +79,7 @@ Outcome ValueStatements::assign_list(CompiledLine& line, const ControlStatement&
         Value value;
         done = run_.evaluate(line, expression, value);
         if (!goes_on(done)) return done;
-        const auto fault = store_at(place, static_cast<std::uint32_t>(i), value);
+        const auto fault = store_at(target, static_cast<std::uint32_t>(i), value);
         if (fault.row != nullptr)
             return run_.fail(line, *fault.row, expression.span, fault.arguments);
     }
@@ -86,22 +87,22 @@ Outcome ValueStatements::assign_list(CompiledLine& line, const ControlStatement&
 }
 
 /// How many variables get the value of a filling: so many as its second number says, else all.
-Outcome ValueStatements::fill_count(CompiledLine& line, std::span<const nc::Expression> said,
+Outcome ValueStatements::fill_count(CompiledLine& line, std::span<const nc::Expression> expressions,
                                     std::size_t most, std::size_t& out) {
     out = most;
-    if (said.size() < 2 || !said[1].is_given()) return Outcome::Nothing;
+    if (expressions.size() < 2 || !expressions[1].is_given()) return Outcome::Nothing;
     Value number;
-    const Outcome done = run_.evaluate(line, said[1], number);
+    const Outcome done = run_.evaluate(line, expressions[1], number);
     if (!run_.is_sound(done)) return done;
     if (!(number.number >= 1) || number.number > static_cast<double>(most))
-        return run_.fail(line, diag::TooManyInitialValues, said[1].span, {"this"});
+        return run_.fail(line, diag::TooManyInitialValues, expressions[1].span, {"this"});
     out = static_cast<std::size_t>(number.number);
     return Outcome::Nothing;
 }
 
 /// Where the values of a list go: from this element on, or from the variable of this number on.
-Outcome ValueStatements::list_place(CompiledLine& line, const nc::Reference& reference,
-                                    ListTarget& out) {
+Outcome ValueStatements::list_target(CompiledLine& line, const nc::Reference& reference,
+                                     ListTarget& out) {
     using Kind = nc::Instruction::Kind;
     out.load = reference.load;
     out.name = line.text.substr(reference.span.begin, reference.span.end - reference.span.begin);
@@ -141,15 +142,15 @@ Outcome ValueStatements::list_place(CompiledLine& line, const nc::Reference& ref
     return Outcome::Nothing;
 }
 
-VariableFault ValueStatements::store_at(const ListTarget& place, std::uint32_t i,
+VariableFault ValueStatements::store_at(const ListTarget& target, std::uint32_t i,
                                         const Value& value) {
     const Content content = run_.evaluator.content(value);
-    if (place.load.kind == nc::Instruction::Kind::Element) {
-        return run_.variables.store_element(run_.variables.level().symbols.at(place.load.index),
-                                            place.first + i, value, content);
+    if (target.load.kind == nc::Instruction::Kind::Element) {
+        return run_.variables.store_element(run_.variables.level().symbols.at(target.load.index),
+                                            target.first + i, value, content);
     }
-    nc::Instruction load = place.load;
-    load.index = place.first + i;
+    nc::Instruction load = target.load;
+    load.index = target.first + i;
     return run_.variables.store(load, {}, value, content);
 }
 
@@ -175,9 +176,9 @@ Outcome ValueStatements::limit(CompiledLine& line, const ControlStatement& state
     ControlVariables::Limits limits;
     Value bound;
     for (const bool is_least : {true, false}) {
-        const nc::Expression& said = is_least ? statement.value : statement.second;
-        if (!said.is_given()) continue;
-        const Outcome done = run_.evaluate(line, said, bound);
+        const nc::Expression& expression = is_least ? statement.value : statement.second;
+        if (!expression.is_given()) continue;
+        const Outcome done = run_.evaluate(line, expression, bound);
         if (!run_.is_sound(done)) return done;
         (is_least ? limits.least : limits.most) = bound.number;
     }
@@ -268,9 +269,9 @@ Outcome ValueStatements::raise(CompiledLine& line, const Span& span, double numb
                          {run_.evaluator.written(Value::real(number))});
     if (run_.counts.given > 0) return Outcome::Wait;
     const std::string shown = std::to_string(std::llround(rounded) + rules.alarm_base);
-    const TextLocation place = run_.lines.place(line.text, line.place.line.line, span);
+    const TextLocation location = run_.lines.location(line.text, line.program_line.line.line, span);
     const auto own = run_.dialect.alarm(diag::ProgramAlarm);
-    DiagnosticBuilder message = run_.sink.report(diag::ProgramAlarm, place);
+    DiagnosticBuilder message = run_.sink.report(diag::ProgramAlarm, location);
     message.arg(shown).alarm((own ? own->number : std::string()) + shown, text);
     run_.lines.faults().write_notes(message);
     run_.lines.faults().note_fault();

@@ -36,10 +36,10 @@ class ValueStatements {
   private:
     Outcome fit_text(CompiledLine& line, const nc::ControlStatement& statement, Value& value);
     Outcome assign_list(CompiledLine& line, const nc::ControlStatement& statement);
-    Outcome fill_count(CompiledLine& line, std::span<const nc::Expression> said, std::size_t most,
-                       std::size_t& out);
-    Outcome list_place(CompiledLine& line, const nc::Reference& reference, ListTarget& out);
-    VariableFault store_at(const ListTarget& place, std::uint32_t i, const Value& value);
+    Outcome fill_count(CompiledLine& line, std::span<const nc::Expression> expressions,
+                       std::size_t most, std::size_t& out);
+    Outcome list_target(CompiledLine& line, const nc::Reference& reference, ListTarget& out);
+    VariableFault store_at(const ListTarget& target, std::uint32_t i, const Value& value);
     Outcome limit(CompiledLine& line, const nc::ControlStatement& statement);
     Outcome stop_with_message(std::string_view text, nc::Block& out);
 

@@ -11,7 +11,7 @@
 namespace kadr::macro {
 
 using nc::Instruction;
-using nc::Quantity;
+using nc::SystemQuantity;
 using nc::VariableRange;
 
 template <typename Set>
@@ -37,18 +37,19 @@ void ControlVariables::note_change(std::optional<ControlVariable> before, Contro
     changes_->push_back({std::move(*before), std::move(after)});
 }
 
-void ControlVariables::set_number(const VariableRef& place, std::uint32_t element, double number) {
-    const std::uint32_t slot = place.slot + element;
-    const bool is_local = place.symbol == nullptr && place.store == &level_->locals;
-    const nc::Symbol* symbol = is_local ? declared_at(*level_, slot) : place.symbol;
-    change(*place.store, slot, symbol,
-           [&] { place.store->values[slot] = Value::of(number, place.type); });
+void ControlVariables::set_number(const VariableRef& variable, std::uint32_t element,
+                                  double number) {
+    const std::uint32_t slot = variable.slot + element;
+    const bool is_local = variable.symbol == nullptr && variable.store == &level_->locals;
+    const nc::Symbol* symbol = is_local ? declared_at(*level_, slot) : variable.symbol;
+    change(*variable.store, slot, symbol,
+           [&] { variable.store->values[slot] = Value::of(number, variable.type); });
 }
 
-Quantity ControlVariables::quantity_of(std::uint32_t form, std::int64_t number) const {
+SystemQuantity ControlVariables::quantity_of(std::uint32_t form, std::int64_t number) const {
     const VariableRange* range = find_range(language_.variables[form], number);
     const bool is_system = range != nullptr && range->kind == VariableRange::Kind::System;
-    return is_system ? range->quantity : Quantity::None;
+    return is_system ? range->quantity : SystemQuantity::None;
 }
 
 bool ControlVariables::must_wait(const Instruction& target,
@@ -57,7 +58,7 @@ bool ControlVariables::must_wait(const Instruction& target,
     if (target.kind == Instruction::Kind::System || target.kind == Instruction::Kind::SystemPart)
         return true;
     return target.kind == Instruction::Kind::Family &&
-           quantity_of(target.index, indices[0]) != Quantity::None;
+           quantity_of(target.index, indices[0]) != SystemQuantity::None;
 }
 
 VariableFault ControlVariables::store(const Instruction& target,
@@ -84,7 +85,7 @@ VariableFault ControlVariables::store(const Instruction& target,
                                names_.of_machine_value(indices.first(target.count)), value, text);
         }
         case Instruction::Kind::System: {
-            const auto quantity = static_cast<Quantity>(target.index);
+            const auto quantity = static_cast<SystemQuantity>(target.index);
             if (target.type == nc::ValueType::Frame) {
                 if (content.frame == nullptr)
                     return {&diag::TypesDiffer, {"a frame", std::string(kind_name(value))}};
@@ -103,16 +104,16 @@ VariableFault ControlVariables::store(const Instruction& target,
             if (target.count == symbol.dimensions)
                 return store_element(symbol, *slot, value, content);
             // One character of a text; the code 0 cuts it there.
-            const std::int64_t place = indices[symbol.dimensions];
+            const std::int64_t index = indices[symbol.dimensions];
             if (VariableFault fault = convert(nc::ValueType::Char, converted, text);
                 fault.row != nullptr)
                 return fault;
             Store& texts = *level_->stores[target.index];
             const Value& old = texts.values[*slot];
             std::string whole = old.is_text() ? texts.texts[old.text] : std::string();
-            if (place < 0 || place >= symbol.text_size)
+            if (index < 0 || index >= symbol.text_size)
                 return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
-            const auto at = static_cast<std::size_t>(place);
+            const auto at = static_cast<std::size_t>(index);
             const std::size_t length = count_code_points(whole);
             std::string changed(code_points(whole, 0, at));
             if (converted.number != 0) {
@@ -208,15 +209,15 @@ VariableFault ControlVariables::store_part(const Instruction& target,
         return {&diag::TypesDiffer, {"a component of a frame", std::string(kind_name(value))}};
     const auto axis = static_cast<Axis>(-indices[target.count - 1u] - 1);
     const nc::FramePart part = target.part();
-    const bool is_way = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
-    const double wanted = is_way ? value.number * axis_unit(axis) : value.number;
+    const bool is_distance = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
+    const double wanted = is_distance ? value.number * axis_unit(axis) : value.number;
     const auto set = [&](control::ControlFrame& frame) -> VariableFault {
         if (set_part(frame, part, axis, wanted)) return {};
         if (part == nc::FramePart::Scale && wanted == 0) return {&diag::ScaleInvalid, {"0"}};
         return {&diag::IsoNotSupported, {"such a component of this frame"}};
     };
     if (target.kind == Instruction::Kind::SystemPart) {
-        const auto quantity = static_cast<Quantity>(target.index);
+        const auto quantity = static_cast<SystemQuantity>(target.index);
         const std::int64_t number = target.count > 1 ? indices[0] : 0;
         control::ControlFrame whole;
         if (frame(quantity, number, whole) != Answer::Value)

@@ -58,13 +58,13 @@ Done AxisCheck::require_all_axes(const path::Command& command, const Segment& pi
         if ((missing & bit(axis)) == 0) continue;
         const std::size_t i = index(axis);
         const auto k = static_cast<Eigen::Index>(i);
-        const double way =
+        const double distance =
             i < 3 ? box.upper[k] - box.lower[k] : std::abs(piece.follower_rate[i - 3]) * length;
-        if (way <= kStill) continue;
+        if (distance <= kStill) continue;
         has_all = false;
-        if (!told_.first_time_missing(i)) continue;
+        if (!reported_.first_time_missing(i)) continue;
         report(sink_, diag::AxisNotOnMachine, {command.line, command.source, axis},
-               options_.place_of)
+               options_.locate_command)
             .arg(kAxisNames[i])
             .arg(machine_.name);
     }
@@ -78,13 +78,13 @@ Done AxisCheck::require_limits(const path::Command& command, const AxisTable::Tr
         const bool above = reached.upper[i] > axis.upper + kLimitTolerance;
         const bool below = reached.lower[i] < axis.lower - kLimitTolerance;
         if (!above && !below) {
-            told_.forget_outside(i);
+            reported_.forget_outside(i);
             continue;
         }
         keeps_all = false;
-        if (!told_.first_time_outside(i)) continue;
+        if (!reported_.first_time_outside(i)) continue;
         report(sink_, diag::AxisBeyondLimit, {command.line, command.source, axis.axis},
-               options_.place_of)
+               options_.locate_command)
             .arg(axis.name)
             .arg(shown(axis, above ? reached.upper[i] : reached.lower[i]))
             .arg(shown(axis, above ? axis.upper : axis.lower));

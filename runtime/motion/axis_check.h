@@ -59,7 +59,7 @@ class AxisCheck {
     DiagnosticSink& sink_;
     std::vector<Axis> missing_;  // logical axes without a machine axis
     AxisMask missing_mask_ = 0;  // … the same
-    ReportedAxes told_;
+    ReportedAxes reported_;
     AxisTable::Travel reached_;  // of the piece that was checked last
     AxisTable::Travel travel_;
 };

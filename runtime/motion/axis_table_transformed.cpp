@@ -46,28 +46,30 @@ double greatest(const Value& value) {
 }  // namespace
 
 AxisRates AxisTable::rates_on(const Segment& piece, double u) const {
-    const AxisPolynomials course(*chain_, piece);
+    const AxisPolynomials polynomials(*chain_, piece);
     AxisRates rates{};
-    for (std::size_t i = 0; i < axes_.size(); ++i) rates[i] = course.rate(axes_[i].coordinate, u);
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+        rates[i] = polynomials.rate(axes_[i].coordinate, u);
     return rates;
 }
 
 AxisRates AxisTable::bends_on(const Segment& piece, double u) const {
-    const AxisPolynomials course(*chain_, piece);
+    const AxisPolynomials polynomials(*chain_, piece);
     AxisRates bends{};
-    for (std::size_t i = 0; i < axes_.size(); ++i) bends[i] = course.bend(axes_[i].coordinate, u);
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+        bends[i] = polynomials.bend(axes_[i].coordinate, u);
     return bends;
 }
 
 AxisTable::Loads AxisTable::transformed_loads(const Segment& piece) const {
-    const AxisPolynomials course(*chain_, piece);
+    const AxisPolynomials polynomials(*chain_, piece);
     Loads loads;
     loads.curvature = kInfinity;  // along and across are not told apart
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::size_t axis = axes_[i].coordinate;
-        loads.rising[i] = greatest([&](double u) { return course.rate(axis, u); });
-        loads.bend[i] = greatest([&](double u) { return course.bend(axis, u); });
-        loads.third[i] = greatest([&](double u) { return course.third(axis, u); });
+        loads.rising[i] = greatest([&](double u) { return polynomials.rate(axis, u); });
+        loads.bend[i] = greatest([&](double u) { return polynomials.bend(axis, u); });
+        loads.third[i] = greatest([&](double u) { return polynomials.third(axis, u); });
     }
     return loads;
 }
@@ -136,9 +138,9 @@ double peak_between(const Value& value, double lower, double upper) {
 
 /// The greatest position in one of the directions, times `sign`, from 0 to 1: samples find the
 /// neighbourhood.
-double reach_of(const AxisPolynomials& course, std::size_t axis, double sign) {
+double reach_of(const AxisPolynomials& polynomials, std::size_t axis, double sign) {
     constexpr int kPlaces = 2 * kSamples;
-    const auto value = [&](double u) { return sign * course.position(axis, u); };
+    const auto value = [&](double u) { return sign * polynomials.position(axis, u); };
     const auto place = [](int k) { return static_cast<double>(k) / kPlaces; };
     int nearest = 0;
     double most = value(0);
@@ -149,8 +151,8 @@ double reach_of(const AxisPolynomials& course, std::size_t axis, double sign) {
         nearest = k;
     }
     // At an end it goes farther inside only if it comes from there.
-    if (nearest == 0 && !(sign * course.rate(axis, 0) > 0)) return most;
-    if (nearest == kPlaces && !(sign * course.rate(axis, 1) < 0)) return most;
+    if (nearest == 0 && !(sign * polynomials.rate(axis, 0) > 0)) return most;
+    if (nearest == kPlaces && !(sign * polynomials.rate(axis, 1) < 0)) return most;
     return std::max(most, peak_between(value, place(std::max(nearest - 1, 0)),
                                        place(std::min(nearest + 1, kPlaces))));
 }
@@ -158,11 +160,11 @@ double reach_of(const AxisPolynomials& course, std::size_t axis, double sign) {
 }  // namespace
 
 AxisTable::Travel AxisTable::transformed_travel(const Segment& piece) const {
-    const AxisPolynomials course(*chain_, piece);
+    const AxisPolynomials polynomials(*chain_, piece);
     Travel travel;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        travel.lower[i] = -reach_of(course, axes_[i].coordinate, -1);
-        travel.upper[i] = reach_of(course, axes_[i].coordinate, 1);
+        travel.lower[i] = -reach_of(polynomials, axes_[i].coordinate, -1);
+        travel.upper[i] = reach_of(polynomials, axes_[i].coordinate, 1);
     }
     return travel;
 }

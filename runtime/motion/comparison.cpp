@@ -70,8 +70,8 @@ class Walker {
     std::uint64_t pulses() const { return pulses_; }
 
     /// Goes on by this way, not farther than the end of the piece. True: the piece is through.
-    bool advance(double way) {
-        along_ = std::min(along_ + way, length_);
+    bool advance(double distance) {
+        along_ = std::min(along_ + distance, length_);
         if (length_ - along_ > kNothing) return false;
         next();
         return true;
@@ -147,10 +147,10 @@ double pitch_of(const Segment& piece) {
     return piece.spindle.speed > 0 ? piece.feed / piece.spindle.speed : 0;
 }
 
-class Walk {
+class ComparisonWalk {
   public:
-    Walk(Stream<Segment>& first, Stream<Segment>& second, double tolerance,
-         const machine::Chain& chain)
+    ComparisonWalk(Stream<Segment>& first, Stream<Segment>& second, double tolerance,
+                   const machine::Chain& chain)
         : first_(first, chain), second_(second, chain), tolerance_(tolerance) {}
 
     Comparison go() {
@@ -167,7 +167,7 @@ class Walk {
     }
 
   private:
-    ComparedPoint place() const {
+    ComparedPoint point() const {
         const auto at = [](const Walker& walker) {
             return walker.is_over() ? walker.end() : walker.here().position;
         };
@@ -176,7 +176,7 @@ class Walk {
 
     void part(Parting why) {
         result_.parting = why;
-        result_.parted = place();
+        result_.parted = point();
     }
 
     void stand(const Segment& a, const Segment& b) {
@@ -198,7 +198,7 @@ class Walk {
     /// How long a thread waits for the mark of the spindle hangs on all that came before: any time
     /// up to a turn is the same wait. No other one is.
     void meet_threads() {
-        const ComparedPoint here = place();
+        const ComparedPoint here = point();
         bool is_mark = true;
         for (Walker* walker : {&first_, &second_}) {
             if (walker->segment().kind != SegmentKind::Wait) continue;
@@ -301,9 +301,9 @@ class Walk {
         const double distance = leads ? (apart - ahead * a.tangent).norm() : apart.norm();
         if (distance > result_.greatest_distance) {
             result_.greatest_distance = distance;
-            result_.widest = place();
+            result_.widest = point();
         }
-        if (distance > tolerance_) part(Parting::Way);
+        if (distance > tolerance_) part(Parting::Path);
         else if (!do_followers_agree()) part(Parting::Followers);
         else if (first_.segment().kind == SegmentKind::Feed && !is_between_pieces()) compare_cuts();
         if (!is_between_pieces()) compare_feeds();
@@ -330,8 +330,8 @@ class Walk {
     void compare_cuts() {
         const Segment& a = first_.segment();
         const Segment& b = second_.segment();
-        const Spindle& s = a.spindle;
-        const Spindle& t = b.spindle;
+        const CommandedSpindle& s = a.spindle;
+        const CommandedSpindle& t = b.spindle;
         const bool turns_alike =
             s.is_turning == t.is_turning && s.holds_cutting_speed == t.holds_cutting_speed &&
             (!s.is_turning || (s.is_counterclockwise == t.is_counterclockwise &&
@@ -357,7 +357,7 @@ class Walk {
         const double share = greater > 0 ? std::abs(a - b) / greater : 0;
         if (share <= result_.greatest_feed_share) return;
         result_.greatest_feed_share = share;
-        result_.fastest = place();
+        result_.fastest = point();
     }
 
     Walker first_;
@@ -370,7 +370,7 @@ class Walk {
 
 Comparison compare(Stream<Segment>& first, Stream<Segment>& second, double tolerance,
                    const machine::Chain& chain) {
-    return Walk(first, second, tolerance, chain).go();
+    return ComparisonWalk(first, second, tolerance, chain).go();
 }
 
 }  // namespace kadr::motion

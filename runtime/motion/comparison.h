@@ -24,7 +24,7 @@ struct ComparedPoint {
 
 /// What the motions do that is not the same at all.
 enum class Parting : std::uint8_t {
-    Way,        // they are farther apart than the tolerance
+    Path,       // they are farther apart than the tolerance
     Kind,       // one positions where the other cuts, or one stands where the other moves
     Length,     // one comes to its stop earlier
     Followers,  // an axis beside X, Y, Z is somewhere else
@@ -47,8 +47,8 @@ struct Comparison {
     ComparedPoint fastest;           // … there
     std::optional<Parting> parting;  // they go different ways from here on
     ComparedPoint parted;
-    Spindle first_spindle;  // where they part by it
-    Spindle second_spindle;
+    CommandedSpindle first_spindle;  // where they part by it
+    CommandedSpindle second_spindle;
 };
 
 /// Walks both to the end, or to where they part.

@@ -74,7 +74,7 @@ bool is_short_line(const Command& command, double length) {
 
 }  // namespace
 
-void Compressor::take(const Command& command, const Standing& standing) {
+void Compressor::take(const Command& command, const AxesPosition& standing) {
     ready_.clear();
     next_ = 0;
     if (!command.is_motion()) {
@@ -84,7 +84,7 @@ void Compressor::take(const Command& command, const Standing& standing) {
     }
     const path::Motion& motion = command.motion();
     const bool was_running = !lines_.empty();
-    const Vec3 to = was_running ? place_of(motion) : standing.target_of(motion).tip;
+    const Vec3 to = was_running ? point_of(motion) : standing.target_of(motion).tip;
     if (was_running && !joins(command, to)) end_run();
     const Vec3 from = was_running ? points_.back() : standing.tip();
     const bool is_taken = can_take(command) && is_short_line(command, (to - from).norm());
@@ -103,7 +103,7 @@ void Compressor::take(const Command& command, const Standing& standing) {
 }
 
 /// Where a line leads. An axis that is not programmed stands, whatever number it has.
-Vec3 Compressor::place_of(const path::Motion& motion) const {
+Vec3 Compressor::point_of(const path::Motion& motion) const {
     Vec3 to = points_.back();
     for (std::size_t i = 0; i < 3; ++i) {
         const bool is_moved = (motion.moved & bit(static_cast<Axis>(i))) != 0;
@@ -116,7 +116,7 @@ Vec3 Compressor::place_of(const path::Motion& motion) const {
 bool Compressor::joins(const Command& command, const Vec3& to) const {
     const path::Motion& next = command.motion();
     const path::Motion& last = lines_.back().motion();
-    const Vec3 way = to - points_.back();
+    const Vec3 delta = to - points_.back();
     const Vec3 before = points_.back() - points_[points_.size() - 2];
     const bool is_same = next.compress == last.compress && next.feed == last.feed &&
                          next.feed_mode == last.feed_mode && next.blending == last.blending &&
@@ -124,8 +124,8 @@ bool Compressor::joins(const Command& command, const Vec3& to) const {
                          next.ignores_hold == last.ignores_hold && next.dynamics == last.dynamics;
     bool others_stand = true;
     for (std::size_t i = 3; i < kAxes; ++i) others_stand &= next.to[i] == last.to[i];
-    return is_same && others_stand && is_short_line(command, way.norm()) &&
-           way.dot(before) >= kLeastCos * way.norm() * before.norm();
+    return is_same && others_stand && is_short_line(command, delta.norm()) &&
+           delta.dot(before) >= kLeastCos * delta.norm() * before.norm();
 }
 
 void Compressor::finish() {

@@ -21,7 +21,7 @@ class Compressor {
     static bool can_take(const path::Command& command) {
         if (!command.is_motion() || !(command.motion().compress > 0)) return false;
         const Boxed<path::Dynamics>& dynamics = command.motion().dynamics;
-        return !dynamics || !dynamics->law.is_said();
+        return !dynamics || !dynamics->law.is_given();
     }
     /// No line waits and no command is ready.
     bool is_empty() const { return lines_.empty() && next_ == ready_.size(); }
@@ -29,7 +29,7 @@ class Compressor {
     /// Takes a command when none is ready. A line joins the run; any other command, a corner of
     /// more than 30 degrees, another feed, an exact stop or a line of more than 20 mm ends it.
     /// `standing`: where all commands lead that have come out.
-    void take(const path::Command& command, const Standing& standing);
+    void take(const path::Command& command, const AxesPosition& standing);
     /// No more commands come.
     void finish();
 
@@ -38,7 +38,7 @@ class Compressor {
 
   private:
     bool joins(const path::Command& command, const path::Vec3& to) const;
-    path::Vec3 place_of(const path::Motion& motion) const;
+    path::Vec3 point_of(const path::Motion& motion) const;
     void fit(bool is_whole);
     void put_line(std::size_t at) { ready_.push_back(lines_[at]); }
     void put(const path::PolylinePart& part);

@@ -40,35 +40,36 @@ bool BlendedCorner::is_corner(bool with_curvature) const {
 
 std::optional<double> BlendedCorner::most_blend_distance() const {
     if (in_.tangent.dot(out_.tangent) < kTurnsBack) return std::nullopt;
-    const double way = std::min(length_, path::length(behind_)) / 2;
+    const double distance = std::min(length_, path::length(behind_)) / 2;
     const double bend = std::max(in_.curvature.norm(), out_.curvature.norm());
-    return way * bend > kMostTurn ? kMostTurn / bend : way;
+    return distance * bend > kMostTurn ? kMostTurn / bend : distance;
 }
 
-path::Transition BlendedCorner::curve(double way) const {
-    return path::transition_between(path::evaluate(before_, length_ - way),
-                                    path::evaluate(behind_, way), way);
+path::Transition BlendedCorner::curve(double distance) const {
+    return path::transition_between(path::evaluate(before_, length_ - distance),
+                                    path::evaluate(behind_, distance), distance);
 }
 
-double BlendedCorner::deviation(double way) const {
-    return path::deviation(curve(way), {before_, length_ - way, length_}, {behind_, 0, way});
+double BlendedCorner::deviation(double distance) const {
+    return path::deviation(curve(distance), {before_, length_ - distance, length_},
+                           {behind_, 0, distance});
 }
 
 double longest_blend_distance(const std::function<double(double)>& used, double most) {
-    double way = most;
+    double distance = most;
     double good = 0;
     double bad = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kTries; ++i) {
-        const double part = used(way);
+        const double part = used(distance);
         const bool is_good = part <= kUsed;
-        (is_good ? good : bad) = way;
-        if (is_good && (way == most || part >= kWellUsed)) break;
+        (is_good ? good : bad) = distance;
+        if (is_good && (distance == most || part >= kWellUsed)) break;
         // That of a corner grows with the way, that of a jump of the curvature with its square:
         // from there the mean of a way too short and one too long leads to the goal.
         const bool is_enclosed = good > 0 && std::isfinite(bad);
-        const double next = is_enclosed ? std::sqrt(good * bad) : way * (0.99 * kUsed / part);
-        way = std::min(next, most);
-        if (way < kLeastBlendDistance) break;
+        const double next = is_enclosed ? std::sqrt(good * bad) : distance * (0.99 * kUsed / part);
+        distance = std::min(next, most);
+        if (distance < kLeastBlendDistance) break;
     }
     return good;
 }
@@ -83,19 +84,19 @@ double tolerance_of(const path::Blending& before, const path::Blending& behind) 
     return has_own ? std::min(before.size, behind.size) : before.size;
 }
 
-std::optional<Rounding> rounding(const BlendedSide& before, const BlendedSide& behind) {
+std::optional<CornerBlend> corner_blend(const BlendedSide& before, const BlendedSide& behind) {
     const path::Blending& wish = before.blending;
     if (wish.kind == BlendKind::None || !(wish.size > 0)) return std::nullopt;
     const BlendedCorner corner(before.curve, behind.curve);
     const std::optional<double> most = corner.most_blend_distance();
     if (!most || !corner.is_corner(wish.with_tangents)) return std::nullopt;
     const double tolerance = tolerance_of(wish, behind.blending);
-    const auto used = [&](double way) { return corner.deviation(way) / tolerance; };
-    const double way = wish.kind == BlendKind::Distance
-                           ? std::min(*most, distance_of(wish, behind.blending))
-                           : longest_blend_distance(used, *most);
-    if (way < kLeastBlendDistance) return std::nullopt;
-    return Rounding{way, corner.curve(way)};
+    const auto used = [&](double distance) { return corner.deviation(distance) / tolerance; };
+    const double distance = wish.kind == BlendKind::Distance
+                                ? std::min(*most, distance_of(wish, behind.blending))
+                                : longest_blend_distance(used, *most);
+    if (distance < kLeastBlendDistance) return std::nullopt;
+    return CornerBlend{distance, corner.curve(distance)};
 }
 
 }  // namespace kadr::motion

@@ -23,8 +23,8 @@ struct BlendedSide {
     path::Blending blending;
 };
 
-struct Rounding {
-    double way = 0;          // mm of the path on either side of the corner
+struct CornerBlend {
+    double distance = 0;     // mm of the path on either side of the corner
     path::Transition curve;  // two pieces before the middle, two behind it
 };
 
@@ -39,9 +39,9 @@ class BlendedCorner {
     /// So far the curve may begin before the corner, mm: half of each side; nothing if the path
     /// turns back.
     std::optional<double> most_blend_distance() const;
-    path::Transition curve(double way) const;
+    path::Transition curve(double distance) const;
     /// How far it leaves the path, mm.
-    double deviation(double way) const;
+    double deviation(double distance) const;
 
   private:
     const path::Curve& before_;
@@ -72,6 +72,6 @@ double tolerance_of(const path::Blending& before, const path::Blending& behind);
 ///
 /// returns   nothing if there is no corner, if it turns back, or if nothing is left of the way
 /// source    reference motion §2.4, rule 4; sinumerik §3.3 (G641, G642, G645)
-std::optional<Rounding> rounding(const BlendedSide& before, const BlendedSide& behind);
+std::optional<CornerBlend> corner_blend(const BlendedSide& before, const BlendedSide& behind);
 
 }  // namespace kadr::motion

@@ -11,7 +11,7 @@ namespace kadr::motion {
 namespace {
 
 Result<double, FeedFault> feed_per_revolution(double feed, const path::Curve& curve,
-                                              const Spindle& spindle) {
+                                              const CommandedSpindle& spindle) {
     const double first = spindle.speed_at(path::start(curve)[0]);
     if (!(first > 0)) return FeedFault::SpindleStands;
     if (!spindle.holds_cutting_speed) return feed * first;
@@ -33,7 +33,7 @@ struct SpeedRange {
     double ratio() const { return least > 0 ? most / least : 1; }
 };
 
-SpeedRange speed_range(const path::Curve& curve, const Spindle& spindle) {
+SpeedRange speed_range(const path::Curve& curve, const CommandedSpindle& spindle) {
     const path::Box box = path::bounds(curve);
     const double farthest = std::max(std::abs(box.lower[0]), std::abs(box.upper[0]));
     const double nearest = std::max({box.lower[0], -box.upper[0], 0.0});
@@ -48,8 +48,8 @@ struct Part {
 /// What makes the feed of a piece uneven.
 struct Uneven {
     const Segment& piece;
-    const path::Dynamics* dynamics = nullptr;  // feed axes; null: they are even
-    const Spindle* spindle = nullptr;          // null: it keeps its speed
+    const path::Dynamics* dynamics = nullptr;   // feed axes; null: they are even
+    const CommandedSpindle* spindle = nullptr;  // null: it keeps its speed
 
     bool is_even(const Part& part) const {
         if (dynamics != nullptr) {
@@ -77,28 +77,29 @@ void cut_evenly(const Uneven& uneven, const Part& part, std::vector<double>& bou
 const path::Dynamics* feed_axes_of(const path::Motion& motion) {
     if (!motion.dynamics || motion.op() == path::Op::Thread) return nullptr;
     static const path::Dynamics kPlain;
-    const path::Dynamics& said = *motion.dynamics;
+    const path::Dynamics& programmed = *motion.dynamics;
     const bool is_plain =
-        said.feed_axes == kPlain.feed_axes && said.feed_radius == kPlain.feed_radius;
-    return is_plain ? nullptr : &said;
+        programmed.feed_axes == kPlain.feed_axes && programmed.feed_radius == kPlain.feed_radius;
+    return is_plain ? nullptr : &programmed;
 }
 
 }  // namespace
 
 Result<double, FeedFault> path_feed(const path::Motion& motion, const Segment& piece, double length,
-                                    const Spindle& spindle, const AxisTable* axes) {
+                                    const CommandedSpindle& spindle, const AxisTable* axes) {
     if (!(motion.feed > 0)) return FeedFault::NoFeed;
     // The time of the block is what it is, whatever the way that F is about.
     if (motion.feed_mode == path::FeedMode::InverseTime) return length * motion.feed / 60;
-    const path::Dynamics* said = feed_axes_of(motion);
-    const double rate = said == nullptr ? 1 : mean_feed_axes_rate(*said, piece, length, axes);
+    const path::Dynamics* programmed = feed_axes_of(motion);
+    const double rate =
+        programmed == nullptr ? 1 : mean_feed_axes_rate(*programmed, piece, length, axes);
     if (motion.feed_mode == path::FeedMode::PerMinute) return feed_from_mm_min(motion.feed) / rate;
     const auto feed = feed_per_revolution(motion.feed, piece.curve, spindle);
     return feed ? Result<double, FeedFault>(*feed / rate) : feed;
 }
 
 std::vector<double> feed_bounds(const path::Motion& motion, const Segment& piece, double length,
-                                const Spindle& spindle) {
+                                const CommandedSpindle& spindle) {
     const bool is_by_turns = spindle.is_turning && spindle.holds_cutting_speed &&
                              motion.feed_mode == path::FeedMode::PerRevolution;
     const bool is_straight = std::holds_alternative<path::Line>(piece.curve);

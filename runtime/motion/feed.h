@@ -25,12 +25,13 @@ enum class FeedFault : std::uint8_t { NoFeed, SpindleStands };
 /// axes         may be null: of a transformed piece only axes that follow it are known then
 /// source       reference motion §2.8, §9.1; feed_axes.h
 Result<double, FeedFault> path_feed(const path::Motion& motion, const Segment& piece, double length,
-                                    const Spindle& spindle, const AxisTable* axes = nullptr);
+                                    const CommandedSpindle& spindle,
+                                    const AxisTable* axes = nullptr);
 
 /// Where a piece is cut so that one feed does for each part: its feed is within a hundredth of what
 /// the spindle's speed and the feed axes make it everywhere in the part. Lengths from 0 to that of
 /// the piece; empty if neither changes on it.
 std::vector<double> feed_bounds(const path::Motion& motion, const Segment& piece, double length,
-                                const Spindle& spindle);
+                                const CommandedSpindle& spindle);
 
 }  // namespace kadr::motion

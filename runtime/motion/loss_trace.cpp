@@ -24,7 +24,7 @@ bool reaches(double speed, double limit) { return speed >= limit * (1 - kSame); 
 }  // namespace
 
 void LossTrace::add(const Piece& piece, double feed_override) {
-    if (!tell_) return;
+    if (!report_) return;
     if (!is_motion(piece.segment.kind) || !(piece.length > 0)) {
         settle(LossReason::Stop);
         up_ = LossReason::Stop;
@@ -35,9 +35,9 @@ void LossTrace::add(const Piece& piece, double feed_override) {
     const Inside inside = limit_inside(piece, wanted);
     pass_junction(piece, inside.speed);
     const Ramps ramps = ramps_of(piece, inside.speed);
-    tell(piece, inside.reason, piece.length / inside.speed - piece.length / wanted);
-    tell(piece, LossReason::Jerk, ramps.jerk);
-    tell(piece, up_, ramps.up);
+    report(piece, inside.reason, piece.length / inside.speed - piece.length / wanted);
+    report(piece, LossReason::Jerk, ramps.jerk);
+    report(piece, up_, ramps.up);
     if (ramps.down > kNoTime) {
         const Segment& segment = piece.segment;
         braking_.push_back(
@@ -102,17 +102,17 @@ LossTrace::Ramps LossTrace::ramps_of(const Piece& piece, double speed) {
     const Profile& profile = piece.segment.profile;
     Ramps ramps;
     if (profile.has_varying_feed()) {
-        const double loss = profile.duration() - profile.rate->course.time;
+        const double loss = profile.duration() - profile.rate->varying_feed.time;
         (profile.rate->exit > profile.rate->entry ? ramps.up : ramps.down) = loss;
         return ramps;
     }
     // A part of the way on which the speed goes from one value to another.
-    const auto change = [&](double from, double to, double time, double way) {
-        double loss = time - way / speed;
+    const auto change = [&](double from, double to, double time, double distance) {
+        double loss = time - distance / speed;
         if (profile.is_smooth) {
             // At constant acceleration this change needs less time, and leaves way for the speed.
             const double least = std::abs(to - from) / piece.acceleration;
-            const double left = way - 0.5 * (from + to) * least;
+            const double left = distance - 0.5 * (from + to) * least;
             const double more = time - least - std::max(0.0, left) / speed;
             ramps.jerk += std::clamp(more, 0.0, std::max(0.0, loss));
             loss -= std::clamp(more, 0.0, std::max(0.0, loss));
@@ -121,14 +121,14 @@ LossTrace::Ramps LossTrace::ramps_of(const Piece& piece, double speed) {
     };
     if (!profile.is_smooth) {
         const double top = profile.peak_speed;
-        const auto ramp_way = [](double from, double to, double time) {
+        const auto ramp_distance = [](double from, double to, double time) {
             return 0.5 * (from + to) * time;
         };
         change(profile.entry_speed, top, profile.accelerating,
-               ramp_way(profile.entry_speed, top, profile.accelerating));
+               ramp_distance(profile.entry_speed, top, profile.accelerating));
         change(top, top, profile.cruising, top * profile.cruising);
         change(top, profile.exit_speed, profile.braking,
-               ramp_way(top, profile.exit_speed, profile.braking));
+               ramp_distance(top, profile.exit_speed, profile.braking));
         return ramps;
     }
     // Phases of one direction go together: only from end to end of a ramp is the jerk told.
@@ -178,14 +178,14 @@ void LossTrace::pass_junction(const Piece& piece, double speed) {
 void LossTrace::settle(LossReason reason) {
     for (SpeedLoss& loss : braking_) {
         loss.reason = reason;
-        tell_(loss);
+        report_(loss);
     }
     braking_.clear();
 }
 
-void LossTrace::tell(const Piece& piece, LossReason reason, double time) const {
+void LossTrace::report(const Piece& piece, LossReason reason, double time) const {
     if (!(time > kNoTime)) return;
-    tell_({reason, piece.segment.line, piece.segment.source, time, piece.segment.start_time});
+    report_({reason, piece.segment.line, piece.segment.source, time, piece.segment.start_time});
 }
 
 }  // namespace kadr::motion

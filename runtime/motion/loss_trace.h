@@ -16,10 +16,10 @@ namespace kadr::motion {
 
 class LossTrace {
   public:
-    using Tell = std::function<void(const SpeedLoss&)>;
-    /// References outlive the trace. `tell` may be empty: then nothing is looked at.
-    LossTrace(const machine::Machine& machine, const AxisTable& axes, Tell tell)
-        : machine_(machine), axes_(axes), tell_(std::move(tell)) {}
+    using Report = std::function<void(const SpeedLoss&)>;
+    /// References outlive the trace. `report` may be empty: then nothing is looked at.
+    LossTrace(const machine::Machine& machine, const AxisTable& axes, Report report)
+        : machine_(machine), axes_(axes), report_(std::move(report)) {}
 
     /// The next piece, planned.
     ///
@@ -47,11 +47,11 @@ class LossTrace {
     static Ramps ramps_of(const Piece& piece, double speed);
     void pass_junction(const Piece& piece, double speed);
     void settle(LossReason reason);
-    void tell(const Piece& piece, LossReason reason, double time) const;
+    void report(const Piece& piece, LossReason reason, double time) const;
 
     const machine::Machine& machine_;
     const AxisTable& axes_;
-    Tell tell_;
+    Report report_;
     std::vector<SpeedLoss> braking_;  // for a slow place that has not come yet
     LossReason up_ = LossReason::Stop;
     double last_speed_ = 0;  // limit inside the piece before

@@ -49,14 +49,14 @@ bool OperatorPanel::changes_anything() const {
 }
 
 bool OperatorPanel::act_until(double time) {
-    const Standing before = standing();
+    const Dials before = standing();
     while (next_ < events_.size() && events_[next_].time <= time) act(events_[next_++]);
     return standing() != before;
 }
 
 void OperatorPanel::pass_idle_until(double time) {
     while (next_time() <= time) {
-        const Standing before = standing();
+        const Dials before = standing();
         const std::size_t first = next_;
         if (!act_until(next_time())) continue;
         dials_ = before.dials;

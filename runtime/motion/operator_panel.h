@@ -63,12 +63,12 @@ class OperatorPanel {
 
   private:
     /// What a person sees on the panel.
-    struct Standing {
+    struct Dials {
         Overrides dials;
         bool is_held = false;
-        bool operator==(const Standing&) const = default;
+        bool operator==(const Dials&) const = default;
     };
-    Standing standing() const { return {dials_, is_held_}; }
+    Dials standing() const { return {dials_, is_held_}; }
     void act(const OperatorEvent& event);
     bool changes_anything() const;
 

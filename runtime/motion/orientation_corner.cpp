@@ -39,7 +39,7 @@ double most_turn(const LogicalAxes& a, const LogicalAxes& b) {
 
 OrientationPath::OrientationPath(const Chain& chain, const Segment& whole)
     : chain_(&chain), whole_(&whole) {
-    const double length = whole.turn.length;
+    const double length = whole.orientation.length;
     nodes_.push_back({0, axes_near(chain, whole, 0, start_of(whole))});
     double step = length / 8;
     while (nodes_.back().distance < length) {
@@ -71,7 +71,7 @@ Vec3 OrientationPath::joints_at(double distance) const {
 
 /// Central differences of the fourth order.
 CurvePoint OrientationPath::joints(double distance) const {
-    const double h = kStencil * std::min(distance, whole_->turn.length - distance);
+    const double h = kStencil * std::min(distance, whole_->orientation.length - distance);
     const Vec3 here = joints_at(distance);
     const Vec3 far_before = joints_at(distance - 2 * h);
     const Vec3 before = joints_at(distance - h);
@@ -104,16 +104,18 @@ class OrientationCorner {
         : chain_(chain),
           before_(before),
           behind_(behind),
-          length_(before.whole().turn.length),
+          length_(before.whole().orientation.length),
           tip_(before.whole().curve, behind.whole().curve) {}
 
-    path::Transition joints(double way) const {
-        return path::transition_between(before_.joints(length_ - way), behind_.joints(way), way);
+    path::Transition joints(double distance) const {
+        return path::transition_between(before_.joints(length_ - distance),
+                                        behind_.joints(distance), distance);
     }
 
-    /// Whether the rotary axes go on with the speed that they have, on `way` beside the corner.
-    bool turns_evenly(double way) const {
-        const double beside = way / 16;
+    /// Whether the rotary axes go on with the speed that they have, on `distance` beside the
+    /// corner.
+    bool turns_evenly(double distance) const {
+        const double beside = distance / 16;
         const CurvePoint in = before_.joints(length_ - beside);
         const CurvePoint out = behind_.joints(beside);
         const Vec3 at_corner = in.tangent + beside * in.curvature;
@@ -121,16 +123,17 @@ class OrientationCorner {
     }
 
     /// How far the tool is from the direction that it has on the programmed way, rad.
-    double leaning(double way) const {
-        const path::Transition curve = joints(way);
+    double leaning(double distance) const {
+        const path::Transition curve = joints(distance);
         double most = 0;
         double from = 0;
         for (const path::Glide& glide : curve) {
             for (int k = 1; k <= kSamples; ++k) {
                 const double s = glide.length * k / kSamples;
                 const double along = from + s;
-                const Vec3 programmed = along < way ? before_.tool(length_ - way + along)
-                                                    : behind_.tool(std::min(along - way, 2 * way));
+                const Vec3 programmed =
+                    along < distance ? before_.tool(length_ - distance + along)
+                                     : behind_.tool(std::min(along - distance, 2 * distance));
                 const Vec3 tool = machine::tool_vector(chain_, path::position(glide, s));
                 most = std::max(most, path::angle_between(programmed, tool));
             }
@@ -140,12 +143,12 @@ class OrientationCorner {
     }
 
     /// tip  around the corner as well; nothing: along its path
-    OrientationBlend pieces(double way, const std::optional<path::Transition>& tip) const {
-        const path::Transition turn = joints(way);
+    OrientationBlend pieces(double distance, const std::optional<path::Transition>& tip) const {
+        const path::Transition turn = joints(distance);
         OrientationBlend found;
-        found.way = way;
-        const std::array<Segment, 2> sides = {before_.part(length_ - way, length_),
-                                              behind_.part(0, way)};
+        found.distance = distance;
+        const std::array<Segment, 2> sides = {before_.part(length_ - distance, length_),
+                                              behind_.part(0, distance)};
         std::array<double, 2> from{};
         for (std::size_t i = 0; i < found.pieces.size(); ++i) {
             const std::size_t side = i / 2;
@@ -153,10 +156,10 @@ class OrientationCorner {
             piece = part_of(sides[side], from[side], from[side] + turn[i].length);
             from[side] += turn[i].length;
             if (tip) piece.curve = (*tip)[i];
-            piece.turn = {};
-            piece.turn.kind = path::Turning::Joints;
-            piece.turn.length = turn[i].length;
-            piece.turn.joints = turn[i];
+            piece.orientation = {};
+            piece.orientation.kind = path::OrientKind::Joints;
+            piece.orientation.length = turn[i].length;
+            piece.orientation.joints = turn[i];
             put_joints(chain_, path::start(turn[i]), piece.follower_start);
             for (const machine::RotaryJoint& joint : chain_.joints)
                 if (joint.is_present) piece.follower_rate[index(joint.axis) - 3] = 0;
@@ -187,7 +190,7 @@ std::optional<OrientationBlend> orientation_blend(const Chain& chain, const Orie
         return std::nullopt;
     const bool by_distance = wish.kind == path::BlendKind::Distance;
     const double tolerance = tolerance_of(wish, wish_behind);
-    const double way =
+    const double distance =
         by_distance ? std::min(*most, distance_of(wish, wish_behind))
                     : longest_blend_distance(
                           [&](double candidate) {
@@ -196,8 +199,8 @@ std::optional<OrientationBlend> orientation_blend(const Chain& chain, const Orie
                               return std::max(used, corner.leaning(candidate) / wish.orientation);
                           },
                           *most);
-    if (way < kLeastBlendDistance) return std::nullopt;
-    return corner.pieces(way, corner.tip().curve(way));
+    if (distance < kLeastBlendDistance) return std::nullopt;
+    return corner.pieces(distance, corner.tip().curve(distance));
 }
 
 std::optional<OrientationBlend> smoothed_orientation(const Chain& chain,
@@ -205,12 +208,13 @@ std::optional<OrientationBlend> smoothed_orientation(const Chain& chain,
                                                      const OrientationPath& behind,
                                                      double tolerance) {
     const OrientationCorner corner(chain, before, behind);
-    const double most = std::min(before.whole().turn.length, behind.whole().turn.length) / 2;
+    const double most =
+        std::min(before.whole().orientation.length, behind.whole().orientation.length) / 2;
     if (corner.turns_evenly(most)) return std::nullopt;
-    const auto used = [&](double way) { return corner.leaning(way) / tolerance; };
-    const double way = longest_blend_distance(used, most);
-    if (way < kLeastBlendDistance) return std::nullopt;
-    return corner.pieces(way, std::nullopt);
+    const auto used = [&](double distance) { return corner.leaning(distance) / tolerance; };
+    const double distance = longest_blend_distance(used, most);
+    if (distance < kLeastBlendDistance) return std::nullopt;
+    return corner.pieces(distance, std::nullopt);
 }
 
 }  // namespace kadr::motion

@@ -44,7 +44,7 @@ class OrientationPath {
 };
 
 struct OrientationBlend {
-    double way = 0;                 // mm of the path on either side of the corner
+    double distance = 0;            // mm of the path on either side of the corner
     std::array<Segment, 4> pieces;  // two before the middle, two behind it
 };
 

@@ -46,7 +46,7 @@ constexpr double kBehind = 8;
 constexpr double kLonger = 2;
 
 bool keeps(const ProgrammedMotion& motion, const Nearness& near) {
-    return near.distance <= motion.tolerance && near.lean <= near.direction_tolerance &&
+    return near.distance <= motion.tolerance && near.inclination <= near.direction_tolerance &&
            near.off <= near.off_allowed;
 }
 
@@ -55,18 +55,18 @@ double room_of(const path::Blending& blending) {
     return blending.kind == path::BlendKind::None ? 0 : blending.size;
 }
 double direction_error_of(const path::Blending& blending) {
-    const bool leans = blending.kind != path::BlendKind::None || blending.smooths_orientation;
-    return leans ? blending.orientation : 0;
+    const bool is_inclined = blending.kind != path::BlendKind::None || blending.smooths_orientation;
+    return is_inclined ? blending.orientation : 0;
 }
 
 /// A motion that waits for its setpoints, and the command that it is of.
-struct Waiting {
+struct PendingMotion {
     SourceId source;
     std::uint32_t line = 0;
     std::uint32_t system = 0;
     double length = 0;  // mm; without `motion` never too small
     double tolerance = 0;
-    double lean = 0;
+    double inclination = 0;
     double pole = 0;
     bool is_plain = false;
     PlainMotion plain;                         // if it is
@@ -93,7 +93,7 @@ class Layer {
     }
 
     /// False: it moves nothing.
-    bool lay(const Command& command, Waiting& out) {
+    bool lay(const Command& command, PendingMotion& out) {
         if (command.op() == path::Op::ToolLength) {
             standing_.set_tool_length(command.tool_length(), axes_);
             ++system_;
@@ -102,12 +102,12 @@ class Layer {
         const path::Motion& motion = command.motion();
         if (standing_.follow_transformation(motion)) {
             ++system_;
-            was_turned_ |= motion.turning != path::Turning::None;
+            was_turned_ |= motion.orient_kind != path::OrientKind::None;
         }
-        const Standing::Target target = standing_.target_of(motion);
+        const AxesPosition::MotionEnd target = standing_.target_of(motion);
         out.source = command.source;
         out.line = command.line;
-        lay_way(motion, target, out);
+        lay_path(motion, target, out);
         standing_.arrive(motion, target);
         const path::Blending behind = motion.exact_stop ? path::Blending{} : motion.blending;
         set_tolerance(motion, behind, out);
@@ -116,20 +116,20 @@ class Layer {
     }
 
     /// What a closer look needs of a plain motion.
-    void complete(Waiting& waiting) const {
+    void complete(PendingMotion& waiting) const {
         if (waiting.motion) return;
         waiting.motion = std::make_unique<ProgrammedMotion>();
         ProgrammedMotion& motion = *waiting.motion;
-        motion.way.curve = curve_of(waiting.plain);
-        motion.way.carrier = waiting.plain.carrier;
+        motion.segment.curve = curve_of(waiting.plain);
+        motion.segment.carrier = waiting.plain.carrier;
         for (std::size_t i = 0; i < followers_; ++i)
-            motion.way.follower_start[index(machine_.axes[i + 3].axis) - 3] =
+            motion.segment.follower_start[index(machine_.axes[i + 3].axis) - 3] =
                 waiting.plain.standing[i];
-        waiting.length = path::length(motion.way.curve);
+        waiting.length = path::length(motion.segment.curve);
         motion.length = waiting.length;
         motion.system = waiting.system;
         motion.tolerance = waiting.tolerance;
-        motion.lean = waiting.lean;
+        motion.inclination = waiting.inclination;
         motion.pole = waiting.pole;
     }
 
@@ -137,16 +137,17 @@ class Layer {
     std::size_t followers() const { return followers_; }
 
   private:
-    void lay_way(const path::Motion& motion, const Standing::Target& target, Waiting& out) const {
+    void lay_path(const path::Motion& motion, const AxesPosition::MotionEnd& target,
+                  PendingMotion& out) const {
         lay_plain(motion, target, out);
         if (!out.is_plain) {
             out.motion = std::make_unique<ProgrammedMotion>();
-            Segment& way = out.motion->way;
-            way = standing_.still();
-            out.length = standing_.lay_path(motion, target, way);
+            Segment& segment = out.motion->segment;
+            segment = standing_.still();
+            out.length = standing_.lay_path(motion, target, segment);
             find_turns(*out.motion);
             // From point to point the tip is told as without a transformation.
-            out.system = 2 * system_ + (way.goes_straight() ? 1 : 0);
+            out.system = 2 * system_ + (segment.goes_straight() ? 1 : 0);
             return;
         }
         out.system = 2 * system_;
@@ -158,10 +159,11 @@ class Layer {
 
     /// A line, or a span that goes on towards its end, on which nothing else moves. A line without
     /// length is one as well.
-    void lay_plain(const path::Motion& motion, const Standing::Target& target, Waiting& out) const {
+    void lay_plain(const path::Motion& motion, const AxesPosition::MotionEnd& target,
+                   PendingMotion& out) const {
         const bool is_line = motion.op() == path::Op::Line || motion.op() == path::Op::Rapid;
         const bool may_be = is_plain_ && (is_line || motion.op() == path::Op::Spline) &&
-                            motion.turning == path::Turning::None &&
+                            motion.orient_kind == path::OrientKind::None &&
                             !motion.virtual_axes().is_on() &&
                             target.followers == standing_.followers();
         if (!may_be) return;
@@ -169,40 +171,40 @@ class Layer {
         const bool goes = (target.tip - from).norm() > kStill;
         if (is_line) {
             out.is_plain = true;
-            if (goes) out.plain = plain_way(path::make_line(from, target.tip));
+            if (goes) out.plain = plain_motion_of(path::make_line(from, target.tip));
             return;
         }
         if (!goes) return;
         if (const auto steady = path::steady_span(from, target.tip, motion.spline())) {
             out.is_plain = true;
-            out.plain = plain_way(*steady);
+            out.plain = plain_motion_of(*steady);
         }
     }
 
     /// Of curves around both of its corners, and of one that takes the place of lines.
     void set_tolerance(const path::Motion& motion, const path::Blending& behind,
-                       Waiting& out) const {
+                       PendingMotion& out) const {
         const double room = std::max(room_of(before_), room_of(behind));
         const bool is_distance =
             behind.kind == path::BlendKind::Distance || before_.kind == path::BlendKind::Distance;
         const double curved =
             is_distance ? room + motion.compress : std::max(room, motion.compress);
         out.tolerance = curved + (was_turned_ ? kExactBehindTurn : kExact);
-        out.lean = kExactDirection + pole_ +
-                   std::max(direction_error_of(before_), direction_error_of(behind));
+        out.inclination = kExactDirection + pole_ +
+                          std::max(direction_error_of(before_), direction_error_of(behind));
         out.pole = pole_;
         if (!out.motion) return;
         out.motion->length = out.length;
         out.motion->system = out.system;
         out.motion->tolerance = out.tolerance;
-        out.motion->lean = out.lean;
+        out.motion->inclination = out.inclination;
         out.motion->pole = out.pole;
     }
 
     const machine::Machine& machine_;
     bool is_plain_ = false;
     std::size_t followers_ = 0;
-    Standing standing_;
+    AxesPosition standing_;
     AxisTable axes_;
     path::Blending before_;
     double pole_ = 0;
@@ -227,7 +229,7 @@ struct PathCheck::State {
         Nearness near;
     };
     struct Nearest {
-        const Waiting* motion = nullptr;
+        const PendingMotion* motion = nullptr;
         Nearness near;
     };
 
@@ -244,9 +246,9 @@ struct PathCheck::State {
     double reach() const;
     void stay(double at, const Vec3& tip_now);
     void leave(std::size_t at, double there);
-    PathDeviation deviation_of(PathFault fault, const Waiting& waiting, double distance,
+    PathDeviation deviation_of(DeviationKind fault, const PendingMotion& waiting, double distance,
                                double allowed) const;
-    void fail_near(const Waiting& waiting, const Nearness& near);
+    void fail_near(const PendingMotion& waiting, const Nearness& near);
 
     const machine::Machine& machine;
     const machine::Chain* chain = &kNoChain;
@@ -256,12 +258,12 @@ struct PathCheck::State {
     // Of whoever reads the commands.
     std::mutex mutex;
     Layer layer;
-    std::vector<Waiting> laid;
+    std::vector<PendingMotion> laid;
 
-    std::vector<Waiting> taken;   // from `laid`, to be given back empty
-    std::deque<Waiting> motions;  // the first one is where the tip is
-    double place = 0;             // the farthest there so far
-    double aside = 0;             // mm, that the tip has gone since without coming farther
+    std::vector<PendingMotion> taken;   // from `laid`, to be given back empty
+    std::deque<PendingMotion> motions;  // the first one is where the tip is
+    double parameter = 0;               // the farthest there so far
+    double aside = 0;                   // mm, that the tip has gone since without coming farther
     bool has_begun = false;
     const Setpoint* setpoint = nullptr;
     StandingTool tool;              // of the setpoint …
@@ -280,7 +282,7 @@ void PathCheck::State::take() {
         const std::lock_guard lock(mutex);
         taken.swap(laid);
     }
-    for (Waiting& motion : taken) motions.push_back(std::move(motion));
+    for (PendingMotion& motion : taken) motions.push_back(std::move(motion));
     taken.clear();
 }
 
@@ -303,8 +305,8 @@ double PathCheck::State::reach() const {
 /// The tip is on the first motion still. One that goes forth and back within the tolerance of it is
 /// on its way along the next ones, and nobody can see on which.
 void PathCheck::State::stay(double at, const Vec3& tip_now) {
-    if (at <= place && has_begun) aside += (tip_now - before).norm();
-    place = std::max(place, at);
+    if (at <= parameter && has_begun) aside += (tip_now - before).norm();
+    parameter = std::max(parameter, at);
 }
 
 /// The tip goes on to a later motion; the next one is the first then.
@@ -315,20 +317,21 @@ void PathCheck::State::leave(std::size_t at, double there) {
         aside = std::max(0.0, aside - gone);
     }
     motions.erase(motions.begin(), motions.begin() + static_cast<std::ptrdiff_t>(at));
-    place = there;
+    parameter = there;
 }
 
-PathDeviation PathCheck::State::deviation_of(PathFault fault, const Waiting& waiting,
+PathDeviation PathCheck::State::deviation_of(DeviationKind fault, const PendingMotion& waiting,
                                              double distance, double allowed) const {
     return {fault, distance, allowed, time, {waiting.line, waiting.source, {}}};
 }
 
-void PathCheck::State::fail_near(const Waiting& waiting, const Nearness& near) {
+void PathCheck::State::fail_near(const PendingMotion& waiting, const Nearness& near) {
     if (near.distance > waiting.tolerance)
-        deviation = deviation_of(PathFault::Tip, waiting, near.distance, waiting.tolerance);
-    else if (near.lean > near.direction_tolerance)
-        deviation = deviation_of(PathFault::Tool, waiting, near.lean, near.direction_tolerance);
-    else deviation = deviation_of(PathFault::Followers, waiting, near.off, near.off_allowed);
+        deviation = deviation_of(DeviationKind::Tip, waiting, near.distance, waiting.tolerance);
+    else if (near.inclination > near.direction_tolerance)
+        deviation =
+            deviation_of(DeviationKind::Tool, waiting, near.inclination, near.direction_tolerance);
+    else deviation = deviation_of(DeviationKind::Followers, waiting, near.off, near.off_allowed);
 }
 
 Done PathCheck::State::follow(const Setpoint& next) {
@@ -349,27 +352,27 @@ Done PathCheck::State::follow(const Setpoint& next) {
 /// On the motion on which the tip was, or one of the next, as far as these are plain; false: that
 /// is not known.
 bool PathCheck::State::follow_plain() {
-    using Side = PlainLook::Side;
+    using LookResult = PlainLook::LookResult;
     if (motions.size() >= kMostWaiting) return false;
     const std::size_t followers = layer.followers();
     const double come = std::max(setpoint->feed, feed_before) * tick + in_a_tick;
     const double ahead = kLonger * come + kBehind * motions[0].tolerance + kLonger * aside;
     double passed = 0;
     for (std::size_t i = 0; i < motions.size(); ++i) {
-        const Waiting& here = motions[i];
+        const PendingMotion& here = motions[i];
         if (!here.is_plain || here.system != motions[0].system) return false;
-        const double there = i == 0 ? place : 0;
+        const double there = i == 0 ? parameter : 0;
         const Vec3 tip = tip_of(here.plain, *setpoint);
         const PlainLook look =
             stands(here.plain, *setpoint, followers)
                 ? look_at(here.plain, tip, here.tolerance, there)
-                : PlainLook{is_line(here.plain) ? Side::Beside : Side::Unknown, there};
-        if (look.side == Side::Unknown) return false;
-        if (look.side == Side::On) {
-            if (i == 0) stay(look.place, tip);
+                : PlainLook{is_line(here.plain) ? LookResult::Beside : LookResult::Unknown, there};
+        if (look.side == LookResult::Unknown) return false;
+        if (look.side == LookResult::On) {
+            if (i == 0) stay(look.parameter, tip);
             else if (is_next(i, tip, come) &&
-                     travel_bound(here.plain, look.place) <= ahead - passed)
-                leave(i, look.place);
+                     travel_bound(here.plain, look.parameter) <= ahead - passed)
+                leave(i, look.parameter);
             else return false;
             before = tip;
             system_before = motions.front().system;
@@ -407,9 +410,9 @@ Done PathCheck::State::go_on() {
     const ProgrammedMotion& here = motion_at(0);
     const StandingTool& there = tool_for(here);
     const double ahead = kLonger * reach() + kBehind * here.tolerance + kLonger * aside;
-    const Nearness near = nearest_on(*chain, here, there, {place, ahead});
+    const Nearness near = nearest_on(*chain, here, there, {parameter, ahead});
     if (keeps(here, near)) {
-        stay(near.place, there.tip);
+        stay(near.parameter, there.tip);
         const bool may_wait = motions.size() < kMostWaiting;
         return may_wait || motions.size() == 1 ? kDone : search();
     }
@@ -435,8 +438,8 @@ Done PathCheck::State::search() {
         deviation = left_out;
         return kFailed;
     }
-    if (found->at == 0) stay(found->near.place, tool.tip);
-    else leave(found->at, found->near.place);
+    if (found->at == 0) stay(found->near.parameter, tool.tip);
+    else leave(found->at, found->near.parameter);
     return kDone;
 }
 
@@ -449,18 +452,18 @@ std::optional<PathCheck::State::Found> PathCheck::State::find(bool is_thorough, 
         const ProgrammedMotion& motion = motion_at(i);
         const StandingTool& there = tool_for(motion);
         const double ahead = kLonger * reach() + behind;
-        const Reach within{i == 0 ? place : 0, ahead};
+        const SearchRange within{i == 0 ? parameter : 0, ahead};
         const auto look = is_thorough ? nearest_on_rest
                           : i == 0    ? nearest_from_behind  // go_on has looked from here on
                                       : nearest_on;
         const Nearness near = look(*chain, motion, there, within);
-        const bool is_reached = i == 0 || passed + way_to(motion, near.place) <= ahead;
+        const bool is_reached = i == 0 || passed + distance_to(motion, near.parameter) <= ahead;
         if (is_reached && keeps(motion, near)) return Found{i, near};
         if (nearest.motion == nullptr || near.distance <= nearest.near.distance)
             nearest = {&motions[i], near};
         behind = std::max(behind, kBehind * motion.tolerance + kLonger * aside);
         // What is left of the first one is not known in mm; it may be nothing.
-        if (i > 0 && !motion.way.is_rotary_only) passed += motion.length;
+        if (i > 0 && !motion.segment.is_rotary_only) passed += motion.length;
         if (passed > kLonger * reach() + behind) break;
     }
     return std::nullopt;
@@ -478,9 +481,9 @@ std::optional<PathDeviation> PathCheck::State::left_out_before(std::size_t at) {
         if (widest > kSureEnd) break;
         const double allowed = 3 * widest + reach() / 2;
         // The tip was there, and has come back beside its way since.
-        if (i == 0 && motion.length - way_to(motion, place) <= allowed) continue;
+        if (i == 0 && motion.length - distance_to(motion, parameter) <= allowed) continue;
         const double off = path::distance_to_line(end_of(*chain, motion), before, tool.tip);
-        if (off > allowed) return deviation_of(PathFault::LeftOut, motions[i], off, allowed);
+        if (off > allowed) return deviation_of(DeviationKind::LeftOut, motions[i], off, allowed);
     }
     return std::nullopt;
 }
@@ -492,7 +495,7 @@ PathCheck::~PathCheck() = default;
 void PathCheck::read(const Command& command) {
     State& state = *state_;
     const std::lock_guard lock(state.mutex);
-    Waiting& next = state.laid.emplace_back();
+    PendingMotion& next = state.laid.emplace_back();
     if (!state.layer.lay(command, next)) state.laid.pop_back();
 }
 
@@ -511,17 +514,17 @@ void PathCheck::finish() {
     if (state.deviation) return;
     state.take();
     if (state.motions.empty()) return;
-    Waiting& last = state.motions.back();
+    PendingMotion& last = state.motions.back();
     if (!state.has_begun) {
         state.layer.complete(last);
-        state.deviation = state.deviation_of(PathFault::End, last, last.length, 0);
+        state.deviation = state.deviation_of(DeviationKind::End, last, last.length, 0);
         return;
     }
     if (last.system != state.system_before) return;
     const double off =
         (end_of(*state.chain, state.motion_at(state.motions.size() - 1)) - state.before).norm();
     if (off <= last.tolerance) return;
-    state.deviation = state.deviation_of(PathFault::End, last, off, last.tolerance);
+    state.deviation = state.deviation_of(DeviationKind::End, last, off, last.tolerance);
 }
 
 const std::optional<PathDeviation>& PathCheck::deviation() const { return state_->deviation; }

@@ -29,7 +29,7 @@
 namespace kadr::motion {
 
 /// What is not as the program says.
-enum class PathFault : std::uint8_t {
+enum class DeviationKind : std::uint8_t {
     Tip,        // the tip is beside the path, mm
     LeftOut,    // the path goes through a place that the tip keeps away from, mm
     Tool,       // the tool leans from its direction, rad
@@ -38,7 +38,7 @@ enum class PathFault : std::uint8_t {
 };
 
 struct PathDeviation {
-    PathFault fault = PathFault::Tip;
+    DeviationKind fault = DeviationKind::Tip;
     double distance = 0;     // by which it is off
     double allowed = 0;      // the tolerance in force
     double time = 0;         // s, of the setpoint

@@ -16,14 +16,16 @@ Piece part_of(const Piece& whole, double from, double to, const AxisTable& axes)
         piece.segment.ends_command = false;
         piece.segment.has_pulse = false;
     }
-    if (whole.course.is_on())
-        piece.course = course_of(path::feed_from(whole.course.feed, from), piece.length);
+    if (whole.varying_feed.is_on())
+        piece.varying_feed =
+            varying_feed_of(path::feed_from(whole.varying_feed.feed, from), piece.length);
     return piece;
 }
 
 Piece part_between(const Piece& whole, double from, double to, const AxisTable& axes) {
-    if (!whole.course.is_on()) return part_of(whole, from, to, axes);
-    return part_of(whole, place_at(whole.course, from), place_at(whole.course, to), axes);
+    if (!whole.varying_feed.is_on()) return part_of(whole, from, to, axes);
+    return part_of(whole, distance_at(whole.varying_feed, from),
+                   distance_at(whole.varying_feed, to), axes);
 }
 
 }  // namespace kadr::motion

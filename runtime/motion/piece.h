@@ -52,9 +52,9 @@ struct Piece {
     bool follows_spindle = false;  // as of a Stretch
     bool has_dynamics = false;     // the program says what of their limits the axes have
     BentCell cell;
-    FeedCourse course;  // is_on: the feed changes along it
+    VaryingFeed varying_feed;  // is_on: the feed changes along it
     /// As a Stretch counts it: mm (deg), or s of its course.
-    double extent() const { return course.is_on() ? course.time : length; }
+    double extent() const { return varying_feed.is_on() ? varying_feed.time : length; }
     AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;
 };

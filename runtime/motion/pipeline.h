@@ -91,8 +91,8 @@ struct PlannerOptions {
     double junction_deviation = 0.01;  // mm
     std::array<double, kAxes>
         velocity_jump{};  // per machine axis, mm/s or rad/s, beside full ramps; 0: the machine's
-    bool stop_at_alarm = true;  // false: report and go on with a sensible value
-    LocateCommand place_of;     // for messages; may be empty
+    bool stop_at_alarm = true;     // false: report and go on with a sensible value
+    LocateCommand locate_command;  // for messages; may be empty
 };
 
 /// Plans commands into segments with look-ahead. Memory is bounded by the look-ahead, whatever the

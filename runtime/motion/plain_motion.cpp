@@ -10,7 +10,7 @@ namespace kadr::motion {
 namespace {
 
 using path::Vec3;
-using Side = PlainLook::Side;
+using LookResult = PlainLook::LookResult;
 
 template <std::size_t N>
 using Points = std::array<Vec3, N>;
@@ -29,12 +29,12 @@ double polygon(const Points<N>& points) {
 ///
 /// lower  the least parameter that the tip may have
 template <std::size_t N>
-PlainLook foot_on(const Points<N>& points, const Vec3& tip, double tolerance, double place,
+PlainLook foot_on(const Points<N>& points, const Vec3& tip, double tolerance, double parameter,
                   double lower) {
     constexpr int kSteps = 12;
     /// The foot is known well enough when the next step is shorter, mm: it squares what is left.
     constexpr double kNear = 1e-3;
-    double u = place;
+    double u = parameter;
     for (int step = 0; step < kSteps; ++step) {
         const path::Casteljau<Vec3, N> scheme(points, u);
         const Vec3 off = tip - scheme.at();
@@ -44,22 +44,22 @@ PlainLook foot_on(const Points<N>& points, const Vec3& tip, double tolerance, do
         // (C − Q)·C' = 0; where the curve bends away from the tip the slope is kept from zero.
         const double slope = std::max(square / 8, square - off.dot(scheme.second_derivative()));
         if (u == 1 && along > 0 && off.squaredNorm() > tolerance * tolerance)
-            return {Side::Beside, u};
+            return {LookResult::Beside, u};
         const double next = std::clamp(u + along / slope, lower, 1.0);
-        const double way_square = (next - u) * (next - u) * square;
-        if (way_square <= kNear * kNear && off.squaredNorm() <= tolerance * tolerance)
-            return {Side::On, next};
+        const double distance_square = (next - u) * (next - u) * square;
+        if (distance_square <= kNear * kNear && off.squaredNorm() <= tolerance * tolerance)
+            return {LookResult::On, next};
         if (next == u) break;
         u = next;
     }
-    return {Side::Unknown, u};
+    return {LookResult::Unknown, u};
 }
 
 /// What a span's points say; a line has none.
 template <typename Answer, typename Ask>
-Answer of_span(const PlainMotion& way, const Ask& ask) {
-    if (const auto* cubic = std::get_if<path::Cubic>(&way.curve)) return ask(*cubic);
-    return ask(std::get<path::Quintic>(way.curve));
+Answer of_span(const PlainMotion& plain, const Ask& ask) {
+    if (const auto* cubic = std::get_if<path::Cubic>(&plain.curve)) return ask(*cubic);
+    return ask(std::get<path::Quintic>(plain.curve));
 }
 
 path::Curve measured(const path::Cubic& points) {
@@ -77,40 +77,42 @@ path::Curve measured(const path::Quintic& points) {
 
 }  // namespace
 
-PlainMotion plain_way(const path::Line& line) {
-    PlainMotion way;
-    way.curve = line;
-    way.length = line.length;
-    return way;
+PlainMotion plain_motion_of(const path::Line& line) {
+    PlainMotion plain;
+    plain.curve = line;
+    plain.length = line.length;
+    return plain;
 }
 
-PlainMotion plain_way(const path::SteadySpan& steady) {
-    PlainMotion way;
-    std::visit([&](const auto& points) { way.curve = points; }, steady);
-    way.length = of_span<double>(way, [](const auto& points) { return polygon(points); });
-    return way;
+PlainMotion plain_motion_of(const path::SteadySpan& steady) {
+    PlainMotion plain;
+    std::visit([&](const auto& points) { plain.curve = points; }, steady);
+    plain.length = of_span<double>(plain, [](const auto& points) { return polygon(points); });
+    return plain;
 }
 
-path::Curve curve_of(const PlainMotion& way) {
-    if (const auto* line = std::get_if<path::Line>(&way.curve)) return *line;
-    return of_span<path::Curve>(way, [](const auto& points) { return measured(points); });
+path::Curve curve_of(const PlainMotion& plain) {
+    if (const auto* line = std::get_if<path::Line>(&plain.curve)) return *line;
+    return of_span<path::Curve>(plain, [](const auto& points) { return measured(points); });
 }
 
-const Vec3& end_of(const PlainMotion& way) {
-    if (const auto* line = std::get_if<path::Line>(&way.curve)) return line->end;
-    return *of_span<const Vec3*>(way, [](const auto& points) { return &points.back(); });
+const Vec3& end_of(const PlainMotion& plain) {
+    if (const auto* line = std::get_if<path::Line>(&plain.curve)) return line->end;
+    return *of_span<const Vec3*>(plain, [](const auto& points) { return &points.back(); });
 }
 
-PlainLook look_on_span(const PlainMotion& way, const Vec3& tip, double tolerance, double place) {
-    const double lower = std::max(0.0, place - 2 * tolerance / way.length);
-    return of_span<PlainLook>(
-        way, [&](const auto& points) { return foot_on(points, tip, tolerance, place, lower); });
+PlainLook look_on_span(const PlainMotion& plain, const Vec3& tip, double tolerance,
+                       double parameter) {
+    const double lower = std::max(0.0, parameter - 2 * tolerance / plain.length);
+    return of_span<PlainLook>(plain, [&](const auto& points) {
+        return foot_on(points, tip, tolerance, parameter, lower);
+    });
 }
 
-double bound_on_span(const PlainMotion& way, double place) {
-    if (place >= 1) return way.length;
-    return of_span<double>(way, [&]<std::size_t N>(const Points<N>& points) {
-        return polygon(path::Casteljau<Vec3, N>(points, place).halves().first);
+double bound_on_span(const PlainMotion& plain, double parameter) {
+    if (parameter >= 1) return plain.length;
+    return of_span<double>(plain, [&]<std::size_t N>(const Points<N>& points) {
+        return polygon(path::Casteljau<Vec3, N>(points, parameter).halves().first);
     });
 }
 

@@ -19,13 +19,13 @@ namespace kadr::motion {
 
 /// Where a setpoint is, as far as a plain way tells.
 struct PlainLook {
-    enum class Side : std::uint8_t {
+    enum class LookResult : std::uint8_t {
         On,       // within the tolerance of it
         Beside,   // not, nor on any place that the tip may have come to from there
         Unknown,  // perhaps
     };
-    Side side = Side::Unknown;
-    double place = 0;  // On: the foot, in the way's own parameter
+    LookResult side = LookResult::Unknown;
+    double parameter = 0;  // On: the foot, in the way's own parameter
 };
 
 struct PlainMotion {
@@ -37,59 +37,59 @@ struct PlainMotion {
 };
 
 /// The way along a curve, for the caller to complete.
-PlainMotion plain_way(const path::Line& line);
-PlainMotion plain_way(const path::SteadySpan& steady);
+PlainMotion plain_motion_of(const path::Line& line);
+PlainMotion plain_motion_of(const path::SteadySpan& steady);
 
 /// Its curve with all that a closer look needs; a span is measured for it.
-path::Curve curve_of(const PlainMotion& way);
-const path::Vec3& end_of(const PlainMotion& way);
-inline bool is_line(const PlainMotion& way) {
-    return std::holds_alternative<path::Line>(way.curve);
+path::Curve curve_of(const PlainMotion& plain);
+const path::Vec3& end_of(const PlainMotion& plain);
+inline bool is_line(const PlainMotion& plain) {
+    return std::holds_alternative<path::Line>(plain.curve);
 }
 
 /// The tip of a setpoint, mm, of a machine with X, Y and Z in front.
-inline path::Vec3 tip_of(const PlainMotion& way, const Setpoint& setpoint) {
-    return path::Vec3(setpoint.axis[0], setpoint.axis[1], setpoint.axis[2]) - way.carrier;
+inline path::Vec3 tip_of(const PlainMotion& plain, const Setpoint& setpoint) {
+    return path::Vec3(setpoint.axis[0], setpoint.axis[1], setpoint.axis[2]) - plain.carrier;
 }
 
 /// Whether the axes beside X, Y and Z stand where they should.
 ///
 /// followers  how many the machine has
-inline bool stands(const PlainMotion& way, const Setpoint& setpoint, std::size_t followers) {
+inline bool stands(const PlainMotion& plain, const Setpoint& setpoint, std::size_t followers) {
     for (std::size_t i = 0; i < followers; ++i)
-        if (setpoint.axis[i + 3] != way.standing[i]) return false;
+        if (setpoint.axis[i + 3] != plain.standing[i]) return false;
     return true;
 }
 
-PlainLook look_on_span(const PlainMotion& way, const path::Vec3& tip, double tolerance,
-                       double place);
+PlainLook look_on_span(const PlainMotion& plain, const path::Vec3& tip, double tolerance,
+                       double parameter);
 
 inline PlainLook look_on_line(const path::Line& line, const path::Vec3& tip, double tolerance,
-                              double place) {
+                              double parameter) {
     const path::Vec3 out = tip - line.start;
-    const double from = std::max(0.0, place - 2 * tolerance);
+    const double from = std::max(0.0, parameter - 2 * tolerance);
     const double foot =
         std::clamp(out.dot(line.direction), std::min(from, line.length), line.length);
     const bool is_on = (out - line.direction * foot).squaredNorm() <= tolerance * tolerance;
-    return {is_on ? PlainLook::Side::On : PlainLook::Side::Beside, foot};
+    return {is_on ? PlainLook::LookResult::On : PlainLook::LookResult::Beside, foot};
 }
 
 /// Whether a tip is on the way, not much before a place.
 ///
 /// tolerance  mm
-/// place      in the way's own parameter, from which on the tip has come
-inline PlainLook look_at(const PlainMotion& way, const path::Vec3& tip, double tolerance,
-                         double place) {
-    const auto* line = std::get_if<path::Line>(&way.curve);
-    return line != nullptr ? look_on_line(*line, tip, tolerance, place)
-                           : look_on_span(way, tip, tolerance, place);
+/// parameter      in the way's own parameter, from which on the tip has come
+inline PlainLook look_at(const PlainMotion& plain, const path::Vec3& tip, double tolerance,
+                         double parameter) {
+    const auto* line = std::get_if<path::Line>(&plain.curve);
+    return line != nullptr ? look_on_line(*line, tip, tolerance, parameter)
+                           : look_on_span(plain, tip, tolerance, parameter);
 }
 
-double bound_on_span(const PlainMotion& way, double place);
+double bound_on_span(const PlainMotion& plain, double parameter);
 
 /// How far along the way a place is, mm: of a span, a bound that is never too small.
-inline double travel_bound(const PlainMotion& way, double place) {
-    return is_line(way) ? place : bound_on_span(way, place);
+inline double travel_bound(const PlainMotion& plain, double parameter) {
+    return is_line(plain) ? parameter : bound_on_span(plain, parameter);
 }
 
 }  // namespace kadr::motion

@@ -70,19 +70,20 @@ void Planner::State::hand_on(const Piece& piece, double exit_limit) {
     stretch.can_be_held = piece.can_be_held;
     stretch.follows_spindle = piece.follows_spindle;
     const bool limits_jerk = axes.limits_jerk();
-    if (piece.course.is_on()) {
-        const FeedCourse& course = piece.course;
-        const RateLimits rate = rate_limits(course, piece.acceleration, piece.jerk);
-        stretch.length = course.time;
+    if (piece.varying_feed.is_on()) {
+        const VaryingFeed& varying_feed = piece.varying_feed;
+        const RateLimits rate = rate_limits(varying_feed, piece.acceleration, piece.jerk);
+        stretch.length = varying_feed.time;
         stretch.speed = 1;
         // The course is that of the highest override.
-        if (std::isfinite(piece.feed_asked)) stretch.feed_asked = piece.programmed / course.most;
+        if (std::isfinite(piece.feed_asked))
+            stretch.feed_asked = piece.programmed / varying_feed.most;
         stretch.acceleration = rate.acceleration;
         if (limits_jerk) stretch.jerk = rate.jerk;
-        stretch.entry_feed = course.entry();
-        stretch.exit_feed = course.exit();
-        stretch.entry_limit = std::min(1.0, piece.entry_limit / course.entry());
-        exit_limit = std::min(1.0, exit_limit / course.exit());
+        stretch.entry_feed = varying_feed.entry();
+        stretch.exit_feed = varying_feed.exit();
+        stretch.entry_limit = std::min(1.0, piece.entry_limit / varying_feed.entry());
+        exit_limit = std::min(1.0, exit_limit / varying_feed.exit());
     } else if (limits_jerk) {
         stretch.jerk = piece.jerk;
         stretch.entry_acceleration = piece.entry_acceleration;

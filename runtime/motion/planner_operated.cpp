@@ -99,8 +99,8 @@ void Planner::State::deliver(Segment& segment) {
         const bool is_limited = max_feed > 0 && !segment.is_rotary_only;
         segment.feed = std::min(dial * piece.programmed, is_limited ? max_feed : kInfinity);
         segment.feed_per_revolution *= dial / options.feed_override;
-        if (piece.course.is_on())
-            segment.feed = piece.length / piece.course.time * dial / options.feed_override;
+        if (piece.varying_feed.is_on())
+            segment.feed = piece.length / piece.varying_feed.time * dial / options.feed_override;
     }
     if (std::isfinite(piece.rapid_asked)) segment.feed = panel.dials().rapid * piece.programmed;
     pieces.pop_front();
@@ -132,7 +132,7 @@ Done Planner::State::wait(Segment& segment) {
     if (std::isinf(panel.next_time())) {
         const bool is_rapid = std::isfinite(pieces.front().rapid_asked);
         report(sink, diag::StandsForEver, CommandLocation{next.line, next.source, {}},
-               options.place_of)
+               options.locate_command)
             .arg(panel.is_held() ? "feed hold"
                  : is_rapid      ? "a rapid override of 0 %"
                                  : "a feed override of 0 %")
@@ -215,7 +215,7 @@ void Planner::State::split_current(double length, double exit_speed) {
     }
     rest.pieces -= count;
     if (rest.has_varying_feed())
-        rest.entry_feed = limits.exit_feed = pieces.at(count).course.entry();
+        rest.entry_feed = limits.exit_feed = pieces.at(count).varying_feed.entry();
     current.speeds.exit = exit_speed * rest.entry_scale();
     window.put_back(rest, current.speeds.exit);
     limits.length = length;
@@ -233,7 +233,7 @@ void Planner::State::interrupt(const PathMoment& moment) {
     rest.pieces = current.left;
     rest.length = 0;
     for (std::size_t i = 0; i < current.left; ++i) rest.length += pieces.at(i).extent();
-    if (rest.has_varying_feed()) rest.entry_feed = pieces.front().course.entry();
+    if (rest.has_varying_feed()) rest.entry_feed = pieces.front().varying_feed.entry();
     if (current.rest_follows) {
         const Stretch& following = window.oldest();
         rest.length += following.length;
@@ -270,10 +270,10 @@ bool Planner::State::run_for(double passed, Segment& segment) {
         pieces.insert(0) = part_between(whole, 0, state.distance, axes);
         pieces.at(1) = part_between(whole, state.distance, whole.extent(), axes);
         ++current.left;
-        const FeedCourse& course = pieces.front().course;
+        const VaryingFeed& varying_feed = pieces.front().varying_feed;
         Segment& head = pieces.front().segment;
         head.profile = head_of(profile, passed);
-        if (course.is_on()) head.profile = over_varying_feed(head.profile, course);
+        if (varying_feed.is_on()) head.profile = over_varying_feed(head.profile, varying_feed);
         head.duration = passed;
         deliver(segment);
     }

@@ -93,7 +93,7 @@ Piece& Preparer::State::fresh_piece() {
     piece.is_cell = piece.is_geared = piece.has_dynamics = piece.follows_spindle = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;
     piece.can_be_held = false;
-    piece.course.time = 0;
+    piece.varying_feed.time = 0;
     piece.issues = std::exchange(to_issue, 0);
     piece.awaits = piece.awaits_mark = false;
     return piece;
@@ -170,7 +170,7 @@ void Preparer::State::execute(const Command& command) {
 
 void Preparer::State::set_spindle(const Command& command) {
     const path::Spindle& wanted = command.spindle();
-    told.renew(Once::NoFeed);
+    reported.renew(PlanNotice::NoFeed);
     if (wanted.mode == path::SpindleMode::Orient) {
         spindle.is_turning = false;
         stand(command, SegmentKind::Orient, machine.orient_time_of(wanted.number));
@@ -192,7 +192,7 @@ void Preparer::State::check_speed(const Command& command) {
     const path::Spindle& wanted = command.spindle();
     const double most = machine.max_speed_of(wanted.number);
     if (!(most > 0) || speed_from_rpm(wanted.speed) <= most) return;
-    report(sink, diag::SpindleTooFast, command, options.place_of)
+    report(sink, diag::SpindleTooFast, command, options.locate_command)
         .arg(wanted.speed)
         .arg(round_to(rpm_from_speed(most), 3));
 }
@@ -214,7 +214,7 @@ void Preparer::State::dwell(const Command& command) {
         if (turns > 0) {
             duration = command.dwell().revolutions / turns;
         } else {
-            report(sink, diag::DwellWithoutSpindle, command, options.place_of)
+            report(sink, diag::DwellWithoutSpindle, command, options.locate_command)
                 .arg(command.dwell().revolutions);
             alarm_raised();
         }
@@ -265,14 +265,14 @@ void Preparer::State::move(const Command& command) {
     if (standing.follow_transformation(motion)) last.must_stop = true;
     meet_spindle(command);
     if (has_pulses()) rest_at_points(command);
-    Standing::Target target = standing.target_of(motion);
+    AxesPosition::MotionEnd target = standing.target_of(motion);
     Segment segment = standing.still();
     segment.kind = motion.op() == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
     segment.line = command.line;
     segment.cycle = command.cycle;
     segment.source = command.source;
     const double length = standing.lay_path(motion, target, segment);
-    const Arrival arrival{length, joints_of(axes.chain(), target.followers)};
+    const EndState arrival{length, joints_of(axes.chain(), target.followers)};
     if (segment.is_transformed() && length > 0) {
         const double from = round_corner(command, segment, arrival);
         if (!has_ended && !hold(command, segment, arrival, from)) {
@@ -369,7 +369,7 @@ void Preparer::State::emit_curves(const Command& command, const Segment& whole, 
 
 void Preparer::State::emit_feed_parts(const Command& command, const Segment& segment,
                                       double length) {
-    if (command.op() == Op::Thread && command.motion().thread().lead_change != 0 &&
+    if (command.op() == Op::Thread && command.motion().thread().pitch_change != 0 &&
         spindle.is_turning)
         return emit_varying_thread(command, segment, length);
     if (command.op() != Op::Rapid) {
@@ -489,7 +489,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.entry_limit = how.is_inside ? kInfinity : corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
-    if (how.course != nullptr) piece.course = *how.course;
+    if (how.varying_feed != nullptr) piece.varying_feed = *how.varying_feed;
     take_corner(piece);
     if (thread_goes_on) check_thread_corner(command, piece);
     if (how.as_cell && piece.ramp == 1 && segment.is_transformed()) {
@@ -509,7 +509,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
             std::min(piece.entry_acceleration, corner_acceleration_limit(in));
         take_bend(piece);
     }
-    if (piece.course.is_on() || std::isfinite(last.exit_feed)) take_varying_feed(piece, in);
+    if (piece.varying_feed.is_on() || std::isfinite(last.exit_feed)) take_varying_feed(piece, in);
     remember(piece);
 }
 
@@ -525,7 +525,7 @@ void Preparer::State::ask(const Command& command, Piece& piece) const {
 
 /// The axes cannot follow the spindle: the thread would get another pitch.
 void Preparer::State::report_thread_speed(const Command& command, double feed, double most) {
-    report(sink, diag::ThreadTooFast, command, options.place_of)
+    report(sink, diag::ThreadTooFast, command, options.locate_command)
         .arg(round_to(mm_min_from_feed(feed), 3))
         .arg(round_to(mm_min_from_feed(most), 3))
         .fix("a slower spindle cuts the same thread");
@@ -539,9 +539,9 @@ double Preparer::State::programmed_feed(const Command& command, const Segment& s
     const auto feed = path_feed(command.motion(), segment, length, spindle, &axes);
     if (feed) return *feed * programmed_override(command);
     const bool no_feed = feed.error() == FeedFault::NoFeed;
-    if (told.first_time(Once::NoFeed)) {
+    if (reported.first_time(PlanNotice::NoFeed)) {
         report(sink, no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle, command,
-               options.place_of);
+               options.locate_command);
     }
     alarm_raised();
     return kFallbackFeed;

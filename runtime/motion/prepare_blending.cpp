@@ -41,7 +41,7 @@ double gathering(double from, double to, const RampLimits& ramp) {
 
 /// A curve around a corner, and the corner as it is.
 struct Alternative {
-    double way = 0;       // mm of the curve on either side
+    double distance = 0;  // mm of the curve on either side
     double on_curve = 0;  // speed there
     CornerPassage corner;
     std::array<double, 2> lengths{};  // of both motions, mm
@@ -59,9 +59,10 @@ struct Alternative {
     /// It has to take less than so many times the time of the corner …
     double allowed() const { return is_as_fast() ? kAsQuick : 1; }
     /// … which takes `time` on so much of the ways on both sides of it.
-    double allowed_for(double time, const std::array<double, 2>& ways) const {
+    double allowed_for(double time, const std::array<double, 2>& distances) const {
         if (!is_doubtful) return allowed() * time;
-        const double without_ramps = ways[0] / limits[0].speed + ways[1] / limits[1].speed;
+        const double without_ramps =
+            distances[0] / limits[0].speed + distances[1] / limits[1].speed;
         return without_ramps + kDoubtOfBends * (time - without_ramps);
     }
     /// What gathering may cost a ramp from the corner.
@@ -71,7 +72,7 @@ struct Alternative {
     }
     /// Over one side of the curve, which is left at a speed.
     double time_on_curve(double speed, const RampLimits& ramp) const {
-        return in_middle < speed ? time_over(way, in_middle, speed, ramp) : way / speed;
+        return in_middle < speed ? time_over(distance, in_middle, speed, ramp) : distance / speed;
     }
 };
 
@@ -81,7 +82,7 @@ bool is_quicker_between_rests(const Alternative& curve) {
     double speed = curve.on_curve;
     for (std::size_t i = 0; i < 2; ++i) {
         const PathLimits& limits = curve.limits[i];
-        speed = std::min(speed, speed_from_rest(curve.lengths[i] - curve.way,
+        speed = std::min(speed, speed_from_rest(curve.lengths[i] - curve.distance,
                                                 {limits.acceleration, limits.jerk}));
     }
     double on_curve = 0;
@@ -93,7 +94,7 @@ bool is_quicker_between_rests(const Alternative& curve) {
                                  limits.jerk};
         const double length = curve.lengths[i];
         on_curve += curve.time_on_curve(speed, ramp) +
-                    time_from_rest(length - curve.way, speed, most) +
+                    time_from_rest(length - curve.distance, speed, most) +
                     curve.gathering_from(0, speed, ramp);
         with_stop += time_from_rest(length, 0, most);
     }
@@ -113,7 +114,7 @@ bool saves_time(const Alternative& curve) {
     for (const PathLimits& limits : curve.limits) {
         RampLimits ramp{limits.acceleration, limits.jerk};
         on_curve += curve.time_on_curve(curve.on_curve, ramp) +
-                    time_over(half - curve.way, curve.on_curve, limits.speed, ramp);
+                    time_over(half - curve.distance, curve.on_curve, limits.speed, ramp);
         from_corner += curve.gathering_from(curve.corner.speed, curve.on_curve, ramp);
         from_stop += curve.gathering_from(0, curve.on_curve, ramp);
         with_stop += time_over(half, 0, limits.speed, ramp);
@@ -132,7 +133,7 @@ bool saves_time(const Alternative& curve) {
            is_quicker_between_rests(curve);
 }
 
-constexpr bool is_rounded(Op op) {
+constexpr bool is_blended(Op op) {
     return op == Op::Rapid || op == Op::Line || op == Op::Arc || op == Op::Spline ||
            op == Op::Involute || op == Op::Parametric;
 }
@@ -152,15 +153,15 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
 /// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve but
 /// those that turn the tool, and the pulses of a laser burn the programmed points.
 bool Preparer::State::can_be_blended(const Command& command, const Segment& segment,
-                                     const Arrival& arrival) const {
-    if (!is_rounded(command.op()) || has_pulses() || segment.is_rotary_only) return false;
+                                     const EndState& arrival) const {
+    if (!is_blended(command.op()) || has_pulses() || segment.is_rotary_only) return false;
     const bool is_free =
         segment.is_transformed() ? is_one_way(segment, arrival.joints) : segment.followers == 0;
     return is_free && feed_of(command, segment, arrival.length).has_value();
 }
 
 /// Keeps a motion until the next one is known; false if nothing is asked for behind it.
-bool Preparer::State::hold(const Command& command, const Segment& segment, const Arrival& arrival,
+bool Preparer::State::hold(const Command& command, const Segment& segment, const EndState& arrival,
                            double from) {
     const path::Blending& wish = command.motion().blending;
     const bool rounds = wish.kind != path::BlendKind::None && wish.size > 0;
@@ -203,7 +204,7 @@ void Preparer::State::emit_rest(const Command& command, const Segment& whole, do
 /// The motion that waits goes on, and the curve around the corner behind it if there is one.
 /// Returns how much of the next motion the curve has taken.
 double Preparer::State::round_corner(const Command& command, const Segment& segment,
-                                     const Arrival& arrival) {
+                                     const EndState& arrival) {
     if (!held.is_held) return 0;
     const double length = arrival.length;
     const bool is_transformed = segment.is_transformed();
@@ -212,8 +213,8 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
         held.segment.goes_straight() != segment.goes_straight())
         return release(), 0;
     if (is_transformed) return blend_orientation_corner(command, segment, length);
-    const auto found = rounding({held.segment.curve, held.command.motion().blending},
-                                {segment.curve, command.motion().blending});
+    const auto found = corner_blend({held.segment.curve, held.command.motion().blending},
+                                    {segment.curve, command.motion().blending});
     if (!found) return keep_sharp(), 0;
     const std::array<path::Curve, 2> before{found->curve[0], found->curve[1]};
     const std::array<path::Curve, 2> behind{found->curve[2], found->curve[3]};
@@ -224,36 +225,36 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
         std::min(least_speed(before, held.segment, most), least_speed(behind, segment, most));
     const CornerPassage corner =
         corner_between({held.segment, held.length, beside[0]}, {segment, length, beside[1]});
-    Alternative around{found->way, on_curve, corner, {held.length, length}, beside};
+    Alternative around{found->distance, on_curve, corner, {held.length, length}, beside};
     around.is_doubtful = axes.limits_jerk() && (path::bends_freely(held.segment.curve) ||
                                                 path::bends_freely(segment.curve));
     if (!saves_time(around)) return keep_sharp(), 0;
     held.is_held = false;
-    emit_part(held.command, held.segment, held.length, {held.from, held.length - found->way});
+    emit_part(held.command, held.segment, held.length, {held.from, held.length - found->distance});
     emit_curves(held.command, held.segment, held.length, before);
     end_command();
     if (has_law(command)) begin_law(0, length);
     emit_curves(command, segment, length, behind);
-    return found->way;
+    return found->distance;
 }
 
 /// Time along ways under the transformation: where the axes keep one below its feed, by the parts
 /// that one speed suits.
 double Preparer::State::time_along(std::span<const Segment> ways, const Command& command) const {
     double time = 0;
-    for (const Segment& way : ways) {
-        const double length = way.turn.length;
-        const double wanted = feed_of(command, way, length).value_or(kInfinity);
+    for (const Segment& segment : ways) {
+        const double length = segment.orientation.length;
+        const double wanted = feed_of(command, segment, length).value_or(kInfinity);
         const auto speed_on = [&](const Segment& part) {
             return axes.limits(part, axes.start_rates(part), wanted).speed;
         };
-        if (const double speed = speed_on(way); speed >= wanted) {
+        if (const double speed = speed_on(segment); speed >= wanted) {
             time += length / speed;
             continue;
         }
         for (const Segment& part :
-             even_parts(axes.chain(), way, axes.bounds(), {wanted, tick, false})) {
-            time += part.turn.length / speed_on(part);
+             even_parts(axes.chain(), segment, axes.bounds(), {wanted, tick, false})) {
+            time += part.orientation.length / speed_on(part);
         }
     }
     return time;
@@ -263,13 +264,13 @@ double Preparer::State::time_along(std::span<const Segment> ways, const Command&
 bool Preparer::State::gains_time(const OrientationBlend& around, const Command& command,
                                  const OrientationPath& before, const OrientationPath& behind,
                                  CornerAsItIs as_it_is) {
-    const double way = around.way;
-    const Segment tail = before.part(held.length - way, held.length);
-    const Segment head = behind.part(0, way);
+    const double distance = around.distance;
+    const Segment tail = before.part(held.length - distance, held.length);
+    const Segment head = behind.part(0, distance);
     Alternative curve;
-    curve.way = way;
-    curve.lengths = {held.length, behind.whole().turn.length};
-    curve.limits = {limits_on(held.command, tail, way), limits_on(command, head, way)};
+    curve.distance = distance;
+    curve.lengths = {held.length, behind.whole().orientation.length};
+    curve.limits = {limits_on(held.command, tail, distance), limits_on(command, head, distance)};
     curve.on_curve = std::min(curve.limits[0].speed, curve.limits[1].speed);
     const std::span<const Segment> four(around.pieces);
     for (const Segment& piece : four) {
@@ -283,18 +284,18 @@ bool Preparer::State::gains_time(const OrientationBlend& around, const Command& 
     if (as_it_is != CornerAsItIs::OfTheTip) return saves_time(curve);
     curve.is_asked = true;
     if (BlendedCorner(four[1].curve, four[2].curve).is_corner(false)) {
-        curve.in_middle = corner_between({four[1], four[1].turn.length, curve.limits[0]},
-                                         {four[2], four[2].turn.length, curve.limits[1]})
+        curve.in_middle = corner_between({four[1], four[1].orientation.length, curve.limits[0]},
+                                         {four[2], four[2].orientation.length, curve.limits[1]})
                               .speed;
     }
     // The least speed may be that of a short part.
-    curve.limits[0].speed = way / time_along({&tail, 1}, held.command);
-    curve.limits[1].speed = way / time_along({&head, 1}, command);
+    curve.limits[0].speed = distance / time_along({&tail, 1}, held.command);
+    curve.limits[1].speed = distance / time_along({&head, 1}, command);
     if (saves_time(curve)) return true;
     // Between its parts the ramps lie between that and the mean: half way, in time.
     const double at_mean =
         time_along(four.first(2), held.command) + time_along(four.last(2), command);
-    curve.on_curve = 2 * way / ((at_mean + 2 * way / curve.on_curve) / 2);
+    curve.on_curve = 2 * distance / ((at_mean + 2 * distance / curve.on_curve) / 2);
     return saves_time(curve);
 }
 
@@ -317,9 +318,9 @@ OrientationAtCorner Preparer::State::blended_orientation(const Command& command,
 
 /// The way of the tool alone, while the tip stays on its path: likewise. Else the corner stays as
 /// it would be without.
-std::optional<OrientationBlend> Preparer::State::smoothed_way(const Command& command,
-                                                              const OrientationPath& before,
-                                                              const OrientationPath& behind) {
+std::optional<OrientationBlend> Preparer::State::smoothed_path(const Command& command,
+                                                               const OrientationPath& before,
+                                                               const OrientationPath& behind) {
     const path::Blending& wish = held.command.motion().blending;
     if (!wish.smooths_orientation) return std::nullopt;
     auto found = smoothed_orientation(axes.chain(), before, behind, wish.orientation);
@@ -335,7 +336,7 @@ double Preparer::State::blend_orientation_corner(const Command& command, const S
     const OrientationPath before(axes.chain(), held.segment);
     const OrientationPath behind(axes.chain(), segment);
     auto [found, rests] = blended_orientation(command, before, behind);
-    if (!found) found = smoothed_way(command, before, behind);
+    if (!found) found = smoothed_path(command, before, behind);
     if (!found) {
         release();
         if (rests) last.must_stop = true;
@@ -343,7 +344,7 @@ double Preparer::State::blend_orientation_corner(const Command& command, const S
     }
     held.is_held = false;
     if (has_law(held.command)) begin_law(held.from, held.length);
-    if (const double to = held.length - found->way; to - held.from > kStill)
+    if (const double to = held.length - found->distance; to - held.from > kStill)
         emit_path(held.command, before.part(held.from, to), held.length);
     for (std::size_t i = 0; i < found->pieces.size(); ++i) {
         if (i == 2) end_command();
@@ -353,7 +354,7 @@ double Preparer::State::blend_orientation_corner(const Command& command, const S
             emit_path(is_before ? held.command : command, found->pieces[i],
                       is_before ? held.length : length);
     }
-    return found->way;
+    return found->distance;
 }
 
 /// What the axes allow on a motion, at a speed up to what it asks for.
@@ -375,7 +376,8 @@ double Preparer::State::least_speed(std::span<const path::Curve> curves, const S
 
 /// How the corner between the motion that waits and the next one would be passed as it is, by the
 /// rules of prepare_corners.cpp.
-CornerPassage Preparer::State::corner_between(const Beside& before, const Beside& behind) {
+CornerPassage Preparer::State::corner_between(const CornerNeighbour& before,
+                                              const CornerNeighbour& behind) {
     Piece piece;
     piece.segment = behind.segment;
     piece.length = behind.length;

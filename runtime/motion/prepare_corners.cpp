@@ -183,8 +183,8 @@ bool Preparer::State::has_own_ramps(const Piece& piece, double speed) const {
 /// pulses of a laser time whole blocks that burn, and a thread has its pitch on all of its way.
 bool Preparer::State::allows_zones(const Piece& piece) const {
     const bool is_timed = has_pulses() && burns_point;
-    return !axes.limits_jerk() && !is_timed && !piece.segment.is_thread && !piece.course.is_on() &&
-           std::isinf(last.exit_feed);
+    return !axes.limits_jerk() && !is_timed && !piece.segment.is_thread &&
+           !piece.varying_feed.is_on() && std::isinf(last.exit_feed);
 }
 
 /// The way beside a corner on which ramps have this part of their acceleration: that of a tick; of
@@ -197,7 +197,7 @@ double Preparer::State::corner_zone(const Piece& piece, double speed, double ram
 
 /// Whether a ramp that ends without acceleration has little within a tick of its end.
 bool Preparer::State::ends_smoothly(const Piece& piece) const {
-    if (piece.course.is_on() || std::isfinite(last.exit_feed)) return false;
+    if (piece.varying_feed.is_on() || std::isfinite(last.exit_feed)) return false;
     return last.jerk * tick <= kSharedRamp * last.acceleration &&
            piece.jerk * tick <= kSharedRamp * piece.acceleration;
 }
@@ -407,7 +407,7 @@ void Preparer::State::take_bend(Piece& piece) const {
 /// Whether a rest where the curvature jumps is quicker than to pass it at this speed: what turns
 /// with the jump takes from the jerk, and so from the ramps of both pieces.
 bool Preparer::State::rests_at_bend(const Piece& piece, double passed, double share) const {
-    if (piece.course.is_on() || std::isfinite(last.exit_feed) || piece.segment.is_thread)
+    if (piece.varying_feed.is_on() || std::isfinite(last.exit_feed) || piece.segment.is_thread)
         return false;
     if (std::max(last.length, piece.length) < kShortBlock) return false;
     const auto ramp_of = [](const auto& beside, double part) {
@@ -478,9 +478,9 @@ void Preparer::State::remember(const Piece& piece) {
     last.must_stop = false;
     last.exit_feed = std::numeric_limits<double>::infinity();
     last.feed_slope = 0;
-    if (piece.course.is_on()) {
-        last.exit_feed = piece.course.exit();
-        last.feed_slope = piece.course.slope(piece.length) / last.exit_feed;
+    if (piece.varying_feed.is_on()) {
+        last.exit_feed = piece.varying_feed.exit();
+        last.feed_slope = piece.varying_feed.slope(piece.length) / last.exit_feed;
     }
 }
 

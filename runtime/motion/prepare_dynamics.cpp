@@ -71,7 +71,7 @@ double Preparer::State::feed_override(const path::Command& command) const {
 Done Preparer::State::require_override(const path::Command& command) {
     const bool is_rapid = command.op() == path::Op::Rapid;
     if ((is_rapid ? dynamics.rapid : programmed_override(command)) > 0) return kDone;
-    report(sink, diag::StandsForEver, command, options.place_of)
+    report(sink, diag::StandsForEver, command, options.locate_command)
         .arg("an override of 0 % in the program")
         .fix(is_rapid ? "`OVRRAP=100`, or `OVRA` of the axis above 0" : "`OVR=100`");
     has_alarmed = has_ended = true;

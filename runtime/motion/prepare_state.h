@@ -76,9 +76,9 @@ struct Emission {
     bool is_inside = false;  // of a way that goes on evenly from the piece before
     /// So far it is from either end of that way: beside a corner the axes have less.
     double margin = std::numeric_limits<double>::infinity();
-    bool follows_spindle = false;        // one of many parts, each with the feed of its radius
-    bool is_by_law = false;              // the feed of the command is that of the piece already …
-    const FeedCourse* course = nullptr;  // … or this one
+    bool follows_spindle = false;  // one of many parts, each with the feed of its radius
+    bool is_by_law = false;        // the feed of the command is that of the piece already …
+    const VaryingFeed* varying_feed = nullptr;  // … or this one
 };
 
 /// A ramp beside a rest has on a curve that bends freely what the axes leave at each speed
@@ -129,7 +129,7 @@ struct OrientationAtCorner {
 };
 
 /// What is beside a corner.
-struct Beside {
+struct CornerNeighbour {
     const Segment& segment;
     double length = 0;  // of the whole motion
     PathLimits limits;
@@ -142,7 +142,7 @@ struct LawProgress {
 };
 
 /// Where a motion ends.
-struct Arrival {
+struct EndState {
     double length = 0;                       // of its path
     path::Vec3 joints = path::Vec3::Zero();  // under a transformation, rad
 };
@@ -154,7 +154,7 @@ struct PathPart {
 };
 
 /// What a run tells once and not again.
-enum class Once : std::uint8_t {
+enum class PlanNotice : std::uint8_t {
     NoFeed,  // of a motion; anew behind a change of the spindle
     ThreadCorner,
 };
@@ -184,13 +184,14 @@ struct Preparer::State {
     void emit_part(const path::Command& command, const Segment& whole, double length,
                    const PathPart& part);
     void emit_transformed(const path::Command& command, const Segment& whole,
-                          Standing::Target& target);
+                          AxesPosition::MotionEnd& target);
     void turn_at_pole(const path::Command& command, const Segment& at, const path::Vec3& to);
-    void turn_alone(const path::Command& command, const Segment& at, Axis axis, double way);
+    void turn_alone(const path::Command& command, const Segment& at, Axis axis, double distance);
     std::optional<LogicalAxes> emit_path(const path::Command& command, const Segment& leg,
                                          double length);
     /// prepare_virtual.cpp
-    void emit_virtual(const path::Command& command, const Segment& whole, Standing::Target& target);
+    void emit_virtual(const path::Command& command, const Segment& whole,
+                      AxesPosition::MotionEnd& target);
     Done emit_leg(const path::Command& command, const Segment& leg, double length,
                   path::Vec3& joints);
     void emit_curves(const path::Command& command, const Segment& whole, double length,
@@ -258,9 +259,9 @@ struct Preparer::State {
                      const Emission& how);
     void emit_law_part(path::Command& share, const Segment& segment,
                        const path::FeedPolynomial& feed, const PathPart& part, const Emission& how);
-    std::optional<FeedCourse> varying_feed_on(const PathLimits& limits,
-                                              const path::FeedPolynomial& feed,
-                                              double length) const;
+    std::optional<VaryingFeed> varying_feed_on(const PathLimits& limits,
+                                               const path::FeedPolynomial& feed,
+                                               double length) const;
     void take_varying_feed(Piece& piece, const AxisRates& in) const;
 
     std::optional<double> feed_of(const path::Command& command, const Segment& segment,
@@ -268,13 +269,13 @@ struct Preparer::State {
     void rest_at_points(const path::Command& command);
     bool has_pulses() const { return machine.laser && machine.laser->pulse > 0; }
     bool can_be_blended(const path::Command& command, const Segment& segment,
-                        const Arrival& arrival) const;
-    bool hold(const path::Command& command, const Segment& segment, const Arrival& arrival,
+                        const EndState& arrival) const;
+    bool hold(const path::Command& command, const Segment& segment, const EndState& arrival,
               double from);
     void release();
     void keep_sharp();
     double round_corner(const path::Command& command, const Segment& segment,
-                        const Arrival& arrival);
+                        const EndState& arrival);
     double blend_orientation_corner(const path::Command& command, const Segment& segment,
                                     double length);
     double time_along(std::span<const Segment> ways, const path::Command& command) const;
@@ -284,15 +285,15 @@ struct Preparer::State {
     OrientationAtCorner blended_orientation(const path::Command& command,
                                             const OrientationPath& before,
                                             const OrientationPath& behind);
-    std::optional<OrientationBlend> smoothed_way(const path::Command& command,
-                                                 const OrientationPath& before,
-                                                 const OrientationPath& behind);
+    std::optional<OrientationBlend> smoothed_path(const path::Command& command,
+                                                  const OrientationPath& before,
+                                                  const OrientationPath& behind);
     void emit_rest(const path::Command& command, const Segment& whole, double length, double from);
     bool is_one_way(const Segment& whole, const path::Vec3& to) const;  // prepare_transformed.cpp
     PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;
     double least_speed(std::span<const path::Curve> curves, const Segment& whole,
                        double most) const;
-    CornerPassage corner_between(const Beside& before, const Beside& behind);
+    CornerPassage corner_between(const CornerNeighbour& before, const CornerNeighbour& behind);
 
     void alarm_raised();
 
@@ -314,15 +315,15 @@ struct Preparer::State {
     bool is_drained = false;  // no command is left to read
     bool has_ended = false;
     bool has_alarmed = false;
-    ReportedOnce<Once> told;
+    ReportedOnce<PlanNotice> reported;
     bool is_threading = false;    // the latest motion is a thread …
     bool thread_goes_on = false;  // … that goes on with the one before it
     bool leaves_thread = false;   // the latest motion is none, and the one before it was
     bool burns_point = false;     // the latest motion ends with a pulse of the laser
     bool stays_sharp = false;     // the next corner: a curve around it would take longer
 
-    Standing standing;
-    Spindle spindle;
+    AxesPosition standing;
+    CommandedSpindle spindle;
     std::int64_t tool_number = 0;  // called last
     AxisCheck check;
     CornerMemory last;

@@ -29,7 +29,7 @@ constexpr double kRampReserve = 1.1;
 constexpr int kRampSteps = 8;
 
 /// The pitch along a thread.
-struct Lead {
+struct VaryingPitch {
     double first = 0;   // mm/rev
     double change = 0;  // mm/rev per turn
 
@@ -65,8 +65,8 @@ void Preparer::State::check_thread_corner(const path::Command& command, const Pi
     const double through = std::min(piece.entry_limit, last.speed);
     const double wanted = std::min(piece.speed, last.speed);
     if (command.cycle != 0 || through >= wanted * kThreadKept) return;
-    if (!told.first_time(Once::ThreadCorner)) return;
-    report(sink, diag::ThreadCorner, command, options.place_of)
+    if (!reported.first_time(PlanNotice::ThreadCorner)) return;
+    report(sink, diag::ThreadCorner, command, options.locate_command)
         .arg(round_to(100 * through / wanted, 1))
         .fix("a slower spindle loses less; or let the thread run out before it turns");
 }
@@ -74,7 +74,7 @@ void Preparer::State::check_thread_corner(const path::Command& command, const Pi
 void Preparer::State::emit_varying_thread(const path::Command& command, const Segment& whole,
                                           double length) {
     const double turns = spindle.speed_at(path::start(whole.curve)[0]);  // 1/s
-    const Lead lead{command.motion().feed, command.motion().thread().lead_change};
+    const VaryingPitch lead{command.motion().feed, command.motion().thread().pitch_change};
     path::Command share = command;
     const auto part_at = [&](double from, double to, double pitch) {
         share.motion().feed = pitch;
@@ -103,7 +103,7 @@ void Preparer::State::emit_varying_thread(const path::Command& command, const Se
     Piece& geared = pieces.back(0);
     geared.is_geared = true;
     geared.acceleration =
-        std::abs(command.motion().thread().lead_change) * turns * turns * (1 + kGearSlack);
+        std::abs(command.motion().thread().pitch_change) * turns * turns * (1 + kGearSlack);
     geared.jerk = geared.turning_acceleration = std::numeric_limits<double>::infinity();
     part_at(end, length, lead.at(end));
 }

@@ -31,7 +31,7 @@ constexpr double kNoJump = 1e-9;
 }  // namespace
 
 bool Preparer::State::has_law(const path::Command& command) const {
-    return command.motion().dynamics && command.motion().dynamics->law.is_said();
+    return command.motion().dynamics && command.motion().dynamics->law.is_given();
 }
 
 /// Pieces of the motion follow, from this length of its way on.
@@ -104,8 +104,9 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
     const bool is_even = range.most <= kEven * range.least;
     if (is_even || most <= range.least) return emit_at(range.least);
     if (!is_glide && range.most <= kCourse * range.least && most >= range.most / kEven) {
-        if (const auto course = varying_feed_on(limits, path::feed_from(feed, part.from), length)) {
-            own.course = &*course;
+        if (const auto varying_feed =
+                varying_feed_on(limits, path::feed_from(feed, part.from), length)) {
+            own.varying_feed = &*varying_feed;
             return emit_at(range.most);
         }
     }
@@ -116,25 +117,25 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
 }
 
 /// The course of a piece, if its axes have enough beside it.
-std::optional<FeedCourse> Preparer::State::varying_feed_on(const PathLimits& limits,
-                                                           const path::FeedPolynomial& feed,
-                                                           double length) const {
+std::optional<VaryingFeed> Preparer::State::varying_feed_on(const PathLimits& limits,
+                                                            const path::FeedPolynomial& feed,
+                                                            double length) const {
     if (has_pulses()) return std::nullopt;
-    const FeedCourse course = course_of(feed, length);
-    if (course.acceleration > kOfAcceleration * limits.acceleration) return std::nullopt;
-    if (course.jerk > kOfJerk * limits.jerk) return std::nullopt;
-    return course;
+    const VaryingFeed varying_feed = varying_feed_of(feed, length);
+    if (varying_feed.acceleration > kOfAcceleration * limits.acceleration) return std::nullopt;
+    if (varying_feed.jerk > kOfJerk * limits.jerk) return std::nullopt;
+    return varying_feed;
 }
 
 /// The corner before a piece, or behind one, whose feed changes: its speed is the feed's, and the
 /// acceleration changes by what both feeds differ in. At the speed v a feed f takes f'/f·v².
 void Preparer::State::take_varying_feed(Piece& piece, const AxisRates& in) const {
-    const FeedCourse& course = piece.course;
-    if (course.is_on()) piece.segment.feed = piece.length / course.time;
-    const double entry = course.is_on() ? course.entry() : kInfinity;
+    const VaryingFeed& varying_feed = piece.varying_feed;
+    if (varying_feed.is_on()) piece.segment.feed = piece.length / varying_feed.time;
+    const double entry = varying_feed.is_on() ? varying_feed.entry() : kInfinity;
     piece.entry_limit = std::min({piece.entry_limit, entry, last.exit_feed});
     if (!axes.limits_jerk() || piece.entry_limit == 0) return;
-    const double slope = course.is_on() ? course.slope(0) / course.entry() : 0;
+    const double slope = varying_feed.is_on() ? varying_feed.slope(0) / varying_feed.entry() : 0;
     const double speed = std::min({piece.entry_limit, piece.speed, last.speed});
     double taken = 0;  // in parts of what the jerk of an axis changes in a tick
     for (std::size_t i = 0; i < axes.size(); ++i) {

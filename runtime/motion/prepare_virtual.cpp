@@ -20,7 +20,7 @@ constexpr double kSameAngle = 1e-8;
 }  // namespace
 
 void Preparer::State::emit_virtual(const path::Command& command, const Segment& whole,
-                                   Standing::Target& target) {
+                                   AxesPosition::MotionEnd& target) {
     const path::VirtualAxes& virtual_axes = whole.virtual_axes;
     const std::size_t rotary = index(virtual_axes.rotary) - 3;
     std::array<double, kFollowers> followers = whole.follower_start;
@@ -28,8 +28,9 @@ void Preparer::State::emit_virtual(const path::Command& command, const Segment& 
         if (has_ended) return;
         Segment leg = whole;
         leg.curve = curve;
-        leg.turn.length =
-            std::holds_alternative<path::Point>(curve) ? whole.turn.length : path::length(curve);
+        leg.orientation.length = std::holds_alternative<path::Point>(curve)
+                                     ? whole.orientation.length
+                                     : path::length(curve);
         leg.follower_start = followers;
         if (virtual_axes.turns()) {
             const double away =
@@ -40,7 +41,7 @@ void Preparer::State::emit_virtual(const path::Command& command, const Segment& 
             }
         }
         if (has_ended) return;
-        const std::optional<LogicalAxes> end = emit_path(command, leg, whole.turn.length);
+        const std::optional<LogicalAxes> end = emit_path(command, leg, whole.orientation.length);
         if (!end) return;
         std::copy(end->begin() + 3, end->end(), followers.begin());
     }

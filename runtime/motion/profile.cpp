@@ -87,7 +87,7 @@ Profile rate_of(const Profile& profile) {
     const Profile::Rate& own = *profile.rate;
     Profile rate = profile;
     rate.rate = nullptr;
-    rate.length = own.course.time;
+    rate.length = own.varying_feed.time;
     rate.entry_speed = own.entry;
     rate.exit_speed = own.exit;
     rate.entry_acceleration = own.entry_acceleration;
@@ -97,36 +97,36 @@ Profile rate_of(const Profile& profile) {
     return rate;
 }
 
-Profile over_varying_feed(const Profile& rate, const FeedCourse& course) {
+Profile over_varying_feed(const Profile& rate, const VaryingFeed& varying_feed) {
     const Profile phased = rate.is_smooth ? rate : in_phases(rate);
     Profile profile = phased;
     profile.rate = std::make_shared<const Profile::Rate>(
-        Profile::Rate{course, phased.entry_speed, phased.entry_acceleration, phased.exit_speed,
-                      phased.acceleration, phased.deceleration, phased.jerk});
-    profile.length = course.length;
-    profile.entry_speed = course.entry() * phased.entry_speed;
-    profile.exit_speed = course.exit() * phased.exit_speed;
-    profile.peak_speed = course.most * phased.peak_speed;
+        Profile::Rate{varying_feed, phased.entry_speed, phased.entry_acceleration,
+                      phased.exit_speed, phased.acceleration, phased.deceleration, phased.jerk});
+    profile.length = varying_feed.length;
+    profile.entry_speed = varying_feed.entry() * phased.entry_speed;
+    profile.exit_speed = varying_feed.exit() * phased.exit_speed;
+    profile.peak_speed = varying_feed.most * phased.peak_speed;
     const double ramp = path_acceleration(phased);
     const double highest = phased.peak_speed;
-    profile.acceleration = course.acceleration * highest * highest + course.most * ramp;
+    profile.acceleration = varying_feed.acceleration * highest * highest + varying_feed.most * ramp;
     profile.deceleration = profile.acceleration;
     const double ramp_jerk = path_jerk(phased);
-    profile.jerk = course.jerk * highest * highest * highest +
-                   3 * course.acceleration * highest * ramp + course.most * ramp_jerk;
+    profile.jerk = varying_feed.jerk * highest * highest * highest +
+                   3 * varying_feed.acceleration * highest * ramp + varying_feed.most * ramp_jerk;
     profile.entry_acceleration =
-        course.entry() *
-        (course.slope(0) * phased.entry_speed * phased.entry_speed + phased.entry_acceleration);
+        varying_feed.entry() * (varying_feed.slope(0) * phased.entry_speed * phased.entry_speed +
+                                phased.entry_acceleration);
     return profile;
 }
 
 ProfileState state_on_varying_feed(const Profile& profile, double time) {
-    const FeedCourse& course = profile.rate->course;
+    const VaryingFeed& varying_feed = profile.rate->varying_feed;
     const ProfileState rate = state_in_phases(rate_of(profile), time);
-    const double place = place_at(course, rate.distance);
-    const double feed = course.at(place);
-    return {place, feed * rate.speed,
-            feed * (course.slope(place) * rate.speed * rate.speed + rate.acceleration)};
+    const double parameter = distance_at(varying_feed, rate.distance);
+    const double feed = varying_feed.at(parameter);
+    return {parameter, feed * rate.speed,
+            feed * (varying_feed.slope(parameter) * rate.speed * rate.speed + rate.acceleration)};
 }
 
 }  // namespace kadr::motion

@@ -55,7 +55,7 @@ struct Profile {
     /// Of a feed that changes along the piece: the phases are those of its rate ρ, with these
     /// limits in 1/s and 1/s², and what is above is of the path all the same (varying_feed.h).
     struct Rate {
-        FeedCourse course;
+        VaryingFeed varying_feed;
         double entry = 0;
         double entry_acceleration = 0;
         double exit = 0;
@@ -155,7 +155,7 @@ inline ProfileState advanced(const ProfileState& from, const Phase& phase, doubl
 }
 
 /// The profile over a piece with such a feed by the one of its rate, over its time.
-Profile over_varying_feed(const Profile& rate, const FeedCourse& course);
+Profile over_varying_feed(const Profile& rate, const VaryingFeed& varying_feed);
 /// … and back: the profile of the rate of one that has a course.
 Profile rate_of(const Profile& profile);
 ProfileState state_on_varying_feed(const Profile& profile, double time);

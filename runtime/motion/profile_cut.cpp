@@ -35,15 +35,15 @@ ProfileCut::ProfileCut(const Profile& whole) : whole_(whole), speed_(whole.entry
 double ProfileCut::time_at(double distance) const {
     const Phase phase = this->phase(phase_);
     const Start& start = starts_[phase_];
-    const double way = distance - start.distance;
-    if (phase.jerk == 0 && phase.acceleration == 0) return way / start.speed;
+    const double length = distance - start.distance;
+    if (phase.jerk == 0 && phase.acceleration == 0) return length / start.speed;
     // The way grows with time, so Newton's steps stay in a bracket.
     double low = time_;
     double high = phase.duration;
     double t =
         low + (high - low) * (distance - distance_) / (starts_[phase_ + 1].distance - distance_);
     for (int i = 0; i < 60; ++i) {
-        const double miss = distance_in(phase, start.speed, t) - way;
+        const double miss = distance_in(phase, start.speed, t) - length;
         (miss > 0 ? high : low) = t;
         const double speed = speed_in(phase, start.speed, t);
         const double next = t - miss / speed;

@@ -32,7 +32,7 @@ constexpr double kSameFollower = 1e-7;
 constexpr double kStencil = 1e-5;
 
 /// How a place along a motion is told.
-enum class Walk : std::uint8_t {
+enum class MotionParameter : std::uint8_t {
     Circle,  // by the angle
     Span,    // by the parameter, 0 … 1
     Length,  // by the length of the path
@@ -40,41 +40,41 @@ enum class Walk : std::uint8_t {
     Touch,   // likewise; the tip is beside the path and goes along it
 };
 
-bool follows_axes(const Segment& way) {
-    return !way.is_transformed() || way.turn.kind == path::Turning::Axes ||
-           way.virtual_axes.is_on();
+bool follows_axes(const Segment& segment) {
+    return !segment.is_transformed() || segment.orientation.kind == path::OrientKind::Axes ||
+           segment.virtual_axes.is_on();
 }
-bool changes_orientation(const Segment& way) {
-    return way.is_transformed() && !way.virtual_axes.is_on();
+bool changes_orientation(const Segment& segment) {
+    return segment.is_transformed() && !segment.virtual_axes.is_on();
 }
 
 bool touches(const ProgrammedMotion& motion) {
-    return motion.way.contact.kind != path::ContactKind::Tip;
+    return motion.segment.contact.kind != path::ContactKind::Tip;
 }
 
-Walk walk_of(const ProgrammedMotion& motion) {
-    const Segment& way = motion.way;
+MotionParameter walk_of(const ProgrammedMotion& motion) {
+    const Segment& segment = motion.segment;
     // Where the cutter rolls around a point its tip tells how far; where the tool alone turns, the
     // tip may stand.
-    const bool stands = std::holds_alternative<path::Point>(way.curve);
-    if (touches(motion) && (!stands || way.contact.turn != 0)) return Walk::Touch;
-    if (stands) return Walk::Turn;
-    if (std::holds_alternative<path::Helix>(way.curve)) return Walk::Circle;
-    const bool is_alone = way.followers == 0 && !changes_orientation(way);
-    const bool is_span = std::holds_alternative<path::CubicSpan>(way.curve) ||
-                         std::holds_alternative<path::QuinticSpan>(way.curve);
-    return is_alone && is_span ? Walk::Span : Walk::Length;
+    const bool stands = std::holds_alternative<path::Point>(segment.curve);
+    if (touches(motion) && (!stands || segment.contact.turn != 0)) return MotionParameter::Touch;
+    if (stands) return MotionParameter::Turn;
+    if (std::holds_alternative<path::Helix>(segment.curve)) return MotionParameter::Circle;
+    const bool is_alone = segment.followers == 0 && !changes_orientation(segment);
+    const bool is_span = std::holds_alternative<path::CubicSpan>(segment.curve) ||
+                         std::holds_alternative<path::QuinticSpan>(segment.curve);
+    return is_alone && is_span ? MotionParameter::Span : MotionParameter::Length;
 }
 
-double end_place(const ProgrammedMotion& motion, Walk walk) {
-    if (walk == Walk::Circle) return std::get<path::Helix>(motion.way.curve).sweep;
-    return walk == Walk::Span ? 1 : motion.length;
+double end_parameter(const ProgrammedMotion& motion, MotionParameter walk) {
+    if (walk == MotionParameter::Circle) return std::get<path::Helix>(motion.segment.curve).sweep;
+    return walk == MotionParameter::Span ? 1 : motion.length;
 }
 
-double length_at(const ProgrammedMotion& motion, Walk walk, double place) {
-    if (walk != Walk::Circle) return place;
-    const auto& helix = std::get<path::Helix>(motion.way.curve);
-    return (helix.rate + helix.rate_slope * place / 2) * place;
+double length_at(const ProgrammedMotion& motion, MotionParameter walk, double parameter) {
+    if (walk != MotionParameter::Circle) return parameter;
+    const auto& helix = std::get<path::Helix>(motion.segment.curve);
+    return (helix.rate + helix.rate_slope * parameter / 2) * parameter;
 }
 
 /// Calls `use` with a curve whose places are told by the parameter.
@@ -88,24 +88,28 @@ Vec3 tip_of_span(const path::Curve& curve, double u) {
     return with_span(curve, [u](const auto& span) { return path::point_at(span, u).position; });
 }
 
-Vec3 tip_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk, double place) {
-    const path::Curve& curve = motion.way.curve;
-    if (touches(motion)) return pose_at(chain, motion.way, place, path::position(curve, place)).tip;
+Vec3 tip_on(const Chain& chain, const ProgrammedMotion& motion, MotionParameter walk,
+            double parameter) {
+    const path::Curve& curve = motion.segment.curve;
+    if (touches(motion))
+        return pose_at(chain, motion.segment, parameter, path::position(curve, parameter)).tip;
     switch (walk) {
-        case Walk::Circle: return path::position_at_angle(std::get<path::Helix>(curve), place);
-        case Walk::Span: return tip_of_span(curve, place);
-        default: return path::position(curve, place);
+        case MotionParameter::Circle:
+            return path::position_at_angle(std::get<path::Helix>(curve), parameter);
+        case MotionParameter::Span: return tip_of_span(curve, parameter);
+        default: return path::position(curve, parameter);
     }
 }
 
-double follower_at(const Segment& way, std::size_t i, double distance) {
-    return way.follower_start[i] + way.follower_rate[i] * distance;
+double follower_at(const Segment& segment, std::size_t i, double distance) {
+    return segment.follower_start[i] + segment.follower_rate[i] * distance;
 }
 
-Vec3 direction_on(const Chain& chain, const Segment& way, double distance) {
-    if (gives_direction(way.turn)) return path::direction_at(way.turn, way.curve, distance);
+Vec3 direction_on(const Chain& chain, const Segment& segment, double distance) {
+    if (gives_direction(segment.orientation))
+        return path::direction_at(segment.orientation, segment.curve, distance);
     std::array<double, kFollowers> followers{};
-    for (std::size_t i = 0; i < kFollowers; ++i) followers[i] = follower_at(way, i, distance);
+    for (std::size_t i = 0; i < kFollowers; ++i) followers[i] = follower_at(segment, i, distance);
     return machine::tool_vector(chain, joints_of(chain, followers));
 }
 
@@ -162,13 +166,13 @@ double on_span(const path::Curve& curve, const Vec3& tip, const Search& search) 
         double u = search.guess;
         for (int step = 0; step < kSteps; ++step) {
             const path::SplinePoint at = path::point_at(span, u);
-            const Vec3 way = tip - at.position;
+            const Vec3 delta = tip - at.position;
             const double square = at.first.squaredNorm();
             // (C − Q)·C' = 0; where the curve bends away from the tip the slope is kept from zero.
-            const double slope = std::max(square / 8, square - way.dot(at.second));
+            const double slope = std::max(square / 8, square - delta.dot(at.second));
             if (!(slope > 0)) break;
             const double next =
-                std::clamp(u + way.dot(at.first) / slope, search.lower, search.upper);
+                std::clamp(u + delta.dot(at.first) / slope, search.lower, search.upper);
             const bool is_found = std::abs(next - u) <= kSameShare;
             u = next;
             if (is_found) break;
@@ -183,12 +187,12 @@ double by_steps(const At& at, const Vec3& wanted, const Search& search) {
     double s = search.guess;
     for (int step = 0; step < kSteps; ++step) {
         const CurvePoint here = at(s);
-        const Vec3 way = wanted - here.position;
+        const Vec3 delta = wanted - here.position;
         const double square = here.tangent.squaredNorm();
-        const double slope = std::max(square / 8, square - way.dot(here.curvature));
+        const double slope = std::max(square / 8, square - delta.dot(here.curvature));
         if (!(slope > 0)) break;
         const double next =
-            std::clamp(s + way.dot(here.tangent) / slope, search.lower, search.upper);
+            std::clamp(s + delta.dot(here.tangent) / slope, search.lower, search.upper);
         const bool is_found = std::abs(next - s) <= kSameShare * search.upper;
         s = next;
         if (is_found) break;
@@ -214,9 +218,9 @@ double by_followers(const ProgrammedMotion& motion, const StandingTool& tool,
     double product = 0;
     double square = 0;
     for (std::size_t i = 0; i < kFollowers; ++i) {
-        const double rate = motion.way.follower_rate[i];
+        const double rate = motion.segment.follower_rate[i];
         if (rate == 0 || std::isnan(tool.followers[i])) continue;
-        product += rate * (tool.followers[i] - motion.way.follower_start[i]);
+        product += rate * (tool.followers[i] - motion.segment.follower_start[i]);
         square += rate * rate;
     }
     return square > 0 ? std::clamp(product / square, search.lower, search.upper) : search.upper;
@@ -224,23 +228,24 @@ double by_followers(const ProgrammedMotion& motion, const StandingTool& tool,
 
 double on_turn(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
                const Search& search) {
-    if (follows_axes(motion.way)) return by_followers(motion, tool, search);
-    const auto direction = [&](double s) { return direction_on(chain, motion.way, s); };
+    if (follows_axes(motion.segment)) return by_followers(motion, tool, search);
+    const auto direction = [&](double s) { return direction_on(chain, motion.segment, s); };
     return by_steps(with_slope(direction, motion.length), tool.tool, search);
 }
 
-double parameter_on(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+double parameter_on(const Chain& chain, const ProgrammedMotion& motion, MotionParameter walk,
                     const StandingTool& tool, const Search& search) {
-    const path::Curve& curve = motion.way.curve;
+    const path::Curve& curve = motion.segment.curve;
     switch (walk) {
-        case Walk::Circle: return on_circle(std::get<path::Helix>(curve), tool.tip, search);
-        case Walk::Span: return on_span(curve, tool.tip, search);
-        case Walk::Turn: return on_turn(chain, motion, tool, search);
-        case Walk::Touch: {
+        case MotionParameter::Circle:
+            return on_circle(std::get<path::Helix>(curve), tool.tip, search);
+        case MotionParameter::Span: return on_span(curve, tool.tip, search);
+        case MotionParameter::Turn: return on_turn(chain, motion, tool, search);
+        case MotionParameter::Touch: {
             const auto tip = [&](double s) { return tip_on(chain, motion, walk, s); };
             return by_steps(with_slope(tip, motion.length), tool.tip, search);
         }
-        case Walk::Length: break;
+        case MotionParameter::Length: break;
     }
     if (const auto* line = std::get_if<path::Line>(&curve)) return on_line(*line, tool.tip, search);
     return by_steps([&](double s) { return path::evaluate(curve, s); }, tool.tip, search);
@@ -250,28 +255,29 @@ double parameter_on(const Chain& chain, const ProgrammedMotion& motion, Walk wal
 
 void judge_tool(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
                 double distance, Nearness& near) {
-    near.direction_tolerance = motion.lean;
-    const Vec3 wanted = direction_on(chain, motion.way, distance);
-    near.lean = path::angle_between(wanted, tool.tool);
-    if (!(near.lean > motion.lean)) return;
+    near.direction_tolerance = motion.inclination;
+    const Vec3 wanted = direction_on(chain, motion.segment, distance);
+    near.inclination = path::angle_between(wanted, tool.tool);
+    if (!(near.inclination > motion.inclination)) return;
     // Where axes run evenly past a pole the tool may be on one side of it, its path on the other.
     const Vec3 pole = chain.joints[machine::kR1].direction;
     if (wanted.cross(pole).norm() <= motion.pole) near.direction_tolerance += motion.pole;
     // Where the tip may be beside its path, it may be on as well.
     const double beside = 2 * motion.tolerance;
-    const Vec3 before = direction_on(chain, motion.way, std::max(0.0, distance - beside));
-    const Vec3 behind = direction_on(chain, motion.way, std::min(motion.length, distance + beside));
+    const Vec3 before = direction_on(chain, motion.segment, std::max(0.0, distance - beside));
+    const Vec3 behind =
+        direction_on(chain, motion.segment, std::min(motion.length, distance + beside));
     near.direction_tolerance += path::angle_between(before, behind);
 }
 
 void judge_followers(const ProgrammedMotion& motion, const StandingTool& tool, double distance,
                      Nearness& near) {
-    const Segment& way = motion.way;
-    const bool has_led = way.virtual_axes.turns();
+    const Segment& segment = motion.segment;
+    const bool has_led = segment.virtual_axes.turns();
     for (std::size_t i = 0; i < kFollowers; ++i) {
-        const double rate = way.follower_rate[i];
-        if (has_led && rate == 0 && i + 3 == index(way.virtual_axes.rotary)) continue;
-        const double off = std::abs(tool.followers[i] - follower_at(way, i, distance));
+        const double rate = segment.follower_rate[i];
+        if (has_led && rate == 0 && i + 3 == index(segment.virtual_axes.rotary)) continue;
+        const double off = std::abs(tool.followers[i] - follower_at(segment, i, distance));
         const double allowed = kSameFollower + 2 * std::abs(rate) * motion.tolerance;
         // One that the machine does not have is no number.
         if (!(off - allowed > near.off - near.off_allowed)) continue;
@@ -280,33 +286,33 @@ void judge_followers(const ProgrammedMotion& motion, const StandingTool& tool, d
     }
 }
 
-Nearness judged(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
-                const StandingTool& tool, double place) {
+Nearness judged(const Chain& chain, const ProgrammedMotion& motion, MotionParameter walk,
+                const StandingTool& tool, double parameter) {
     Nearness near;
-    near.place = place;
-    near.distance = (tip_on(chain, motion, walk, place) - tool.tip).norm();
+    near.parameter = parameter;
+    near.distance = (tip_on(chain, motion, walk, parameter) - tool.tip).norm();
     near.off_allowed = kSameFollower;
     if (!(near.distance <= motion.tolerance)) return near;
-    const double distance = length_at(motion, walk, place);
-    if (changes_orientation(motion.way)) judge_tool(chain, motion, tool, distance, near);
+    const double distance = length_at(motion, walk, parameter);
+    if (changes_orientation(motion.segment)) judge_tool(chain, motion, tool, distance, near);
     else judge_followers(motion, tool, distance, near);
     return near;
 }
 
 /// Of some places from end to end of the search, the nearest to the tool.
-double nearest_look(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+double nearest_look(const Chain& chain, const ProgrammedMotion& motion, MotionParameter walk,
                     const StandingTool& tool, const Search& search) {
-    const bool by_tool = walk == Walk::Turn && !follows_axes(motion.way);
+    const bool by_tool = walk == MotionParameter::Turn && !follows_axes(motion.segment);
     double nearest = search.guess;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kLooks; ++i) {
-        const double place = search.lower + (search.upper - search.lower) * i / kLooks;
-        const Vec3 off = by_tool ? Vec3(direction_on(chain, motion.way, place) - tool.tool)
-                                 : Vec3(tip_on(chain, motion, walk, place) - tool.tip);
+        const double parameter = search.lower + (search.upper - search.lower) * i / kLooks;
+        const Vec3 off = by_tool ? Vec3(direction_on(chain, motion.segment, parameter) - tool.tool)
+                                 : Vec3(tip_on(chain, motion, walk, parameter) - tool.tip);
         const double apart = off.squaredNorm();
         if (apart >= least) continue;
         least = apart;
-        nearest = place;
+        nearest = parameter;
     }
     return nearest;
 }
@@ -314,19 +320,19 @@ double nearest_look(const Chain& chain, const ProgrammedMotion& motion, Walk wal
 /// The first place whose distance from a tip is within the tolerance, or the one of the least
 /// distance, to a part of the tolerance. By arc length the distance changes no faster than the
 /// place: halves that cannot hold such a place are left out.
-double place_by_halves(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
+double parameter_by_halves(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
     struct Look {
-        double place;
+        double parameter;
         double distance;
     };
     double width = (search.upper - search.lower) / kLooks;
     std::vector<Look> looks(kLooks);
     for (int i = 0; i < kLooks; ++i)
-        looks[static_cast<std::size_t>(i)].place = search.lower + (i + 0.5) * width;
+        looks[static_cast<std::size_t>(i)].parameter = search.lower + (i + 0.5) * width;
     Look best{search.guess, std::numeric_limits<double>::infinity()};
     for (;; width /= 2) {
         for (Look& look : looks)
-            look.distance = (path::position(motion.way.curve, look.place) - tip).norm();
+            look.distance = (path::position(motion.segment.curve, look.parameter) - tip).norm();
         const auto within = std::ranges::find_if(
             looks, [&](const Look& look) { return look.distance <= motion.tolerance; });
         if (within != looks.end()) {
@@ -337,46 +343,48 @@ double place_by_halves(const ProgrammedMotion& motion, const Vec3& tip, const Se
                 if (look.distance < best.distance) best = look;
         }
         if (looks.empty() || width < motion.tolerance / 4 || looks.size() > kMostLooks)
-            return best.place;
+            return best.parameter;
         const double reached = std::max(best.distance, motion.tolerance);
         std::vector<Look> halves;
         for (const Look& look : looks) {
             if (look.distance - width / 2 > reached) continue;
-            halves.push_back({look.place - width / 4, 0});
-            halves.push_back({look.place + width / 4, 0});
+            halves.push_back({look.parameter - width / 4, 0});
+            halves.push_back({look.parameter + width / 4, 0});
         }
         looks = std::move(halves);
     }
 }
 
 /// The same of a span, whose place is told by the parameter.
-double place_on_span(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
-    return with_span(motion.way.curve, [&](const auto& span) {
+double parameter_on_span(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
+    return with_span(motion.segment.curve, [&](const auto& span) {
         const Search by_length{path::length_to(span, search.guess),
                                path::length_to(span, search.lower),
                                path::length_to(span, search.upper)};
-        return path::parameter_at(span, place_by_halves(motion, tip, by_length));
+        return path::parameter_at(span, parameter_by_halves(motion, tip, by_length));
     });
 }
 
 /// A place may be looked for so far before the one that was found last. Beside a cusp that may have
 /// been on the other branch: of a curve as wide as the motion is long, the branches are within the
 /// tolerance t of each other over ∛(t²·length).
-double lower_bound_of(const ProgrammedMotion& motion, Walk walk, double from) {
-    double back = walk == Walk::Turn ? 0 : 2 * motion.tolerance;
-    if (walk == Walk::Length && !std::holds_alternative<path::Line>(motion.way.curve))
+double lower_bound_of(const ProgrammedMotion& motion, MotionParameter walk, double from) {
+    double back = walk == MotionParameter::Turn ? 0 : 2 * motion.tolerance;
+    if (walk == MotionParameter::Length &&
+        !std::holds_alternative<path::Line>(motion.segment.curve))
         back += 2 * std::cbrt(motion.tolerance * motion.tolerance * motion.length);
     const double share = motion.length > 0 ? back / motion.length : 0;
-    return std::max(0.0, from - share * end_place(motion, walk));
+    return std::max(0.0, from - share * end_parameter(motion, walk));
 }
 
 /// The end of a reach; of an arc, and of a motion that turns alone, no place ends it.
-double place_behind(const ProgrammedMotion& motion, Walk walk, const Reach& reach) {
+double parameter_behind(const ProgrammedMotion& motion, MotionParameter walk,
+                        const SearchRange& reach) {
     switch (walk) {
-        case Walk::Length:
-        case Walk::Touch: return reach.from + reach.ahead;
-        case Walk::Span:
-            return with_span(motion.way.curve, [&](const auto& span) {
+        case MotionParameter::Length:
+        case MotionParameter::Touch: return reach.from + reach.ahead;
+        case MotionParameter::Span:
+            return with_span(motion.segment.curve, [&](const auto& span) {
                 const double behind = path::length_to(span, reach.from) + reach.ahead;
                 return path::parameter_at(span, behind);
             });
@@ -385,7 +393,7 @@ double place_behind(const ProgrammedMotion& motion, Walk walk, const Reach& reac
 }
 
 /// The nearest place between two turns, where a motion does not come back beside itself.
-Nearness nearest_on_branch(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
+Nearness nearest_on_branch(const Chain& chain, const ProgrammedMotion& motion, MotionParameter walk,
                            const StandingTool& tool, Search branch) {
     const Nearness near =
         judged(chain, motion, walk, tool, parameter_on(chain, motion, walk, tool, branch));
@@ -395,9 +403,11 @@ Nearness nearest_on_branch(const Chain& chain, const ProgrammedMotion& motion, W
 }
 
 /// … on the first of the parts between turns on which the tip can be.
-Nearness nearest_on_branches(const Chain& chain, const ProgrammedMotion& motion, Walk walk,
-                             const StandingTool& tool, const Reach& reach) {
-    const double upper = std::min(end_place(motion, walk), place_behind(motion, walk, reach));
+Nearness nearest_on_branches(const Chain& chain, const ProgrammedMotion& motion,
+                             MotionParameter walk, const StandingTool& tool,
+                             const SearchRange& reach) {
+    const double upper =
+        std::min(end_parameter(motion, walk), parameter_behind(motion, walk, reach));
     double begin = lower_bound_of(motion, walk, reach.from);
     Nearness best;
     best.distance = std::numeric_limits<double>::infinity();
@@ -420,30 +430,31 @@ Nearness nearest_on_branches(const Chain& chain, const ProgrammedMotion& motion,
 
 StandingTool standing_tool(const machine::Machine& machine, const Chain& chain,
                            const ProgrammedMotion& motion, const Setpoint& setpoint) {
-    const Segment& way = motion.way;
+    const Segment& segment = motion.segment;
     LogicalAxes axes;
     axes.fill(std::numeric_limits<double>::quiet_NaN());
     const Vec3 missing =
-        (way.virtual_axes.is_on() ? path::real_position(way.virtual_axes, setpoint.tip)
-                                  : setpoint.tip) +
-        way.carrier;
+        (segment.virtual_axes.is_on() ? path::real_position(segment.virtual_axes, setpoint.tip)
+                                      : setpoint.tip) +
+        segment.carrier;
     for (std::size_t i = 0; i < 3; ++i) axes[i] = missing[static_cast<Eigen::Index>(i)];
     for (std::size_t i = 0; i < machine.axes.size(); ++i)
         axes[index(machine.axes[i].axis)] = setpoint.axis[i];
     StandingTool standing;
     std::copy(axes.begin() + 3, axes.end(), standing.followers.begin());
-    const Vec3 carried = Vec3(axes[0], axes[1], axes[2]) - way.carrier;
-    if (way.virtual_axes.is_on()) {
-        const double angle = way.virtual_axes.turns() ? axes[index(way.virtual_axes.rotary)] : 0;
-        standing.tip = path::virtual_position(way.virtual_axes, carried, angle);
-    } else if (way.is_transformed()) {
+    const Vec3 carried = Vec3(axes[0], axes[1], axes[2]) - segment.carrier;
+    if (segment.virtual_axes.is_on()) {
+        const double angle =
+            segment.virtual_axes.turns() ? axes[index(segment.virtual_axes.rotary)] : 0;
+        standing.tip = path::virtual_position(segment.virtual_axes, carried, angle);
+    } else if (segment.is_transformed()) {
         for (double& follower : standing.followers)
             if (std::isnan(follower)) follower = 0;
         machine::ChainPosition position{
             {axes[0], axes[1], axes[2]},
             {standing.followers[3], standing.followers[4], standing.followers[5]},
             joints_of(chain, standing.followers)};
-        const machine::Pose pose = machine::forward(chain, position, -way.carrier);
+        const machine::Pose pose = machine::forward(chain, position, -segment.carrier);
         standing.tip = pose.tip;
         standing.tool = pose.rotation * chain.tool_direction;
     } else {
@@ -453,50 +464,52 @@ StandingTool standing_tool(const machine::Machine& machine, const Chain& chain,
 }
 
 Nearness nearest_on(const Chain& chain, const ProgrammedMotion& motion, const StandingTool& tool,
-                    const Reach& reach) {
-    const Walk walk = walk_of(motion);
+                    const SearchRange& reach) {
+    const MotionParameter walk = walk_of(motion);
     if (!motion.turns.empty()) return nearest_on_branches(chain, motion, walk, tool, reach);
     const Search search{reach.from, lower_bound_of(motion, walk, reach.from),
-                        end_place(motion, walk)};
+                        end_parameter(motion, walk)};
     return judged(chain, motion, walk, tool, parameter_on(chain, motion, walk, tool, search));
 }
 
 Nearness nearest_from_behind(const Chain& chain, const ProgrammedMotion& motion,
-                             const StandingTool& tool, const Reach& reach) {
-    const Walk walk = walk_of(motion);
-    const double upper = std::min(end_place(motion, walk), place_behind(motion, walk, reach));
+                             const StandingTool& tool, const SearchRange& reach) {
+    const MotionParameter walk = walk_of(motion);
+    const double upper =
+        std::min(end_parameter(motion, walk), parameter_behind(motion, walk, reach));
     const Search search{upper, lower_bound_of(motion, walk, reach.from), upper};
     return judged(chain, motion, walk, tool, parameter_on(chain, motion, walk, tool, search));
 }
 
 Nearness nearest_on_rest(const Chain& chain, const ProgrammedMotion& motion,
-                         const StandingTool& tool, const Reach& reach) {
-    const Walk walk = walk_of(motion);
+                         const StandingTool& tool, const SearchRange& reach) {
+    const MotionParameter walk = walk_of(motion);
     const double lower = lower_bound_of(motion, walk, reach.from);
-    const double upper = std::min(end_place(motion, walk), place_behind(motion, walk, reach));
+    const double upper =
+        std::min(end_parameter(motion, walk), parameter_behind(motion, walk, reach));
     Search search{reach.from, lower, upper};
     search.guess = nearest_look(chain, motion, walk, tool, search);
-    const double place = parameter_on(chain, motion, walk, tool, search);
-    const Nearness near = judged(chain, motion, walk, tool, place);
+    const double parameter = parameter_on(chain, motion, walk, tool, search);
+    const Nearness near = judged(chain, motion, walk, tool, parameter);
     if (near.distance <= motion.tolerance) return near;
-    if (walk != Walk::Length && walk != Walk::Span) return near;
+    if (walk != MotionParameter::Length && walk != MotionParameter::Span) return near;
     // Where the curve bends without limit, beside a cusp, steps by its slope do not arrive.
-    const auto by_halves = walk == Walk::Span ? place_on_span : place_by_halves;
+    const auto by_halves = walk == MotionParameter::Span ? parameter_on_span : parameter_by_halves;
     return judged(chain, motion, walk, tool, by_halves(motion, tool.tip, search));
 }
 
-double way_to(const ProgrammedMotion& motion, double place) {
-    const Walk walk = walk_of(motion);
-    if (walk == Walk::Turn || walk == Walk::Touch) return 0;
-    if (walk != Walk::Span) return length_at(motion, walk, place);
-    return with_span(motion.way.curve,
-                     [place](const auto& span) { return path::length_to(span, place); });
+double distance_to(const ProgrammedMotion& motion, double parameter) {
+    const MotionParameter walk = walk_of(motion);
+    if (walk == MotionParameter::Turn || walk == MotionParameter::Touch) return 0;
+    if (walk != MotionParameter::Span) return length_at(motion, walk, parameter);
+    return with_span(motion.segment.curve,
+                     [parameter](const auto& span) { return path::length_to(span, parameter); });
 }
 
 void find_turns(ProgrammedMotion& motion) {
-    const path::Curve& curve = motion.way.curve;
+    const path::Curve& curve = motion.segment.curve;
     const auto of_span = [&](const auto& span) {
-        const bool is_by_parameter = walk_of(motion) == Walk::Span;
+        const bool is_by_parameter = walk_of(motion) == MotionParameter::Span;
         for (const double u : span.slow)
             if (u < 1) motion.turns.push_back(is_by_parameter ? u : path::length_to(span, u));
     };
@@ -515,7 +528,7 @@ void find_turns(ProgrammedMotion& motion) {
 }
 
 Vec3 end_of(const Chain& chain, const ProgrammedMotion& motion) {
-    if (!touches(motion)) return path::end(motion.way.curve);
+    if (!touches(motion)) return path::end(motion.segment.curve);
     return tip_on(chain, motion, walk_of(motion), motion.length);
 }
 

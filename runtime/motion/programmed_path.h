@@ -14,10 +14,10 @@ namespace kadr::motion {
 
 /// A motion, whole, and what may be missing of it.
 struct ProgrammedMotion {
-    Segment way;                // without times
+    Segment segment;            // without times
     double length = 0;          // of its path, mm (deg)
     double tolerance = 0;       // mm, of the tip
-    double lean = 0;            // rad, of the tool
+    double inclination = 0;     // rad, of the tool
     double pole = 0;            // rad, the way may be led otherwise so near to a pole
     std::vector<double> turns;  // places at which it turns back on itself, or nearly, in order
     /// Motions with the same number tell the tip in the same coordinates of the same tool.
@@ -38,17 +38,17 @@ StandingTool standing_tool(const machine::Machine& machine, const machine::Chain
 
 /// How far a tool is from a motion.
 struct Nearness {
-    double place = 0;     // along the motion, in its own parameter
-    double distance = 0;  // of the tip from the way, mm
-    double lean = 0;      // of the tool from its direction there, rad
-    double off = 0;       // of an axis that follows, rad or mm
+    double parameter = 0;    // along the motion, in its own parameter
+    double distance = 0;     // of the tip from the way, mm
+    double inclination = 0;  // of the tool from its direction there, rad
+    double off = 0;          // of an axis that follows, rad or mm
     /// What the last two may be: where the tip may be beside its path, it also may be behind.
     double direction_tolerance = 0;
     double off_allowed = 0;
 };
 
 /// Where a place is looked for: from this one on, along so many mm.
-struct Reach {
+struct SearchRange {
     double from = 0;
     double ahead = 0;
 };
@@ -58,18 +58,18 @@ struct Reach {
 /// back within the reach, the first one on which the tip can be. Of a motion that only turns it is
 /// the one with the nearest direction.
 Nearness nearest_on(const machine::Chain& chain, const ProgrammedMotion& motion,
-                    const StandingTool& tool, const Reach& reach);
+                    const StandingTool& tool, const SearchRange& reach);
 
 /// The same, looked for from the end of the reach back.
 Nearness nearest_from_behind(const machine::Chain& chain, const ProgrammedMotion& motion,
-                             const StandingTool& tool, const Reach& reach);
+                             const StandingTool& tool, const SearchRange& reach);
 
 /// The same, looked for along all of the reach; of arcs along all that is left.
 Nearness nearest_on_rest(const machine::Chain& chain, const ProgrammedMotion& motion,
-                         const StandingTool& tool, const Reach& reach);
+                         const StandingTool& tool, const SearchRange& reach);
 
 /// How far along a motion a place is, mm; 0 where its tip has no way of its own along the path.
-double way_to(const ProgrammedMotion& motion, double place);
+double distance_to(const ProgrammedMotion& motion, double parameter);
 
 /// Finds where a motion turns back.
 void find_turns(ProgrammedMotion& motion);

@@ -28,7 +28,9 @@ double braking_length(double from, double to, const Stretch& stretch) {
     return smooth_ramp_length(from, to, {stretch.acceleration, stretch.jerk});
 }
 
-bool fits(double length, double place) { return length <= place + kLengthRounding + 1e-9 * place; }
+bool fits(double length, double parameter) {
+    return length <= parameter + kLengthRounding + 1e-9 * parameter;
+}
 
 /// The ramp from a moment to a steady speed, and its length in `length`.
 Profile ramp_from(const PathMoment& at, double to, const RampLimits& limits, double level) {

@@ -5,18 +5,18 @@
 namespace kadr::motion {
 
 DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row,
-                         const CommandLocation& place, const LocateCommand& place_of) {
+                         const CommandLocation& location, const LocateCommand& locate_command) {
     ShownLocation shown;
-    if (place_of) shown = place_of(place);
-    else shown.line.line = place.line;
+    if (locate_command) shown = locate_command(location);
+    else shown.line.line = location.line;
     DiagnosticBuilder builder = sink.report(row, std::move(shown.line));
     for (TextLocation& call : shown.calls) builder.note(std::move(call), "called here");
     return builder;
 }
 
 DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row,
-                         const path::Command& command, const LocateCommand& place_of) {
-    return report(sink, row, CommandLocation{command.line, command.source, {}}, place_of);
+                         const path::Command& command, const LocateCommand& locate_command) {
+    return report(sink, row, CommandLocation{command.line, command.source, {}}, locate_command);
 }
 
 }  // namespace kadr::motion

@@ -29,11 +29,11 @@ struct ShownLocation {
 
 using LocateCommand = std::function<ShownLocation(const CommandLocation&)>;
 
-/// Begins a message. `place_of` may be empty: then there is nothing but the line's number.
+/// Begins a message. `locate_command` may be empty: then there is nothing but the line's number.
 DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row,
-                         const CommandLocation& place, const LocateCommand& place_of);
+                         const CommandLocation& location, const LocateCommand& locate_command);
 /// The same about a command.
 DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row,
-                         const path::Command& command, const LocateCommand& place_of);
+                         const path::Command& command, const LocateCommand& locate_command);
 
 }  // namespace kadr::motion

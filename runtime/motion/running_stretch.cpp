@@ -18,8 +18,9 @@ void RunningStretch::plan(Piece& piece, bool is_last, double tick) {
     if (piece.is_cell) {
         segment.profile = profile_over(piece.cell, speeds.entry, speeds.exit);
     } else if (given) {
-        segment.profile = piece.course.is_on() ? over_varying_feed(*given, piece.course) : *given;
-    } else if (piece.course.is_on()) {
+        segment.profile =
+            piece.varying_feed.is_on() ? over_varying_feed(*given, piece.varying_feed) : *given;
+    } else if (piece.varying_feed.is_on()) {
         plan_varying_feed(piece, is_last);
     } else if (std::isinf(limits.jerk)) {
         auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
@@ -36,16 +37,18 @@ void RunningStretch::plan(Piece& piece, bool is_last, double tick) {
 
 /// Over the time of its feed, as others over their length.
 void RunningStretch::plan_varying_feed(Piece& piece, bool is_last) {
-    const FeedCourse& course = piece.course;
+    const VaryingFeed& varying_feed = piece.varying_feed;
     if (has_limited_jerk()) {
-        piece.segment.profile = over_varying_feed(cut.next(course.time, is_last), course);
+        piece.segment.profile =
+            over_varying_feed(cut.next(varying_feed.time, is_last), varying_feed);
         return;
     }
-    const double most = rate_limits(course, piece.acceleration, piece.jerk).acceleration;
-    const auto rate = trapezoid(course.time, std::min(1.0, speeds.entry / course.entry()),
-                                std::min(1.0, speeds.exit / course.exit()), {1, most, most});
+    const double most = rate_limits(varying_feed, piece.acceleration, piece.jerk).acceleration;
+    const auto rate =
+        trapezoid(varying_feed.time, std::min(1.0, speeds.entry / varying_feed.entry()),
+                  std::min(1.0, speeds.exit / varying_feed.exit()), {1, most, most});
     KADR_ASSERT(rate.has_value(), "the look-ahead promised a change of speed that does not fit");
-    piece.segment.profile = over_varying_feed(*rate, course);
+    piece.segment.profile = over_varying_feed(*rate, varying_feed);
 }
 
 }  // namespace kadr::motion

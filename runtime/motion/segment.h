@@ -69,7 +69,7 @@ struct Segment {
     /// Of a piece on whose path the transformation of the machine holds the tip: `tool` is the tool
     /// at base position, the machine's chain says where the axes stand (transformed.h), and
     /// follower_start is where the rotary ones begin.
-    path::Turn turn;
+    path::OrientLaw orientation;
     path::Contact contact;  // … and how the cutter touches on the path
     /// If they are on: `curve` is in them, and the tool stays as it is.
     path::VirtualAxes virtual_axes;
@@ -80,7 +80,7 @@ struct Segment {
         0;  // mm/s (deg/s), what was asked for, override included; rapid: what the axes can
     double nominal_feed = 0;         // mm/s (deg/s), what the program says at an override of 100 %
     double feed_per_revolution = 0;  // mm (deg), override included; 0: the feed is no such one
-    Spindle spindle;                 // as it is commanded in this piece
+    CommandedSpindle spindle;        // as it is commanded in this piece
     Profile profile;                 // of the path length; empty for a standstill
 
     path::Vec3 stage = path::Vec3::Zero();  // is_external: where the axes hold the tip
@@ -90,12 +90,12 @@ struct Segment {
     std::array<double, kFollowers> follower_rate{};   // per unit of path length
 
     /// Whether the transformation holds the tip on the path.
-    bool is_transformed() const { return turn.kind > path::Turning::Straight; }
+    bool is_transformed() const { return orientation.kind > path::OrientKind::Straight; }
     /// … or the axes go straight to where it holds the tip at the end: `curve` is as without a
     /// transformation, and the tip is somewhere else.
-    bool goes_straight() const { return turn.kind == path::Turning::Straight; }
+    bool goes_straight() const { return orientation.kind == path::OrientKind::Straight; }
     /// Whether tip and tool are those in the workpiece system.
-    bool is_in_workpiece() const { return turn.kind != path::Turning::None; }
+    bool is_in_workpiece() const { return orientation.kind != path::OrientKind::None; }
     double end_time() const { return start_time + duration; }
 };
 

@@ -5,7 +5,7 @@
 
 namespace kadr::motion {
 
-double Spindle::speed_at(double radius) const {
+double CommandedSpindle::speed_at(double radius) const {
     if (!is_turning) return 0;
     // On the axis itself every spindle without limit would run away; a micrometre bounds it.
     constexpr double kLeastRadius = 1e-3;

@@ -10,7 +10,7 @@
 
 namespace kadr::motion {
 
-struct Spindle {
+struct CommandedSpindle {
     bool is_turning = false;
     bool is_counterclockwise = false;
     bool holds_cutting_speed = false;  // the speed follows the radius

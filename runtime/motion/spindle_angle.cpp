@@ -12,7 +12,7 @@ constexpr double kSameAngle = 1e-9;
 }  // namespace
 
 void SpindleAngle::pass(const Segment& segment) {
-    const Spindle& spindle = segment.spindle;
+    const CommandedSpindle& spindle = segment.spindle;
     if (!spindle.is_turning) return;
     const double begins = spindle.speed_at(path::start(segment.curve)[0]);
     const double ends = spindle.speed_at(path::end(segment.curve)[0]);

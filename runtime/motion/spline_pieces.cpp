@@ -16,7 +16,7 @@ using path::Vec3;
 
 constexpr std::size_t kSamples = 9;
 using Samples = std::array<CurvePoint, kSamples>;
-using Ways = std::array<double, kSamples - 1>;
+using SampleDistances = std::array<double, kSamples - 1>;
 
 /// cos of the greatest turn from one sample to the next: 15 degrees.
 constexpr double kLeastCos = 0.9659258;
@@ -54,29 +54,29 @@ Samples sample(const Involute& involute) {
 
 /// From one sample to the next, mm.
 template <std::size_t N>
-Ways ways_of(const Bezier<N>& spline) {
-    Ways ways;
-    for (std::size_t i = 0; i < ways.size(); ++i)
-        ways[i] = spline.reached[i] - (i > 0 ? spline.reached[i - 1] : 0.0);
-    return ways;
+SampleDistances sample_distances_of(const Bezier<N>& spline) {
+    SampleDistances distances;
+    for (std::size_t i = 0; i < distances.size(); ++i)
+        distances[i] = spline.reached[i] - (i > 0 ? spline.reached[i - 1] : 0.0);
+    return distances;
 }
 
-Ways ways_of(const Involute& involute) {
-    Ways ways;
-    ways.fill(involute.length / static_cast<double>(ways.size()));
-    return ways;
+SampleDistances sample_distances_of(const Involute& involute) {
+    SampleDistances distances;
+    distances.fill(involute.length / static_cast<double>(distances.size()));
+    return distances;
 }
 
-Ways ways_of(const Parametric& curve) {
+SampleDistances sample_distances_of(const Parametric& curve) {
     constexpr double kWidth = 1.0 / static_cast<double>(kSamples - 1);
-    Ways ways;
+    SampleDistances distances;
     double before = 0;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (std::size_t i = 0; i < distances.size(); ++i) {
         const double reached = path::length_to(curve, kWidth * static_cast<double>(i + 1));
-        ways[i] = reached - before;
+        distances[i] = reached - before;
         before = reached;
     }
-    return ways;
+    return distances;
 }
 
 /// Where a curve turns back it ends and another begins: on neither side is anything sharp then.
@@ -130,7 +130,7 @@ void cut(const Bent& curve, std::vector<path::Curve>& out) {
 template <typename Bent>
 SplineBend bend_between(const Bent& curve) {
     const Samples samples = sample(curve);
-    const Ways ways = ways_of(curve);
+    const SampleDistances distances = sample_distances_of(curve);
     SplineBend bend;
     Vec3 rate_step = Vec3::Zero();
     Vec3 bend_step = Vec3::Zero();
@@ -145,9 +145,9 @@ SplineBend bend_between(const Bent& curve) {
         rate_step = rate_step.cwiseMax((samples[i].tangent - before.tangent).cwiseAbs());
         const Vec3 change = samples[i].curvature - before.curvature;
         bend_step = bend_step.cwiseMax(change.cwiseAbs());
-        const double way = ways[i - 1];
-        if (!(way > kNoWay)) continue;
-        const Vec3 slope = change / way;
+        const double distance = distances[i - 1];
+        if (!(distance > kNoWay)) continue;
+        const Vec3 slope = change / distance;
         bend.third = bend.third.cwiseMax(slope.cwiseAbs());
         if (i > 1) slope_step = slope_step.cwiseMax((slope - slope_before).cwiseAbs());
         slope_before = slope;

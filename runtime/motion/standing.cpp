@@ -30,9 +30,10 @@ Vec3 tool_axis(path::Plane plane, const AxisTable& axes) {
 }
 
 /// How far the tool's direction goes while the tip stands, rad.
-double turned_angle(const path::Motion& motion, const Vec3& from) {
-    if (motion.turning != path::Turning::Cone) return path::angle_between(from, motion.direction);
-    return std::abs(motion.turn().angle) * motion.turn().axis.cross(from).norm();
+double orient_angle(const path::Motion& motion, const Vec3& from) {
+    if (motion.orient_kind != path::OrientKind::Cone)
+        return path::angle_between(from, motion.direction);
+    return std::abs(motion.orientation().angle) * motion.orientation().axis.cross(from).norm();
 }
 
 bool turns(std::size_t follower) { return is_rotary(static_cast<Axis>(follower + 3)); }
@@ -56,7 +57,7 @@ double pivot_length(const path::Motion& motion, const path::Curve& touched) {
 
 }  // namespace
 
-Standing::Standing(const machine::Machine& machine) {
+AxesPosition::AxesPosition(const machine::Machine& machine) {
     if (machine.kinematics) chain_ = &machine.kinematics->chain;
     for (const machine::MachineAxis& axis : machine.axes) {
         const std::size_t i = index(axis.axis);
@@ -70,7 +71,7 @@ Standing::Standing(const machine::Machine& machine) {
 }
 
 /// Where X, Y and Z of the machine stand there.
-Vec3 Standing::carrier_at(const Target& target) const {
+Vec3 AxesPosition::carrier_at(const MotionEnd& target) const {
     const auto& [tip, followers] = target;
     if (virtual_.is_on()) return path::real_position(virtual_, tip) + held_;
     if (!is_transformed_) return tip + held_;
@@ -79,7 +80,7 @@ Vec3 Standing::carrier_at(const Target& target) const {
     return machine::inverse_linear(*chain_, tip, position, -held_);
 }
 
-void Standing::put_carrier(const Vec3& carrier) {
+void AxesPosition::put_carrier(const Vec3& carrier) {
     const Vec3 carried = carrier - held_;
     if (virtual_.is_on()) {
         tip_ = path::virtual_position(virtual_, carried, virtual_angle());
@@ -94,12 +95,12 @@ void Standing::put_carrier(const Vec3& carrier) {
     tip_ = tip_at(*chain_, axes, held_);
 }
 
-double Standing::virtual_angle() const {
+double AxesPosition::virtual_angle() const {
     return virtual_.turns() ? followers_[index(virtual_.rotary) - 3] : 0;
 }
 
-bool Standing::follow_transformation(const path::Motion& motion) {
-    const bool is_wanted = motion.turning != path::Turning::None;
+bool AxesPosition::follow_transformation(const path::Motion& motion) {
+    const bool is_wanted = motion.orient_kind != path::OrientKind::None;
     const bool is_other = is_wanted != is_transformed_ || motion.virtual_axes() != virtual_;
     if (!is_other || (chain_ == nullptr && is_wanted && !motion.virtual_axes().is_on()))
         return false;
@@ -112,8 +113,8 @@ bool Standing::follow_transformation(const path::Motion& motion) {
     return true;
 }
 
-Standing::Target Standing::target_of(const path::Motion& motion) const {
-    Target target{tip_, followers_};
+AxesPosition::MotionEnd AxesPosition::target_of(const path::Motion& motion) const {
+    MotionEnd target{tip_, followers_};
     for (std::size_t i = 0; i < kAxes; ++i) {
         // An axis that is not programmed and whose value did not change stands. Its value may be of
         // another kind than the position now: machine coordinates, or before a tool length.
@@ -129,9 +130,9 @@ Standing::Target Standing::target_of(const path::Motion& motion) const {
     return target;
 }
 
-double Standing::lay_path(const path::Motion& motion, const Target& target,
-                          Segment& segment) const {
-    if (motion.turning == path::Turning::Straight) lay_straight(target, segment);
+double AxesPosition::lay_path(const path::Motion& motion, const MotionEnd& target,
+                              Segment& segment) const {
+    if (motion.orient_kind == path::OrientKind::Straight) lay_straight(target, segment);
     else if (!motion.contact) segment.curve = path::curve_of(motion, tip_, target.tip);
     else segment.curve = touched_path(motion, *motion.contact);
     double length = std::max(path::length(segment.curve), pivot_length(motion, segment.curve));
@@ -141,30 +142,31 @@ double Standing::lay_path(const path::Motion& motion, const Target& target,
 }
 
 /// From point to point every axis goes evenly, as if no transformation acted.
-void Standing::lay_straight(const Target& target, Segment& segment) const {
+void AxesPosition::lay_straight(const MotionEnd& target, Segment& segment) const {
     const Vec3 from = carrier() - held_;
     const Vec3 to = carrier_at(target) - held_;
-    segment.turn.kind = path::Turning::Straight;
+    segment.orientation.kind = path::OrientKind::Straight;
     if ((to - from).norm() > kStill) segment.curve = path::make_line(from, to);
     else segment.curve = path::Point{from};
 }
 
 /// A rotary axis of virtual coordinates follows the path. Where the tool's way is given R1 and R2
 /// follow it; where only it turns, its angle is the path.
-void Standing::lay_orientation(const path::Motion& motion, double& length, Segment& segment) const {
-    path::Turn& turn = segment.turn;
-    turn.kind = motion.turning;
+void AxesPosition::lay_orientation(const path::Motion& motion, double& length,
+                                   Segment& segment) const {
+    path::OrientLaw& orientation = segment.orientation;
+    orientation.kind = motion.orient_kind;
     if (virtual_.turns()) {
         segment.follower_rate[index(virtual_.rotary) - 3] = 0;
         segment.followers |= bit(virtual_.rotary);
     }
-    if (gives_direction(turn)) {
+    if (gives_direction(orientation)) {
         const Vec3 from = machine::tool_vector(*chain_, joints_of(*chain_, followers_));
         const bool stands = std::holds_alternative<path::Point>(segment.curve);
         const bool is_parallel = (segment.followers & ~kRotaryABC) != 0;
         if (stands && !is_parallel && pivot_length(motion, segment.curve) <= kStill) {
             const double before = length;
-            length = deg_from_rad(turned_angle(motion, from));
+            length = deg_from_rad(orient_angle(motion, from));
             segment.is_rotary_only = true;
             if (length > kStill)
                 for (double& rate : segment.follower_rate) rate *= before / length;
@@ -176,26 +178,28 @@ void Standing::lay_orientation(const path::Motion& motion, double& length, Segme
             segment.followers |= bit(axis);
         }
         const double share = length > kStill ? 1 / length : 0;
-        const bool is_point = turn.kind == path::Turning::Point;
-        turn.start = turn.kind == path::Turning::Cone ? from : motion.turn().from;
-        turn.axis = is_point ? Vec3(share * motion.turn().axis) : motion.turn().axis;
-        turn.rate = share * motion.turn().angle;
-        turn.lean = motion.turn().lean;
-        turn.outwards = motion.turn().outwards;
+        const bool is_point = orientation.kind == path::OrientKind::Point;
+        orientation.start =
+            orientation.kind == path::OrientKind::Cone ? from : motion.orientation().from;
+        orientation.axis =
+            is_point ? Vec3(share * motion.orientation().axis) : motion.orientation().axis;
+        orientation.rate = share * motion.orientation().angle;
+        orientation.lead_tilt = motion.orientation().lead_tilt;
+        orientation.outwards = motion.orientation().outwards;
     }
-    turn.length = length;
+    orientation.length = length;
     if (motion.contact) segment.contact = motion.contact->contact;
 }
 
 /// X Y Z make the path if they move, else U V W, else the rotary axes in degrees; the others follow
 /// in proportion (reference motion §1.1).
-void Standing::lay_followers(const Target& target, double& length, Segment& segment) const {
+void AxesPosition::lay_followers(const MotionEnd& target, double& length, Segment& segment) const {
     double turn = 0;
     double parallel = 0;
     for (std::size_t i = 0; i < kFollowers; ++i) {
-        const double way = target.followers[i] - followers_[i];
+        const double distance = target.followers[i] - followers_[i];
         (turns(i) ? turn : parallel) +=
-            turns(i) ? deg_from_rad(way) * deg_from_rad(way) : way * way;
+            turns(i) ? deg_from_rad(distance) * deg_from_rad(distance) : distance * distance;
     }
     if (length <= kStill) length = std::sqrt(parallel);
     if (length <= kStill) {
@@ -204,31 +208,31 @@ void Standing::lay_followers(const Target& target, double& length, Segment& segm
     }
     if (length <= kStill) return;
     for (std::size_t i = 0; i < kFollowers; ++i) {
-        const double way = target.followers[i] - followers_[i];
-        if (way == 0) continue;
-        segment.follower_rate[i] = way / length;
+        const double distance = target.followers[i] - followers_[i];
+        if (distance == 0) continue;
+        segment.follower_rate[i] = distance / length;
         segment.followers |= bit(static_cast<Axis>(i + 3));
     }
 }
 
-Segment Standing::still() const {
+Segment AxesPosition::still() const {
     Segment segment;
     segment.curve = path::Point{tip_};
     segment.tool = tool_;
     segment.carrier = held_;
     segment.follower_start = followers_;
-    if (is_transformed_) segment.turn.kind = path::Turning::Axes;
+    if (is_transformed_) segment.orientation.kind = path::OrientKind::Axes;
     segment.virtual_axes = virtual_;
     return segment;
 }
 
-void Standing::arrive(const path::Motion& motion, const Target& target) {
+void AxesPosition::arrive(const path::Motion& motion, const MotionEnd& target) {
     tip_ = target.tip;
     followers_ = target.followers;
     last_to_ = motion.to;
 }
 
-void Standing::set_tool_length(const path::ToolLength& length, const AxisTable& axes) {
+void AxesPosition::set_tool_length(const path::ToolLength& length, const AxisTable& axes) {
     const Vec3 stays = carrier();
     tool_ = tool_axis(length.plane, axes);
     held_ = length.length * tool_ + length.aside;

@@ -18,28 +18,28 @@ namespace kadr::motion {
 /// A billionth of a millimetre or degree is the rounding of frames, not motion.
 inline constexpr double kStill = 1e-9;
 
-class Standing {
+class AxesPosition {
   public:
     /// At the reference points of the axes, without tool.
-    explicit Standing(const machine::Machine& machine);
+    explicit AxesPosition(const machine::Machine& machine);
 
-    struct Target {
+    struct MotionEnd {
         path::Vec3 tip;
         std::array<double, kFollowers> followers;  // rad or mm
     };
     /// Goes over to the system in which the motion says its target, transformed or not; the axes
     /// stay where they are. True if it is another one.
     bool follow_transformation(const path::Motion& motion);
-    Target target_of(const path::Motion& motion) const;
+    MotionEnd target_of(const path::Motion& motion) const;
 
     /// The way of a Rapid, Line or Arc to its target as geometry. Returns the length of the path in
     /// mm, or in degrees if only rotary axes move (`segment.is_rotary_only`); 0 if nothing moves.
-    double lay_path(const path::Motion& motion, const Target& target, Segment& segment) const;
+    double lay_path(const path::Motion& motion, const MotionEnd& target, Segment& segment) const;
 
     /// A segment in which the machine stands here, for the caller to complete.
     Segment still() const;
 
-    void arrive(const path::Motion& motion, const Target& target);
+    void arrive(const path::Motion& motion, const MotionEnd& target);
 
     /// Another tool length acts. The axes stay where they are; what changes is the point of the
     /// tool that they carry.
@@ -52,12 +52,12 @@ class Standing {
 
   private:
     path::Vec3 carrier() const { return carrier_at({tip_, followers_}); }
-    path::Vec3 carrier_at(const Target& target) const;
+    path::Vec3 carrier_at(const MotionEnd& target) const;
     double virtual_angle() const;
     void put_carrier(const path::Vec3& carrier);
-    void lay_straight(const Target& target, Segment& segment) const;
+    void lay_straight(const MotionEnd& target, Segment& segment) const;
     void lay_orientation(const path::Motion& motion, double& length, Segment& segment) const;
-    void lay_followers(const Target& target, double& length, Segment& segment) const;
+    void lay_followers(const MotionEnd& target, double& length, Segment& segment) const;
 
     const machine::Chain* chain_ = nullptr;  // null if the machine has no transformation
     bool is_transformed_ = false;

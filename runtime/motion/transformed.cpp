@@ -90,15 +90,15 @@ Segment standing_at(const Segment& piece, double distance) {
     still.follower_start = followers_at(piece, distance);
     still.follower_rate = {};
     path::Contact& contact = still.contact;
-    if (contact.kind == path::ContactKind::Side) {
+    if (contact.kind == path::ContactKind::Flank) {
         contact.kind = path::ContactKind::Pivot;
         contact.guide = at.tangent;
-    } else if (piece.turn.length > 0) {
-        contact.guide = path::guide_at(contact, distance / piece.turn.length);
+    } else if (piece.orientation.length > 0) {
+        contact.guide = path::guide_at(contact, distance / piece.orientation.length);
     }
     contact.turn = 0;
-    still.turn = path::Turn{};
-    still.turn.kind = path::Turning::Axes;
+    still.orientation = path::OrientLaw{};
+    still.orientation.kind = path::OrientKind::Axes;
     return still;
 }
 
@@ -119,23 +119,24 @@ LogicalAxes complete(const Chain& chain, const Segment& piece, const Vec3& tip,
 /// At the pole R1 has the place with which the tool gets there: a nutating head's still moves. From
 /// two places beside it, since so near to the pole the rounding of a direction would turn R1.
 double first_at_pole(const Chain& chain, const Segment& piece, double distance, const Vec3& near) {
-    const path::Turn& turn = piece.turn;
-    const double inwards = distance > turn.length / 2 ? -1 : 1;
+    const path::OrientLaw& orientation = piece.orientation;
+    const double inwards = distance > orientation.length / 2 ? -1 : 1;
     const auto beside = [&](double step) {
-        return path::direction_at(turn, piece.curve, distance + inwards * step);
+        return path::direction_at(orientation, piece.curve, distance + inwards * step);
     };
     const Vec3& axis = chain.joints[machine::kR1].direction;
-    double step = kBesidePole * turn.length;
-    while (step < turn.length / 4 && axis.cross(beside(step)).norm() < kBesidePole) step *= 2;
+    double step = kBesidePole * orientation.length;
+    while (step < orientation.length / 4 && axis.cross(beside(step)).norm() < kBesidePole)
+        step *= 2;
     const Vec3 farther = joints_for(chain, beside(2 * step), near);
     const Vec3 nearer = joints_for(chain, beside(step), farther);
     return 2 * nearer[0] - farther[0];
 }
 
-Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, const Vec3& direction,
-                   Vec3 near) {
-    const path::Turn& turn = piece.turn;
-    const bool stands = turn.kind == path::Turning::Cone && turn.rate == 0;
+Vec3 joints_along(const Chain& chain, const Segment& piece, double distance, const Vec3& direction,
+                  Vec3 near) {
+    const path::OrientLaw& orientation = piece.orientation;
+    const bool stands = orientation.kind == path::OrientKind::Cone && orientation.rate == 0;
     if (stands || !is_at_pole(chain, direction)) return joints_for(chain, direction, near);
     near[0] = first_at_pole(chain, piece, distance, near);
     Vec3 joints = joints_for(chain, direction, near);
@@ -162,38 +163,39 @@ ToolPose virtual_near(const Segment& piece, double distance, const Vec3& tip,
 }
 
 Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
-    if (gives_direction(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
+    if (gives_direction(piece.orientation))
+        return path::direction_at(piece.orientation, piece.curve, distance);
     return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
 }
 
 std::optional<Vec3> aside_at(const Segment& piece, double distance, const Vec3& tool) {
     const path::Contact& contact = piece.contact;
-    const double share = piece.turn.length > 0 ? distance / piece.turn.length : 0;
-    const Vec3 guide = contact.kind == path::ContactKind::Side
+    const double share = piece.orientation.length > 0 ? distance / piece.orientation.length : 0;
+    const Vec3 guide = contact.kind == path::ContactKind::Flank
                            ? path::evaluate(piece.curve, distance).tangent
                            : path::guide_at(contact, share);
     return path::tip_beside(contact, guide, tool);
 }
 
 /// From where the cutter touches to its tip.
-Vec3 tip_beside(const Chain& chain, const Segment& piece, double distance, const Vec3& place,
+Vec3 tip_beside(const Chain& chain, const Segment& piece, double distance, const Vec3& point,
                 const Vec3& tool) {
     if (const auto aside = aside_at(piece, distance, tool)) [[likely]]
-        return place + *aside;
-    const double length = piece.turn.length;
-    if (length == 0) return place + path::tip_square(piece.contact, tool);
+        return point + *aside;
+    const double length = piece.orientation.length;
+    if (length == 0) return point + path::tip_square(piece.contact, tool);
     const auto aside = path::tip_or_limit(distance / length, [&](double share) {
         const double at = share * length;
         return aside_at(piece, at, tool_at(chain, piece, at));
     });
-    return aside ? Vec3(place + *aside) : place;  // that there is one was checked
+    return aside ? Vec3(point + *aside) : point;  // that there is one was checked
 }
 
 /// From point to point the axes say where the tip is.
 ToolPose pose_straight(const Chain& chain, const Segment& piece, double distance,
-                       const Vec3& place) {
+                       const Vec3& point) {
     ToolPose placed;
-    const Vec3 linear = place + piece.carrier;
+    const Vec3 linear = point + piece.carrier;
     for (std::size_t i = 0; i < 3; ++i) placed.axes[i] = linear[at(i)];
     const auto followers = followers_at(piece, distance);
     std::ranges::copy(followers, placed.axes.begin() + 3);
@@ -203,27 +205,27 @@ ToolPose pose_straight(const Chain& chain, const Segment& piece, double distance
 }
 
 /// pose_at() with the joints going on from where they stand in `near`.
-ToolPose pose_near(const Chain& chain, const Segment& piece, double distance, const Vec3& place,
+ToolPose pose_near(const Chain& chain, const Segment& piece, double distance, const Vec3& point,
                    const LogicalAxes& near) {
-    if (piece.goes_straight()) return pose_straight(chain, piece, distance, place);
-    if (piece.virtual_axes.is_on()) return virtual_near(piece, distance, place, near);
+    if (piece.goes_straight()) return pose_straight(chain, piece, distance, point);
+    if (piece.virtual_axes.is_on()) return virtual_near(piece, distance, point, near);
     ToolPose placed;
     auto followers = followers_at(piece, distance);
-    if (gives_direction(piece.turn)) {
+    if (gives_direction(piece.orientation)) {
         std::array<double, kFollowers> from{};
         std::copy(near.begin() + 3, near.end(), from.begin());
-        placed.tool = path::direction_at(piece.turn, piece.curve, distance);
-        Vec3 rotary = joints_on_way(chain, piece, distance, placed.tool, joints_of(chain, from));
+        placed.tool = path::direction_at(piece.orientation, piece.curve, distance);
+        Vec3 rotary = joints_along(chain, piece, distance, placed.tool, joints_of(chain, from));
         rotary[2] = joints_of(chain, followers)[2];
         put_joints(chain, rotary, followers);
     } else {
-        if (piece.turn.kind == path::Turning::Joints)
-            put_joints(chain, path::position(piece.turn.joints, distance), followers);
+        if (piece.orientation.kind == path::OrientKind::Joints)
+            put_joints(chain, path::position(piece.orientation.joints, distance), followers);
         placed.tool = machine::tool_vector(chain, joints_of(chain, followers));
     }
     placed.tip = piece.contact.kind == path::ContactKind::Tip
-                     ? place
-                     : tip_beside(chain, piece, distance, place, placed.tool);
+                     ? point
+                     : tip_beside(chain, piece, distance, point, placed.tool);
     placed.axes = complete(chain, piece, placed.tip, followers);
     return placed;
 }
@@ -241,8 +243,8 @@ LogicalAxes start_of(const Segment& piece) {
     return axes;
 }
 
-ToolPose pose_at(const Chain& chain, const Segment& piece, double distance, const Vec3& place) {
-    return pose_near(chain, piece, distance, place, start_of(piece));
+ToolPose pose_at(const Chain& chain, const Segment& piece, double distance, const Vec3& point) {
+    return pose_near(chain, piece, distance, point, start_of(piece));
 }
 
 LogicalAxes axes_at(const Chain& chain, const Segment& piece, double distance) {
@@ -293,7 +295,7 @@ std::array<LogicalAxes, kIntervals + 1> nodes_of(const Chain& chain, const Segme
     LogicalAxes near = start_of(piece);
     for (std::size_t i = 0; i <= kIntervals; ++i) {
         const double part = static_cast<double>(i) / kIntervals;
-        near = nodes[i] = axes_near(chain, piece, part * piece.turn.length, near);
+        near = nodes[i] = axes_near(chain, piece, part * piece.orientation.length, near);
     }
     return nodes;
 }
@@ -314,7 +316,7 @@ std::array<double, kIntervals + 1> through(std::array<double, kIntervals + 1> va
 }  // namespace
 
 AxisPolynomials::AxisPolynomials(const Chain& chain, const Segment& piece)
-    : length_(piece.turn.length) {
+    : length_(piece.orientation.length) {
     const auto nodes = nodes_of(chain, piece);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         std::array<double, kNodes> values{};
@@ -388,11 +390,11 @@ bool is_continuous(const Chain& chain, const Segment& piece) {
 
 /// The most acceleration along the path that no axis forbids at either end, where the path does not
 /// bend it.
-double most_along(const AxisPolynomials& course, const AxisBounds& bounds) {
+double most_along(const AxisPolynomials& polynomials, const AxisBounds& bounds) {
     double along = std::numeric_limits<double>::infinity();
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const double rate =
-            std::max(std::abs(course.rate(axis, 0)), std::abs(course.rate(axis, 1)));
+            std::max(std::abs(polynomials.rate(axis, 0)), std::abs(polynomials.rate(axis, 1)));
         if (rate * along > bounds.acceleration[axis]) along = bounds.acceleration[axis] / rate;
     }
     return along;
@@ -402,21 +404,22 @@ double most_along(const AxisPolynomials& course, const AxisBounds& bounds) {
 /// limits allow. The error of a polynomial through five places is greatest in its derivatives at
 /// the ends: there it is 30 and 64 times what it is an eighth of the way inside, per step² and
 /// step³.
-bool is_exact(const Chain& chain, const Segment& piece, const AxisPolynomials& course,
+bool is_exact(const Chain& chain, const Segment& piece, const AxisPolynomials& polynomials,
               const AxisBounds& bounds, double speed, const PartWishes& wishes) {
     if (std::isinf(speed)) return true;
     const double slight = wishes.as_cells ? kCourseErrorOfCell : kCourseError;
-    const double time = piece.turn.length / kIntervals / speed;  // of a step
-    const bool passes_in_a_tick = piece.turn.length < wishes.time * speed;
-    const double along = most_along(course, bounds) * kIntervals / piece.turn.length;
+    const double time = piece.orientation.length / kIntervals / speed;  // of a step
+    const bool passes_in_a_tick = piece.orientation.length < wishes.time * speed;
+    const double along = most_along(polynomials, bounds) * kIntervals / piece.orientation.length;
     for (const double u : {0.125, 0.875}) {
-        const LogicalAxes exact = axes_at(chain, piece, u * piece.turn.length);
+        const LogicalAxes exact = axes_at(chain, piece, u * piece.orientation.length);
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
-            const double error = std::abs(exact[axis] - course.position(axis, u));
+            const double error = std::abs(exact[axis] - polynomials.position(axis, u));
             if (error < kRounding) continue;
-            const double way = std::abs(course.position(axis, 1) - course.position(axis, 0.5)) +
-                               std::abs(course.position(axis, 0.5) - course.position(axis, 0));
-            if (error > std::max(kCourseShare * way, kSlightError)) return false;
+            const double distance =
+                std::abs(polynomials.position(axis, 1) - polynomials.position(axis, 0.5)) +
+                std::abs(polynomials.position(axis, 0.5) - polynomials.position(axis, 0));
+            if (error > std::max(kCourseShare * distance, kSlightError)) return false;
             if (kEndRate * error * along > kAccelerationError * bounds.acceleration[axis])
                 return false;
             if (passes_in_a_tick) continue;
@@ -431,7 +434,7 @@ bool is_exact(const Chain& chain, const Segment& piece, const AxisPolynomials& c
 bool is_even(const Chain& chain, const Segment& piece, const AxisBounds& bounds,
              const PartWishes& wishes) {
     if (!is_continuous(chain, piece)) return false;
-    const AxisPolynomials course(chain, piece);
+    const AxisPolynomials polynomials(chain, piece);
     Range slowness;
     Range stiffness;
     for (std::size_t i = 0; i <= kIntervals; ++i) {
@@ -439,19 +442,20 @@ bool is_even(const Chain& chain, const Segment& piece, const AxisBounds& bounds,
         double slow = 0;
         double stiff = 0;
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
-            slow = std::max(slow, std::abs(course.rate(axis, u)) / bounds.velocity[axis]);
-            stiff = std::max(stiff, std::abs(course.bend(axis, u)) / bounds.acceleration[axis]);
+            slow = std::max(slow, std::abs(polynomials.rate(axis, u)) / bounds.velocity[axis]);
+            stiff =
+                std::max(stiff, std::abs(polynomials.bend(axis, u)) / bounds.acceleration[axis]);
         }
         slowness.take(slow);
         stiffness.take(stiff);
     }
     const bool is_slow = slowness.most * wishes.speed > 1;  // the velocity of an axis limits it
     const double speed = is_slow ? 1 / slowness.most : wishes.speed;
-    if (!is_exact(chain, piece, course, bounds, speed, wishes)) return false;
-    if (piece.turn.length < wishes.time * speed) return true;
+    if (!is_exact(chain, piece, polynomials, bounds, speed, wishes)) return false;
+    if (piece.orientation.length < wishes.time * speed) return true;
     if (wishes.as_cells)
-        return is_nearly_straight(course, bounds, wishes.speed) ||
-               cell_on(course, bounds, wishes.speed).has_value();
+        return is_nearly_straight(polynomials, bounds, wishes.speed) ||
+               cell_on(polynomials, bounds, wishes.speed).has_value();
     if (is_slow && slowness.most > kEvenRate * slowness.least) return false;
     const bool is_slight = std::isinf(speed) || stiffness.most * speed * speed < kSlightBend;
     return is_slight || stiffness.most <= kEvenBend * stiffness.least;
@@ -461,7 +465,7 @@ bool is_even(const Chain& chain, const Segment& piece, const AxisBounds& bounds,
 
 std::vector<Segment> even_parts(const Chain& chain, const Segment& whole, const AxisBounds& bounds,
                                 const PartWishes& wishes) {
-    const double length = whole.turn.length;
+    const double length = whole.orientation.length;
     const double finest = kFinest * length;
     std::vector<Segment> parts;
     Segment rest = whole;

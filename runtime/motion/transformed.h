@@ -22,7 +22,9 @@ using machine::is_at_pole;
 using machine::joints_for;
 
 /// Whether the tool's direction is given along the piece, and the rotary axes follow it.
-inline bool gives_direction(const path::Turn& turn) { return turn.kind > path::Turning::Axes; }
+inline bool gives_direction(const path::OrientLaw& orientation) {
+    return orientation.kind > path::OrientKind::Axes;
+}
 
 /// Where the joints of the chain stand, as followers of a piece say it, and the other way round.
 path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFollowers>& followers);
@@ -49,9 +51,9 @@ LogicalAxes axes_near(const machine::Chain& chain, const Segment& piece, double 
 /// Where the axes stand where the piece begins; the linear ones are 0.
 LogicalAxes start_of(const Segment& piece);
 
-/// place  of the curve of the piece at that distance; the piece may also be one from point to point
+/// point  of the curve of the piece at that distance; the piece may also be one from point to point
 ToolPose pose_at(const machine::Chain& chain, const Segment& piece, double distance,
-                 const path::Vec3& place);
+                 const path::Vec3& point);
 
 /// The way of the tip from point to point as lines, for those who draw and measure it: one for
 /// every few degrees that the tool turns. What follows the path is shared out evenly.

@@ -46,17 +46,17 @@ struct AxisView {
     double rate_miss = 0;  // greatest differences from the straight lines between these
     double bend_miss = 0;
 
-    AxisView(const AxisPolynomials& course, std::size_t axis)
-        : entry_rate(course.rate(axis, 0)),
-          exit_rate(course.rate(axis, 1)),
-          entry_bend(course.bend(axis, 0)),
-          exit_bend(course.bend(axis, 1)) {
+    AxisView(const AxisPolynomials& polynomials, std::size_t axis)
+        : entry_rate(polynomials.rate(axis, 0)),
+          exit_rate(polynomials.rate(axis, 1)),
+          entry_bend(polynomials.bend(axis, 0)),
+          exit_bend(polynomials.bend(axis, 1)) {
         for (const double u : kInside) {
             const auto miss = [u](double from, double to, double at) {
                 return kBetween * std::abs(at - (1 - u) * from - u * to);
             };
-            rate_miss = std::max(rate_miss, miss(entry_rate, exit_rate, course.rate(axis, u)));
-            bend_miss = std::max(bend_miss, miss(entry_bend, exit_bend, course.bend(axis, u)));
+            rate_miss = std::max(rate_miss, miss(entry_rate, exit_rate, polynomials.rate(axis, u)));
+            bend_miss = std::max(bend_miss, miss(entry_bend, exit_bend, polynomials.bend(axis, u)));
         }
     }
 
@@ -71,9 +71,9 @@ struct AxisView {
 
 using Views = std::vector<AxisView>;  // of the logical axes
 
-Views views_of(const AxisPolynomials& course) {
+Views views_of(const AxisPolynomials& polynomials) {
     Views views;
-    for (std::size_t i = 0; i < kAxes; ++i) views.emplace_back(course, i);
+    for (std::size_t i = 0; i < kAxes; ++i) views.emplace_back(polynomials, i);
     return views;
 }
 
@@ -163,16 +163,17 @@ bool is_nearly_straight(const Views& views, const AxisBounds& bounds, double spe
 
 }  // namespace
 
-bool is_nearly_straight(const AxisPolynomials& course, const AxisBounds& bounds, double speed) {
-    return is_nearly_straight(views_of(course), bounds, speed);
+bool is_nearly_straight(const AxisPolynomials& polynomials, const AxisBounds& bounds,
+                        double speed) {
+    return is_nearly_straight(views_of(polynomials), bounds, speed);
 }
 
-std::optional<BentCell> cell_on(const AxisPolynomials& course, const AxisBounds& bounds,
+std::optional<BentCell> cell_on(const AxisPolynomials& polynomials, const AxisBounds& bounds,
                                 double speed) {
-    const Views views = views_of(course);
+    const Views views = views_of(polynomials);
     if (is_nearly_straight(views, bounds, speed)) return std::nullopt;
     BentCell cell;
-    cell.length = course.length();
+    cell.length = polynomials.length();
     cell.speed = speed;
     cell.acceleration = kInfinity;
     if (!take_velocities(views, bounds, cell)) return std::nullopt;

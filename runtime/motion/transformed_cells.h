@@ -17,13 +17,13 @@
 namespace kadr::motion {
 
 /// Whether one speed and one acceleration suit a part as well as a cell does, at a wanted speed.
-bool is_nearly_straight(const AxisPolynomials& course, const AxisBounds& bounds, double speed);
+bool is_nearly_straight(const AxisPolynomials& polynomials, const AxisBounds& bounds, double speed);
 
 /// A part as a cell; nothing if it is nearly straight, if p or c differ too much from their
 /// straight lines, or if it is too long to have one acceleration.
 ///
 /// speed  wanted along the path, mm/s; may be infinite
-std::optional<BentCell> cell_on(const AxisPolynomials& course, const AxisBounds& bounds,
+std::optional<BentCell> cell_on(const AxisPolynomials& polynomials, const AxisBounds& bounds,
                                 double speed);
 
 }  // namespace kadr::motion

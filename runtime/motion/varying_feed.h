@@ -17,7 +17,7 @@
 namespace kadr::motion {
 
 /// What a feed takes where it is run as it is.
-struct FeedCourse {
+struct VaryingFeed {
     path::FeedPolynomial feed{};  // mm/s (deg/s) over mm (deg)
     double length = 0;            // mm, of the piece
     double time = 0;          // s: τ at its end; 0: the feed is constant, and this says nothing
@@ -36,10 +36,10 @@ struct FeedCourse {
 /// A piece of path with this feed.
 ///
 /// length  > 0; the feed is above 0 on it and changes by a factor of two at most
-FeedCourse course_of(const path::FeedPolynomial& feed, double length);
+VaryingFeed varying_feed_of(const path::FeedPolynomial& feed, double length);
 
 /// The place at the course's time τ, 0 … time; to the last digits.
-double place_at(const FeedCourse& course, double time);
+double distance_at(const VaryingFeed& varying_feed, double time);
 
 /// What ρ may have: 1/s and 1/s².
 struct RateLimits {
@@ -48,6 +48,6 @@ struct RateLimits {
 };
 
 /// acceleration, jerk  along the path, that the axes leave; the jerk may be infinite
-RateLimits rate_limits(const FeedCourse& course, double acceleration, double jerk);
+RateLimits rate_limits(const VaryingFeed& varying_feed, double acceleration, double jerk);
 
 }  // namespace kadr::motion

@@ -158,7 +158,7 @@ bool operator==(const Block& a, const Block& b) {
     if (a.x_measure != b.x_measure || a.rotary_approaches != b.rotary_approaches) return false;
     if (a.feed_along_arc != b.feed_along_arc || a.feed_of_all_axes != b.feed_of_all_axes)
         return false;
-    return a.skip == b.skip && a.further_skip_levels == b.further_skip_levels &&
+    return a.skip_level == b.skip_level && a.further_skip_levels == b.further_skip_levels &&
            a.number == b.number && a.text == b.text && a.comment == b.comment;
 }
 
@@ -173,9 +173,9 @@ std::string describe(const Block& block) {
         case Block::Kind::Modal: return "modal";
         case Block::Kind::Position: out = "position"; break;
     }
-    if (block.skip >= 0) {
+    if (block.skip_level >= 0) {
         out += '/';
-        append_shortest(out, block.skip);
+        append_shortest(out, block.skip_level);
     }
     if (block.number >= 0) {
         out += out.empty() ? "N" : " N";

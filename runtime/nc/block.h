@@ -110,7 +110,7 @@ struct Block {
     SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state says
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
-    std::int8_t skip = -1;                  // optional skip level 0…9; -1 none
+    std::int8_t skip_level = -1;            // optional skip level 0…9; -1 none
     bool feed_along_arc : 1 = false;        // F of a helix is meant along its arc, not its path
     bool feed_of_all_axes : 1 = false;      // F of a straight block is meant over rotary axes, too
     bool has_inch_feed : 1 = false;         // of what was read: F is in inches
@@ -136,7 +136,7 @@ struct Block {
         motion = Function::None;
         given = incremental = absolute = 0;
         function_count = argument_count = 0;
-        skip = -1;
+        skip_level = -1;
         further_skip_levels = 0;
         x_measure = XMeasure::Modal;
         feed_along_arc = feed_of_all_axes = has_inch_feed = length_waits = false;
@@ -164,10 +164,10 @@ struct Block {
         const auto shift = 2 * (index(axis) - index(Axis::A));
         return static_cast<RotaryApproach>(rotary_approaches >> shift & 3u);
     }
-    void set_rotary_approach(Axis axis, RotaryApproach way) {
+    void set_rotary_approach(Axis axis, RotaryApproach approach) {
         const auto shift = 2 * (index(axis) - index(Axis::A));
         rotary_approaches = static_cast<std::uint8_t>((rotary_approaches & ~(3u << shift)) |
-                                                      static_cast<unsigned>(way) << shift);
+                                                      static_cast<unsigned>(approach) << shift);
     }
 
     /// Adds a function without parameters given; false if the block is full.

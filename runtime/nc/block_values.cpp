@@ -48,9 +48,10 @@ Done BlockValues::put_number(const Claim& claim, const LexedLine& words, std::st
     const Decimal& decimal = words.decimals[claim.word];
     const TextUnits& units = modes_.units();
     const NumberFormat& own = tables_.addresses[word.address].format;
-    std::optional<NumberFormat> lead;
-    if (claim.is_lead || (!claim.is_parameter && is_pitch(claim, block))) lead = lead_format(own);
-    const NumberFormat& format = lead ? *lead : own;
+    std::optional<NumberFormat> pitch;
+    if (claim.is_pitch || (!claim.is_parameter && is_pitch(claim, block)))
+        pitch = pitch_format(own);
+    const NumberFormat& format = pitch ? *pitch : own;
     // A plain factor below 0: the digits are the number, whatever one without a point means.
     const bool takes_digits = claim.plain_factor < 0;
     const double meaning =
@@ -69,7 +70,7 @@ Done BlockValues::put_number(const Claim& claim, const LexedLine& words, std::st
         return fail(row, claim, words, line);
     }
     if (!claim.is_parameter) {
-        if (points_.is_open() && is_position(static_cast<Slot>(claim.place)))
+        if (points_.is_open() && is_position(static_cast<Slot>(claim.index)))
             points_.watch(claim, words, line);
         set_slot(claim, meaning, block);
         return kDone;
@@ -89,7 +90,7 @@ Done BlockValues::put_number(const Claim& claim, const LexedLine& words, std::st
 /// meaning  of the word, in the text's units
 void BlockValues::set_slot(const Claim& claim, double meaning, Block& block) const {
     constexpr double kMinute = 60;  // s; feeds under inverse time are 1/min
-    const auto slot = static_cast<Slot>(claim.place);
+    const auto slot = static_cast<Slot>(claim.index);
     const double scale = modes_.slot_scale(claim.dimension);
     const bool is_time = slot == Slot::Feed && modes_.is_feed_time();
     block.set(slot, is_time && meaning != 0 ? kMinute / meaning
@@ -107,7 +108,7 @@ bool BlockValues::is_position_of_function(const Claim& claim, const LexedLine& w
 
 /// Whether the word is F of a thread, where F is the pitch.
 bool BlockValues::is_pitch(const Claim& claim, const Block& block) const {
-    if (static_cast<Slot>(claim.place) != Slot::Feed || !modes_.is_feed_pitch()) return false;
+    if (static_cast<Slot>(claim.index) != Slot::Feed || !modes_.is_feed_pitch()) return false;
     const Function motion =
         block.motion != Function::None ? block.motion : modes_.active(Group::Motion);
     return motion == Function::Thread || has_fact(motion, Fact::VaryingThread) ||

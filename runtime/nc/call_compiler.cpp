@@ -294,7 +294,7 @@ Try CallCompiler::take_named_call() {
         depth_ = 0;
         fault_.reset();
         out_.code.resize(code);
-        out_.places.resize(code);
+        out_.spans.resize(code);
         if (!out_.calls.empty()) out_.calls.pop_back();
         return Try::Absent;
     };
@@ -429,7 +429,7 @@ Done CallCompiler::take_listed(CallArgument& out) {
         fault_.reset();
         out.variable = {};
         out_.code.resize(code);
-        out_.places.resize(code);
+        out_.spans.resize(code);
         at_ = begin;
     }
     const Done taken = take_stored(out.value);

@@ -110,7 +110,7 @@ std::string comment_text(std::string_view text, const CommentStyle& style) {
     return style.is_upper ? upper_ascii(out) : out;
 }
 
-std::string program_name(std::string_view name, const ProgramFrame& frame) {
+std::string program_name(std::string_view name, const ProgramTemplates& frame) {
     CommentStyle ascii;
     ascii.is_ascii = true;
     ascii.is_upper = true;

@@ -14,6 +14,6 @@ std::string comment_text(std::string_view text, const CommentStyle& style);
 
 /// `name` as a program name: letters, digits and `_`, upper case, cut to the length the control
 /// takes, beginning as it wants.
-std::string program_name(std::string_view name, const ProgramFrame& frame);
+std::string program_name(std::string_view name, const ProgramTemplates& frame);
 
 }  // namespace kadr::nc

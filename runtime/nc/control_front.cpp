@@ -74,7 +74,7 @@ class Front {
                 return;
             }
             if (word.text.size() < 2 && !language_.has_label_numbers) continue;
-            if (!words_.says_with_digits(word, form.tokens[0].text)) continue;
+            if (!words_.matches_with_digits(word, form.tokens[0].text)) continue;
             if (form.statement == Statement::Label && take_label_of(form, at)) return;
             if (found == nullptr || !is_likely(*found, at + word.text.size())) found = &form;
         }
@@ -102,7 +102,7 @@ class Front {
                 continue;
             }
             const Word word = words_.word_at(at);
-            if (!words_.says_with_digits(word, token.text)) return false;
+            if (!words_.matches_with_digits(word, token.text)) return false;
             at += words_.length_of(word, token.text);
         }
         if (label.empty() || (has_rival(form) && !says_nothing_from(at))) return false;
@@ -160,7 +160,7 @@ class Front {
                 continue;
             }
             const Word word = words_.word_at(at);
-            if (words_.says(word, keyword)) return true;
+            if (words_.matches(word, keyword)) return true;
             // Where blanks do not count the keyword may stand inside of letters: `#1THEN`.
             at += words_.is_blank_insensitive() ? 1 : std::max<std::size_t>(1, word.text.size());
         }

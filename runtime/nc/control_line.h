@@ -185,7 +185,7 @@ struct ControlLine {
     std::vector<ControlStatement> statements;
     std::vector<Call> calls;
     std::vector<Instruction> code;
-    std::vector<Span> places;  // of the instructions
+    std::vector<Span> spans;  // of the instructions
     std::vector<std::string> texts;
 
     void clear();
@@ -242,10 +242,10 @@ class NameTable {
   public:
     /// From 1 on; `name` as the language compares names.
     std::int64_t number_of(const std::string& name) {
-        const auto [place, is_new] =
+        const auto [text, is_new] =
             numbers_.emplace(name, static_cast<std::int64_t>(names_.size()) + 1);
         if (is_new) names_.push_back(name);
-        return place->second;
+        return text->second;
     }
     /// Empty: no name has the number.
     std::string_view name_of(std::int64_t number) const {
@@ -271,7 +271,7 @@ struct LineContext {
     bool has_plain_codes = false;   // codes that call a program of their own mean what they are
     bool is_argument = false;       // the words are arguments of a modal call
     std::uint16_t skip_levels = 0;  // bit n: the operator leaves out what has the level n
-    bool is_told = false;           // by the machine: numbers may have more digits than a program's
+    bool is_machine_data = false;   // by the machine: numbers may have more digits than a program's
     const MachineAxisNames* axis_names = nullptr;  // null: AX1 is X, AX2 Y … and X1 X, Y1 Y …
     friend bool operator==(const LineContext&, const LineContext&) = default;
 };

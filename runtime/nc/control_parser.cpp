@@ -21,7 +21,7 @@ void ControlLine::clear() {
     statements.clear();
     calls.clear();
     code.clear();
-    places.clear();
+    spans.clear();
     texts.clear();
 }
 
@@ -35,7 +35,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         : CallCompiler(tables, symbols, line, out), context_(context) {
         names_ = context.names;
         axis_names_ = context.axis_names;
-        is_told_ = context.is_told;
+        is_machine_data_ = context.is_machine_data;
     }
 
     std::optional<LineFault> run() {
@@ -141,7 +141,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const Word word = words_.word_at(at);
         const bool is_function = std::ranges::any_of(
             language_.functions,
-            [&](const FunctionForm& form) { return words_.says(word, form.name); });
+            [&](const FunctionForm& form) { return words_.matches(word, form.name); });
         if (!is_function) return false;
         // `SPI(2)`, but not `SPI(NUM)`, is a name as it stands.
         const std::string index = words_.normal(line_.substr(at));
@@ -218,7 +218,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const Word word = words_.word_at(at_);
         const auto form = std::ranges::find_if(language_.functions, [&](const FunctionForm& f) {
             return (f.operation == Operation::List || f.operation == Operation::Fill) &&
-                   words_.says(word, f.name);
+                   words_.matches(word, f.name);
         });
         if (form == language_.functions.end()) return not_taken();
         at_ += word.text.size();
@@ -283,14 +283,15 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             if (has_number_in_front ? !loop_in_front(words_, line_, form, begin)
                                     : word.text.size() < 2 && !language_.has_label_numbers)
                 continue;
-            if (!words_.says_with_digits(word, form.tokens[0].text) || !is_wanted(form.statement))
+            if (!words_.matches_with_digits(word, form.tokens[0].text) ||
+                !is_wanted(form.statement))
                 continue;
             if (wants_call(form) && !begins_call(begin + word.text.size())) continue;
             at_ = begin;
             depth_ = 0;
             fault_.reset();
             out_.code.resize(code);
-            out_.places.resize(code);
+            out_.spans.resize(code);
             out_.calls.clear();
             ControlStatement statement;
             statement.kind = form.statement;
@@ -350,7 +351,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             switch (token.kind) {
                 case StatementToken::Kind::Word: {
                     const Word word = words_.word_at(at_);
-                    if (!words_.says_with_digits(word, token.text)) {
+                    if (!words_.matches_with_digits(word, token.text)) {
                         if (token.is_optional) return require_finished();
                         if (at_ < line_.size()) return fail_here(diag::StatementSyntax);
                         return fail_missing(token.text);
@@ -781,7 +782,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         while (true) {
             skip();
             if (words_.is_end(at_)) return out.list.empty() ? Try::Absent : Try::Taken;
-            if (next != nullptr && words_.says(words_.word_at(at_), next->text)) return Try::Taken;
+            if (next != nullptr && words_.matches(words_.word_at(at_), next->text))
+                return Try::Taken;
             out.list.emplace_back();
             if (!take_operand(out.list.back())) return Try::Failed;
             const Try jump = take_inner(out, false);
@@ -812,7 +814,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const bool is_structure =
             statements[0].kind >= Statement::If && statements[0].kind <= Statement::Until;
         if (is_structure && rules_.mixes_words &&
-            (out_.words.skip >= 0 || !out_.words.label.empty()))
+            (out_.words.skip_level >= 0 || !out_.words.label.empty()))
             return fault(diag::StructureWithLabel, statements[0].span);
         return {};
     }

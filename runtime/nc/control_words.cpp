@@ -78,21 +78,21 @@ bool ControlWords::starts_with(std::size_t at, std::string_view text) const {
     return at <= line_.size() && is_same(line_.substr(at, text.size()), text);
 }
 
-bool ControlWords::says_operator(const Word& word, std::string_view text) const {
+bool ControlWords::matches_operator(const Word& word, std::string_view text) const {
     if (!is_blank_insensitive()) return is_same(word.text, text);
     return is_same(word.text.substr(0, text.size()), text);
 }
 
-bool ControlWords::says(const Word& word, std::string_view keyword) const {
+bool ControlWords::matches(const Word& word, std::string_view keyword) const {
     if (word.text.empty()) return false;
-    if (says_operator(word, keyword)) return true;
+    if (matches_operator(word, keyword)) return true;
     const auto shortest = static_cast<std::size_t>(tables_.language.rules.short_words);
     return shortest != 0 && word.text.size() >= shortest && word.text.size() < keyword.size() &&
            is_same(keyword.substr(0, word.text.size()), word.text);
 }
 
-bool ControlWords::says_with_digits(const Word& word, std::string_view keyword) const {
-    if (keyword.size() != 1) return says(word, keyword);
+bool ControlWords::matches_with_digits(const Word& word, std::string_view keyword) const {
+    if (keyword.size() != 1) return matches(word, keyword);
     const std::string_view behind = word.text.substr(std::min<std::size_t>(1, word.text.size()));
     return is_same(word.text.substr(0, 1), keyword) && std::ranges::all_of(behind, is_digit);
 }

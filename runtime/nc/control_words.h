@@ -44,11 +44,11 @@ class ControlWords {
     bool starts_with(std::size_t at, std::string_view text) const;
     /// Whether the word is this keyword, a short form of it, or begins with it where blanks do not
     /// count.
-    bool says(const Word& word, std::string_view keyword) const;
+    bool matches(const Word& word, std::string_view keyword) const;
     /// The same; a keyword of one letter has digits behind it, `L5` for `L{from}`.
-    bool says_with_digits(const Word& word, std::string_view keyword) const;
+    bool matches_with_digits(const Word& word, std::string_view keyword) const;
     /// The same for operators, which have no short forms.
-    bool says_operator(const Word& word, std::string_view text) const;
+    bool matches_operator(const Word& word, std::string_view text) const;
     /// How much of the word the keyword is.
     std::size_t length_of(const Word& word, std::string_view keyword) const;
     /// Whether a variable with a number or a sign (`#1`, `R5`, `$P_EP`) begins here.

@@ -74,8 +74,8 @@ std::vector<std::string> unused_entries(const Dialect& dialect, const UsedEntrie
     }
     std::vector<std::string> names;
     for (const DialectEntry& entry : entries) {
-        const bool is_told = std::find(names.begin(), names.end(), entry.name) != names.end();
-        if (!reached.contains(entry.name) && !is_told) names.push_back(entry.name);
+        const bool is_reported = std::find(names.begin(), names.end(), entry.name) != names.end();
+        if (!reached.contains(entry.name) && !is_reported) names.push_back(entry.name);
     }
     return names;
 }

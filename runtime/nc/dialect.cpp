@@ -195,9 +195,9 @@ std::vector<std::string> dialect_names(const SearchPath& folders) {
 }
 
 /// Says that there is none; the one that may have been meant.
-std::optional<std::string> report_missing(const std::string& name, const SourceRange& place,
+std::optional<std::string> report_missing(const std::string& name, const SourceRange& location,
                                           const SearchPath& folders, DiagnosticSink& sink) {
-    auto report = std::move(sink.report(diag::DialectNotFound, place).arg(name));
+    auto report = std::move(sink.report(diag::DialectNotFound, location).arg(name));
     const std::vector<std::string> known = dialect_names(folders);
     const std::vector<std::string_view> views(known.begin(), known.end());
     if (const auto near = nearest_name(name, views.data(), views.size())) {
@@ -219,14 +219,14 @@ class ChainLoader {
     ChainLoader(MachineKind kind, const SearchPath& folders, Sources& sources, DiagnosticSink& sink)
         : kind_(kind), folders_(folders), sources_(sources), sink_(sink) {}
 
-    Done load(const std::string& name, const SourceRange& place, DialectTables& tables) {
+    Done load(const std::string& name, const SourceRange& location, DialectTables& tables) {
         // Messages name a file as the one that extends it does.
-        const bool is_extended = place.file.is_valid();
-        const std::string said = is_extended ? std::string(sources_.text(place)) : name;
+        const bool is_extended = location.file.is_valid();
+        const std::string text = is_extended ? std::string(sources_.text(location)) : name;
         auto path = find_dialect_file(name, folders_);
         if (!path) {
             has_mistakes_ = true;
-            const auto meant = report_missing(said, place, folders_, sink_);
+            const auto meant = report_missing(text, location, folders_, sink_);
             // What stands in the file is judged beside the one that was meant.
             if (is_extended && meant) path = find_dialect_file(*meant, folders_);
             if (!path) return kFailed;
@@ -236,13 +236,13 @@ class ChainLoader {
         const fs::path real = fs::weakly_canonical(*path, error);
         const std::string identity = error ? *path : real.string();
         if (std::find(chain_.begin(), chain_.end(), identity) != chain_.end()) {
-            sink_.report(diag::DialectExtendsItself, place).arg(said);
+            sink_.report(diag::DialectExtendsItself, location).arg(text);
             return kFailed;
         }
         chain_.push_back(identity);
         const auto file = sources_.read(*path);
         if (!file) {
-            sink_.report(diag::FileUnreadable, place).arg(*path);
+            sink_.report(diag::FileUnreadable, location).arg(*path);
             return kFailed;
         }
         return load_file(*file, *path, tables);
@@ -333,10 +333,10 @@ std::vector<DialectSummary> list_dialects(const SearchPath& folders) {
         DialectSummary summary{name, {}, {}, {}, {}};
         if (const auto path = find_dialect_file(name, folders)) {
             summary.file = *path;
-            std::map<std::string, std::string> said = first_tag(*path);
-            summary.title = std::move(said["title"]);
-            summary.suffix = std::move(said["suffix"]);
-            summary.extends = std::move(said["extends"]);
+            std::map<std::string, std::string> programmed = first_tag(*path);
+            summary.title = std::move(programmed["title"]);
+            summary.suffix = std::move(programmed["suffix"]);
+            summary.extends = std::move(programmed["extends"]);
         }
         all.push_back(std::move(summary));
     }

@@ -202,8 +202,8 @@ struct SourceArgument {
 struct Hole {
     std::uint16_t word = 0;  // index of the SourceWord, or of the argument of a call
     Dimension dimension = Dimension::Number;
-    bool is_argument = false;  // false: `place` is a Slot; true: index into Block::arguments
-    std::uint8_t place = 0;
+    bool is_argument = false;  // false: `index` is a Slot; true: index into Block::arguments
+    std::uint8_t index = 0;
     std::uint8_t invocation = 0;  // index into Block::functions, if is_argument
     std::uint8_t parameter = 0;   // … and which of its parameters
     // A bare number n of the source stands for n · factor + offset (`G54.1 P2` is work offset 8, a

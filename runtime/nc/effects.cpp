@@ -330,13 +330,13 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
     }
 }
 
-void add_effects_at(const Rules& rules, const Block& block, std::size_t place, Changer changer,
+void add_effects_at(const Rules& rules, const Block& block, std::size_t index, Changer changer,
                     Effects& effects) {
-    const Function function = block.functions[place].function;
-    OfFunction does(effects, function, static_cast<std::uint8_t>(place));
+    const Function function = block.functions[index].function;
+    OfFunction does(effects, function, static_cast<std::uint8_t>(index));
     add_own_effects(rules, function, changer, does);
     // At last: those above depend on the member that acted before.
-    if (group_of(function) != Group::Once) does.sets(time_of_group(rules, function));
+    if (group_of(function) != Group::NonModal) does.sets(time_of_group(rules, function));
 }
 
 constexpr std::array kNames = {
@@ -367,8 +367,8 @@ Effects effects_of(const Rules& rules, const Block& block, Changer changer) {
     if (block.motion != Function::None) effects.add(Effect::of_motion(block.motion));
     // A rotation turns in the plane of its block, wherever that is said.
     const bool plane_first = block.function_count > 1 && block.find(Function::Rotate) != nullptr;
-    const auto is_plane = [&](std::size_t place) {
-        return group_of(block.functions[place].function) == Group::Plane;
+    const auto is_plane = [&](std::size_t index) {
+        return group_of(block.functions[index].function) == Group::Plane;
     };
     for (std::size_t i = 0; plane_first && i < block.function_count; ++i)
         if (is_plane(i)) add_effects_at(rules, block, i, changer, effects);
@@ -398,16 +398,17 @@ std::size_t first_value(Function function) {
 }  // namespace
 
 FrameChange frame_change(const Block& block, const Effect& effect) {
-    const Invocation& said = effect.invocation_in(block);
+    const Invocation& invocation = effect.invocation_in(block);
     const std::size_t first = first_value(effect.function);
     FrameChange change;
-    change.values = three_of(block, said, first);
-    change.given = {said.has(first), said.has(first + 1), said.has(first + 2)};
+    change.values = three_of(block, invocation, first);
+    change.given = {invocation.has(first), invocation.has(first + 1), invocation.has(first + 2)};
     if (effect.kind == EffectKind::Rotate)
-        change.angle_deg = block.argument(said, parameter_of<Function::Rotate>("angle"));
+        change.angle_deg = block.argument(invocation, parameter_of<Function::Rotate>("angle"));
     if (effect.kind == EffectKind::Scale) {
-        const double of_all = block.argument(said, parameter_of<Function::Scale>("factor"), 1);
-        change.factors = three_of(block, said, parameter_of<Function::Scale>("fx"), of_all);
+        const double of_all =
+            block.argument(invocation, parameter_of<Function::Scale>("factor"), 1);
+        change.factors = three_of(block, invocation, parameter_of<Function::Scale>("fx"), of_all);
     }
     return change;
 }

@@ -47,7 +47,7 @@ class Explainer {
         std::string parameters;
         for (const Parameter& parameter : row.parameters) add_parameter(parameters, parameter);
         if (!parameters.empty()) lines_.push_back("parameters: " + parameters);
-        if (row.group != Group::Once) {
+        if (row.group != Group::NonModal) {
             lines_.push_back(std::string("modal, group ").append(group_name(row.group)));
         }
         std::size_t spelled = 0;
@@ -133,7 +133,7 @@ class Explainer {
 
     /// The word in front of a program, with its number or name: `O`, `O1234`, `%`.
     void explain_program(std::string_view text) {
-        const ProgramFrame& program = tables_.program;
+        const ProgramTemplates& program = tables_.program;
         const std::string_view word = text.substr(0, text.find_last_not_of("0123456789") + 1);
         for (const std::string& header : program.header) {
             const bool has_number = header.starts_with(std::string(word) + "{number");

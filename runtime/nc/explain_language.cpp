@@ -160,8 +160,8 @@ std::string_view meaning_of_scope(std::string_view form) {
 /// Words beside statements: types, what a head of a program says, components, words with an axis.
 void explain_names(const Language& language, std::string_view word,
                    std::vector<std::string>& lines) {
-    const auto add = [&](bool is_said, std::string_view meaning) {
-        if (is_said) lines.push_back(quoted(word).append(" ").append(meaning));
+    const auto add = [&](bool is_given, std::string_view meaning) {
+        if (is_given) lines.push_back(quoted(word).append(" ").append(meaning));
     };
     for (const TypeName& type : language.types)
         add(type.name == word,

@@ -87,7 +87,7 @@ Done ExpressionCompiler::fail_here(const DiagnosticRow& row) {
 
 void ExpressionCompiler::emit(const Instruction& instruction, std::size_t begin) {
     out_.code.push_back(instruction);
-    out_.places.push_back(span_from(begin));
+    out_.spans.push_back(span_from(begin));
 }
 
 void ExpressionCompiler::emit_number(double number, ValueType type, std::size_t begin) {
@@ -133,7 +133,7 @@ const OperatorForm* ExpressionCompiler::find_operator(std::size_t at, bool is_pr
     const Word word = words_.word_at(at);
     for (const OperatorForm& form : language_.operators) {
         if (form.is_prefix != is_prefix) continue;
-        const bool is_there = form.is_word ? words_.says_operator(word, form.text)
+        const bool is_there = form.is_word ? words_.matches_operator(word, form.text)
                                            : line_.substr(at).starts_with(form.text);
         if (is_there) return &form;
     }
@@ -239,7 +239,7 @@ Done ExpressionCompiler::take_number() {
     bool has_point = decimal.has_point;
     if (words_.has_exponents() && take_exponent(value) == Try::Taken) has_point = true;
     const bool is_too_long =
-        !is_told_ && rules_.constant_digits != 0 && decimal.digits > rules_.constant_digits;
+        !is_machine_data_ && rules_.constant_digits != 0 && decimal.digits > rules_.constant_digits;
     if (is_too_long || !std::isfinite(value)) {
         set_fault(diag::IsoTooManyDigits, span_from(begin));
         fault_->arguments = {std::string(line_.substr(begin, at_ - begin))};
@@ -328,7 +328,7 @@ Done ExpressionCompiler::take_name(const Word& word) {
         // `SI` may stand for `SIN`, and `SINE` for nothing.
         const bool goes_on =
             word.text.size() > form.name.size() && is_letter(word.text[form.name.size()]);
-        if (!goes_on && words_.says(word, form.name)) return take_function(word, form);
+        if (!goes_on && words_.matches(word, form.name)) return take_function(word, form);
     }
     if (const auto axis = axis_named(word.text)) {
         at_ += word.text.size();
@@ -522,12 +522,12 @@ Try ExpressionCompiler::take_family(const Word& word, Reference& out) {
             !words_.is_blank_insensitive() && word.begin + word.text.size() > end;
         if (is_name_longer) continue;
         at_ = end;
-        return tried(place_in_family(form, i, number, begin, out.load));
+        return tried(index_in_family(form, i, number, begin, out.load));
     }
     return not_taken();
 }
 
-Done ExpressionCompiler::place_in_family(const VariableForm& form, std::size_t family,
+Done ExpressionCompiler::index_in_family(const VariableForm& form, std::size_t family,
                                          std::int64_t number, std::size_t begin,
                                          Instruction& load) {
     const VariableRange* range = find_range(form, number);
@@ -594,7 +594,7 @@ Try ExpressionCompiler::take_named(const Word& word, Reference& out) {
                 load.number = range.value;
                 load.count = 0;  // the indices do not count
                 out_.code.resize(code);
-                out_.places.resize(code);
+                out_.spans.resize(code);
                 break;
             case VariableRange::Kind::System:
                 load.kind = Instruction::Kind::System;
@@ -691,13 +691,13 @@ bool ExpressionCompiler::take_machine_axis() {
 
 Try ExpressionCompiler::take_own_name(Reference& out) {
     const VariableForm* form = nullptr;  // the one with the longest beginning: `#<_` before `#<`
-    std::size_t place = 0;
+    std::size_t index = 0;
     for (std::size_t i = 0; i < language_.variables.size(); ++i) {
         const VariableForm& other = language_.variables[i];
         const bool is_here = !other.closing.empty() && words_.starts_with(at_, other.name);
         if (!is_here || (form != nullptr && form->name.size() > other.name.size())) continue;
         form = &other;
-        place = i;
+        index = i;
     }
     if (form == nullptr) return not_taken();
     const std::size_t begin = at_;
@@ -712,7 +712,7 @@ Try ExpressionCompiler::take_own_name(Reference& out) {
     }
     at_ = close + form->closing.size();
     const std::int64_t number = names_ == nullptr ? 1 : names_->number_of(words_.normal(name));
-    return tried(place_in_family(*form, place, number, begin, out.load));
+    return tried(index_in_family(*form, index, number, begin, out.load));
 }
 
 /// The edge behind the number of a datum, as Quantity::ToolDatum has them. A datum of the whole
@@ -731,13 +731,13 @@ Done ExpressionCompiler::take_numbered(const VariableRange& range, int indices, 
                                        Instruction& load) {
     const auto family = std::ranges::find_if(language_.variables, &VariableForm::is_family);
     if (family == language_.variables.end()) return fail_unsupported(range, begin);
-    const auto place = static_cast<std::size_t>(family - language_.variables.begin());
+    const auto index = static_cast<std::size_t>(family - language_.variables.begin());
     if (indices == 0)
-        return place_in_family(*family, place, static_cast<std::int64_t>(range.value), begin, load);
+        return index_in_family(*family, index, static_cast<std::int64_t>(range.value), begin, load);
     emit_number(range.value, ValueType::Int, begin);
     emit_operation(Operation::Add, 2, begin);
     load.kind = Instruction::Kind::Family;
-    load.index = static_cast<std::uint32_t>(place);
+    load.index = static_cast<std::uint32_t>(index);
     load.count = 1;
     return kDone;
 }

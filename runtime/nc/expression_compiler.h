@@ -111,7 +111,7 @@ class ExpressionCompiler {
     void add_datum(std::int64_t datum, std::size_t begin, Instruction& load);
     Done take_numbered(const VariableRange& range, int indices, std::size_t begin,
                        Instruction& load);
-    Done place_in_family(const VariableForm& form, std::size_t family, std::int64_t number,
+    Done index_in_family(const VariableForm& form, std::size_t family, std::int64_t number,
                          std::size_t begin, Instruction& load);
     Done fail_unsupported(const VariableRange& range, std::size_t begin);
     /// The word, or all of a name with signs that is declared letter by letter: `#<_feed>` beside
@@ -145,7 +145,7 @@ class ExpressionCompiler {
     int depth_ = 0;
     NameTable* names_ = nullptr;  // of the program's own variables
     const MachineAxisNames* axis_names_ = nullptr;
-    bool is_told_ = false;
+    bool is_machine_data_ = false;
     bool takes_whole_arrays_ = false;  // a name of an array without indices is one
     bool takes_rows_ = false;          // … of two indices with the first alone is a row of it
     std::optional<LineFault> fault_;

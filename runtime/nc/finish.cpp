@@ -61,7 +61,7 @@ class Finisher {
         for (std::size_t i = 0; i < tables_.forms.size(); ++i) {
             const Form& form = tables_.forms[i];
             if (form.sets.empty() || !form.is_written) continue;
-            tables_.said_with_others.set(static_cast<std::size_t>(form.function));
+            tables_.given_with_others.set(static_cast<std::size_t>(form.function));
             for (const Function also : form.sets) {
                 tables_.forms_of[static_cast<std::size_t>(also)].push_back(static_cast<FormId>(i));
             }
@@ -99,7 +99,7 @@ class Finisher {
             const Form& form = tables_.forms[code.simple];
             code.function = form.function;
             // Which one of such a group was said last is noted where lines are looked at closely.
-            const bool is_noted = info(form.function).group == Group::Once && has_default(form);
+            const bool is_noted = info(form.function).group == Group::NonModal && has_default(form);
             code.is_plain = !is_noted && form.function != Function::None && form.sets.empty() &&
                             form.fixed.empty() && form.during.empty() && !form.owns_block &&
                             !form.owns_axes && !form.owns_line && form.without.empty() &&
@@ -175,7 +175,7 @@ class Finisher {
         tables_.power_on.fill(Function::None);
         for (const DialectGroup& group : tables_.groups) {
             for (const Function function : group.power_on) {
-                if (info(function).group == Group::Once) continue;
+                if (info(function).group == Group::NonModal) continue;
                 tables_.power_on[static_cast<std::size_t>(info(function).group)] = function;
             }
         }
@@ -287,7 +287,7 @@ class Finisher {
         for (const Form& form : tables_.forms) {
             const Group group = info(form.function).group;
             const bool is_code = is_simple(form) && info(form.function).parameters.empty();
-            if (!is_code || form.group < 0 || group == Group::Once) continue;
+            if (!is_code || form.group < 0 || group == Group::NonModal) continue;
             const Form*& other = first[static_cast<std::size_t>(group)];
             if (other == nullptr) other = &form;
             if (other->group == form.group) continue;

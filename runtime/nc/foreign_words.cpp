@@ -193,25 +193,25 @@ bool is_value(std::string_view line, std::size_t at) {
 }  // namespace
 
 std::string_view instead_of_foreign(const DialectTables& tables, std::string_view line,
-                                    const Span& fault, const ForeignLocation& place) {
+                                    const Span& fault, const ForeignLocation& location) {
     if (tables.foreign.empty()) return {};
-    if (place.in_cycle && fault.begin < line.size() && !begins_code(tables, line[fault.begin])) {
+    if (location.in_cycle && fault.begin < line.size() && !begins_code(tables, line[fault.begin])) {
         const std::size_t end = end_of_word(line, fault.begin);
         const std::string word = spelled(line.substr(fault.begin, end - fault.begin));
         if (const std::string* found = entry(tables, word, "@cycle")) return *found;
     }
     // `POPEN` where programs have names: it was called, and there is none.
     const bool is_word = fault.begin < line.size() && is_letter(line[fault.begin]);
-    if (place.is_executed && (!is_word || is_value(line, fault.begin))) return {};
+    if (location.is_executed && (!is_word || is_value(line, fault.begin))) return {};
     const std::size_t behind = end_of_word(line, fault.begin);
-    if (place.is_executed &&
+    if (location.is_executed &&
         is_own(tables, spelled(line.substr(fault.begin, behind - fault.begin))))
         return {};
     const bool is_in_remark = line.substr(0, fault.begin).find("//") != line.npos;
     const std::string* const at_fault =
         is_in_remark ? nullptr : entry_at(tables, line, fault.begin);
     if (at_fault != nullptr) return *at_fault;
-    if (place.is_executed) return {};
+    if (location.is_executed) return {};
     for (std::size_t at = 0; at < line.size();) {
         if (line[at] == ';' || line[at] == '"' || line[at] == '(') break;
         // A comment of other languages; what stands in it is no word.

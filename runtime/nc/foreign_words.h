@@ -22,6 +22,6 @@ struct ForeignLocation {
 /// line that this control does not have, else of a word directly in front of the fault. Empty where
 /// the dialect knows of none; stays valid as long as the tables.
 std::string_view instead_of_foreign(const DialectTables& tables, std::string_view line,
-                                    const Span& fault, const ForeignLocation& place);
+                                    const Span& fault, const ForeignLocation& location);
 
 }  // namespace kadr::nc

@@ -389,7 +389,7 @@ class LineParser {
         if (unit.empty()) return kDone;
         if (unit == "named" || unit == "lead") {
             word.is_named_only = unit == "named";
-            word.is_lead = unit == "lead";
+            word.is_pitch = unit == "lead";
             return kDone;
         }
         if (unit == "placeholder") {
@@ -511,13 +511,13 @@ std::vector<Form> expand_codes(Form form, DialectTables& tables, DiagnosticSink&
             .arg("a code has at most 1000 numbers");
         return {};
     }
-    const auto place = static_cast<std::size_t>(open - form.words.begin());
+    const auto index = static_cast<std::size_t>(open - form.words.begin());
     form.when.erase(range);
     const auto count = static_cast<int>(limits.most - limits.least) + 1;
     for (int i = 0; i < count; ++i) {
         const double n = limits.least + i;
         Form one = form;
-        FormWord& word = one.words[place];
+        FormWord& word = one.words[index];
         word.kind = FormWord::Kind::Fixed;
         word.number = n * word.factor + word.offset;
         append_shortest(word.text, word.number);

@@ -36,11 +36,11 @@ Span find_word(const DialectTables& tables, std::string_view line, IsWanted is_w
 
 }  // namespace
 
-std::vector<TextLocation> places_of(const CallSite* nearest) {
-    std::vector<TextLocation> places;
+std::vector<TextLocation> locations_of(const CallSite* nearest) {
+    std::vector<TextLocation> locations;
     for (const CallSite* call = nearest; call != nullptr; call = call->from.get())
-        places.push_back(call->place);
-    return places;
+        locations.push_back(call->location);
+    return locations;
 }
 
 /// Buffers go round: once warm, nothing is allocated.
@@ -90,9 +90,9 @@ KeptLines::Found KeptLines::find_earlier(std::uint32_t id) const {
 }
 
 template <typename IsWanted>
-TextLocation KeptLines::place_word(const Block& block, IsWanted is_wanted) const {
+TextLocation KeptLines::word_location(const Block& block, IsWanted is_wanted) const {
     const Found kept = find(block.line);
-    if (kept.line == nullptr) return reader_.place({}, block.line, {});
+    if (kept.line == nullptr) return reader_.location({}, block.line, {});
     const std::string& file =
         kept.line->file != nullptr ? *kept.line->file : reader_.bounds().text().name;
     return location_in_line(file, kept.text, kept.line->number,
@@ -101,23 +101,24 @@ TextLocation KeptLines::place_word(const Block& block, IsWanted is_wanted) const
 
 std::vector<TextLocation> KeptLines::calls(const Block& block) const {
     const Found kept = find(block.line);
-    return kept.line == nullptr ? std::vector<TextLocation>() : places_of(kept.line->calls.get());
+    return kept.line == nullptr ? std::vector<TextLocation>()
+                                : locations_of(kept.line->calls.get());
 }
 
-TextLocation KeptLines::place(const Block& block) const {
-    return place_word(block, [](const GivenWord&) { return true; });
+TextLocation KeptLines::location(const Block& block) const {
+    return word_location(block, [](const GivenWord&) { return true; });
 }
 
-TextLocation KeptLines::place(const Block& block, Slot slot) const {
+TextLocation KeptLines::location(const Block& block, Slot slot) const {
     const DialectTables& tables = reader_.tables();
-    return place_word(block, [&](const GivenWord& word) {
+    return word_location(block, [&](const GivenWord& word) {
         return tables.addresses[word.address].slot == static_cast<int>(slot);
     });
 }
 
-TextLocation KeptLines::place(const Block& block, Function function) const {
+TextLocation KeptLines::location(const Block& block, Function function) const {
     const DialectTables& tables = reader_.tables();
-    return place_word(block, [&](const GivenWord& word) {
+    return word_location(block, [&](const GivenWord& word) {
         const Address& head = tables.addresses[word.address];
         const Code* code = word.is_known ? tables.find_code(word.address, word.number) : nullptr;
         const std::vector<FormId>& forms = code != nullptr ? code->forms : head.forms;

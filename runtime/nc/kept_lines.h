@@ -13,12 +13,12 @@ namespace kadr::nc {
 
 /// A block that has called the program of a line, and where that was called from.
 struct CallSite {
-    TextLocation place;
+    TextLocation location;
     std::shared_ptr<const CallSite> from;
 };
 
 /// A call and those that have led to it, the nearest first; none if null.
-std::vector<TextLocation> places_of(const CallSite* nearest);
+std::vector<TextLocation> locations_of(const CallSite* nearest);
 
 class KeptLines {
   public:
@@ -43,9 +43,9 @@ class KeptLines {
     std::vector<TextLocation> calls(const Block& block) const;
     /// The line of the block and its first word, the word that set the slot, the one that said the
     /// function. Without a text if the line is forgotten.
-    TextLocation place(const Block& block) const;
-    TextLocation place(const Block& block, Slot slot) const;
-    TextLocation place(const Block& block, Function function) const;
+    TextLocation location(const Block& block) const;
+    TextLocation location(const Block& block, Slot slot) const;
+    TextLocation location(const Block& block, Function function) const;
 
   private:
     struct Line {
@@ -68,7 +68,7 @@ class KeptLines {
     Found find(std::uint32_t id) const;
     Found find_earlier(std::uint32_t id) const;
     template <typename IsWanted>
-    TextLocation place_word(const Block& block, IsWanted is_wanted) const;
+    TextLocation word_location(const Block& block, IsWanted is_wanted) const;
 
     const LineReader& reader_;
     Chunk now_;              // the batch, and what was kept before it since `earlier_`

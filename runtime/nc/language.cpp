@@ -71,7 +71,7 @@ const StatementInfo& info(Statement statement) {
     return kStatements[static_cast<std::size_t>(statement)];
 }
 std::span<const StatementInfo> all_statements() { return kStatements; }
-const QuantityInfo& info(Quantity quantity) {
+const QuantityInfo& info(SystemQuantity quantity) {
     return kQuantities[static_cast<std::size_t>(quantity)];
 }
 std::span<const QuantityInfo> all_quantities() { return kQuantities; }
@@ -90,8 +90,8 @@ const VariableRange* range_of_slot(const Language& language, std::uint32_t slot)
     for (const VariableForm& form : language.variables) {
         for (const VariableRange& range : form.ranges) {
             const bool is_store = form.is_family && range.kind == VariableRange::Kind::Global;
-            const auto place = static_cast<std::int64_t>(slot) - range.slot;
-            if (is_store && place >= 0 && place <= range.last - range.first) return &range;
+            const auto index = static_cast<std::int64_t>(slot) - range.slot;
+            if (is_store && index >= 0 && index <= range.last - range.first) return &range;
         }
     }
     return nullptr;

@@ -31,7 +31,7 @@ enum class Statement : std::uint8_t {
 #undef KADR_STATEMENT
 };
 
-enum class Quantity : std::uint8_t {
+enum class SystemQuantity : std::uint8_t {
 #define KADR_QUANTITY(id, name, indices, access, meaning) id,
 #include "nc/language.def"
 #undef KADR_QUANTITY
@@ -67,7 +67,7 @@ struct QuantityInfo {
     Access access;
     std::string_view meaning;
 };
-const QuantityInfo& info(Quantity quantity);
+const QuantityInfo& info(SystemQuantity quantity);
 std::span<const QuantityInfo> all_quantities();
 /// What ToolDatum multiplies the number of a datum with, to add the number of the edge.
 inline constexpr std::int64_t kDatum = 1000;
@@ -140,7 +140,7 @@ struct VariableRange {
     bool is_vacant = false;  // Constant: the value is "vacant"
     double value = 0;        // Constant; Global: what it holds at the beginning, if has_initial
     bool has_initial = false;
-    Quantity quantity = Quantity::None;
+    SystemQuantity quantity = SystemQuantity::None;
     std::int64_t start = 1;   // System: the index that `first` stands for
     std::int64_t stride = 0;  // System with two indices: so many numbers an index
     std::int64_t second = 1;  // … of which the first number stands for this second index

@@ -65,8 +65,8 @@ void Lexer::take_skip_sign() {
     const std::optional<int> given = take_skip_level();
     if (!given) return;
     const int level = *given;
-    if (out_.skip < 0) {
-        out_.skip = static_cast<std::int8_t>(level);
+    if (out_.skip_level < 0) {
+        out_.skip_level = static_cast<std::int8_t>(level);
     } else {
         out_.further_skip_levels |= static_cast<std::uint16_t>(1u << level);
     }
@@ -290,7 +290,7 @@ void LexedLine::clear() {
     text.clear();
     comment.clear();
     label.clear();
-    skip = -1;
+    skip_level = -1;
     further_skip_levels = 0;
     number = -1;
     has_comment = false;

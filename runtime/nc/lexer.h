@@ -33,7 +33,7 @@ struct LexedLine {
     std::string text;                      // last text between quotes
     std::string comment;
     std::string label;
-    std::int8_t skip = -1;
+    std::int8_t skip_level = -1;
     std::uint16_t further_skip_levels = 0;  // further levels, a bit each
     std::int32_t number = -1;
     bool has_comment = false;

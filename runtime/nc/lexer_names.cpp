@@ -275,9 +275,9 @@ const ModeWord* Lexer::end_mode_here(AddressId address) const {
         return tables_.forms[id].function == Function::PolynomialAxis;
     });
     const ModeWord* const mode = is_end && notation_.has_modes ? mode_here() : nullptr;
-    const bool is_way = mode != nullptr && (mode->mode == GivenWord::Mode::Absolute ||
-                                            mode->mode == GivenWord::Mode::Incremental);
-    return is_way ? mode : nullptr;
+    const bool is_distance = mode != nullptr && (mode->mode == GivenWord::Mode::Absolute ||
+                                                 mode->mode == GivenWord::Mode::Incremental);
+    return is_distance ? mode : nullptr;
 }
 
 bool Lexer::is_computed_text() const {

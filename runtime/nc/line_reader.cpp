@@ -112,7 +112,7 @@ Done LineReader::read_slow(std::string_view line, Block& block) {
     if (modes_.has_chosen_master()) name_spindles(tables_, modes_, own_lexed_);
     if (!lexed_->label.empty()) {
         if (lexed_->words.empty()) {
-            block.skip = lexed_->skip;
+            block.skip_level = lexed_->skip_level;
             block.number = lexed_->number;
             block.comment = lexed_->comment;
             block.kind = Block::Kind::Label;
@@ -130,7 +130,7 @@ Done LineReader::read_slow(std::string_view line, Block& block) {
 /// The words of `lexed_` as a block.
 Done LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
                       const ControlLine* compiled) {
-    block.skip = lexed_->skip;
+    block.skip_level = lexed_->skip_level;
     block.further_skip_levels = lexed_->further_skip_levels;
     block.number = lexed_->number;
     block.comment = lexed_->comment;
@@ -139,7 +139,7 @@ Done LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
         tables_.note(&tables_.forms[lexed_->comment_form]);
         block.add(tables_.forms[lexed_->comment_form].function);
     }
-    passed_.tell(*lexed_, line);
+    passed_.report(*lexed_, line);
     if (lexed_->words.empty()) {
         // A number, a comment or both say nothing that a control could execute.
         if (block.function_count == 0 && lexed_->passed.empty()) block.kind = Block::Kind::Comment;
@@ -188,7 +188,7 @@ Done LineReader::apply(std::string_view line, Block& block) {
         const FormId id = match_.forms[i];
         tables_.note(&tables_.forms[id]);
         modes_.note_form(id);
-        passed_.tell(id, *lexed_, line);
+        passed_.report(id, *lexed_, line);
     }
     const ModalFunctions before = modes_.modal();
     modes_.begin_numbers(block);

@@ -75,7 +75,9 @@ class LineReader {
     DiagnosticBuilder report_event(std::string_view line, const LineFault& fault);
     void report_too_long(std::string_view line, std::uint64_t number);
     /// Each word of a line that has no effect here is told once.
-    void tell_passed(const LexedLine& words, std::string_view line) { passed_.tell(words, line); }
+    void report_passed(const LexedLine& words, std::string_view line) {
+        passed_.report(words, line);
+    }
     /// The program is at its end: what is doubtful of all its lines is told.
     void finish() { points_.finish(); }
 
@@ -86,7 +88,7 @@ class LineReader {
     ProgramBounds& bounds() { return bounds_; }
     const ProgramBounds& bounds() const { return bounds_; }
     /// A place in a line of the text.
-    TextLocation place(std::string_view line, std::uint64_t number, const Span& span) const {
+    TextLocation location(std::string_view line, std::uint64_t number, const Span& span) const {
         return bounds_.location(line, number, span);
     }
     const DialectTables& tables() const { return tables_; }

@@ -217,7 +217,7 @@ class SenseCheck {
         for (const XmlWord& word : words_of(*attribute)) {
             const std::optional<Function> function = find_function(word.text);
             if (!function) continue;
-            const bool is_said = std::ranges::any_of(tables_.forms, [&](const Form& form) {
+            const bool is_given = std::ranges::any_of(tables_.forms, [&](const Form& form) {
                 return form.function == *function ||
                        std::ranges::find(form.sets, *function) != form.sets.end();
             });
@@ -227,7 +227,7 @@ class SenseCheck {
                 return says && is_member(form);
             });
             // What no code says at all is in force until another one says otherwise.
-            if (is_own || !is_said) continue;
+            if (is_own || !is_given) continue;
             sink_.report(diag::DialectDefaultStranger, word.range)
                 .arg(word.text)
                 .arg(element.find("name")->value);

@@ -470,8 +470,8 @@ void FormLoader::load_deferred(const XmlElement& element) {
         deferred.axis = static_cast<int>(*axis);
     }
     attributes_.read_functions(element, "commands", deferred.functions);
-    const SourceRange place = element.text.empty() ? element.range : element.text_range;
-    if (!parse_form_line(element.text, info(Function::Tool).parameters, tables_, place,
+    const SourceRange location = element.text.empty() ? element.range : element.text_range;
+    if (!parse_form_line(element.text, info(Function::Tool).parameters, tables_, location,
                          deferred.words, attributes_.sink())) {
         attributes_.fail();
     }

@@ -55,7 +55,7 @@ void check_line(const XmlElement& line, Attributes& attributes) {
 
 }  // namespace
 
-void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& attributes) {
+void load_program(const XmlElement& element, ProgramTemplates& frame, Attributes& attributes) {
     frame.header.clear();
     frame.start.clear();
     frame.finish.clear();
@@ -116,10 +116,10 @@ void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& a
 }
 
 /// A sign that would end a comment and of which the dialect says nothing.
-void replace_unless_said(char sign, CommentStyle& style) {
-    const bool is_said = std::ranges::any_of(
+void replace_unless_given(char sign, CommentStyle& style) {
+    const bool is_given = std::ranges::any_of(
         style.replacements, [sign](const auto& pair) { return pair.first == sign; });
-    if (!is_said) style.replacements.emplace_back(sign, sign == ']' ? ")" : "]");
+    if (!is_given) style.replacements.emplace_back(sign, sign == ']' ? ")" : "]");
 }
 
 void load_comment(const XmlElement& element, CommentStyle& style, Attributes& attributes) {
@@ -144,7 +144,7 @@ void load_comment(const XmlElement& element, CommentStyle& style, Attributes& at
             style.replacements.emplace_back(character.value[0], by.value);
         }
     }
-    if (style.close.size() == 1) replace_unless_said(style.close[0], style);
+    if (style.close.size() == 1) replace_unless_given(style.close[0], style);
 }
 
 namespace {

@@ -176,12 +176,12 @@ class LanguageLoader {
     /// Which of the holes are `{array}` or `{variable}`; with a sign those behind which it stands.
     static std::uint32_t references_of(std::string_view form, char behind = '\0') {
         std::uint32_t out = 0;
-        std::uint32_t place = 1;
-        for (std::size_t at = 0; (at = form.find('{', at)) < form.size(); ++at, place <<= 1u) {
+        std::uint32_t index = 1;
+        for (std::size_t at = 0; (at = form.find('{', at)) < form.size(); ++at, index <<= 1u) {
             const std::string_view hole = form.substr(at);
             if (!hole.starts_with("{array}") && !hole.starts_with("{variable}")) continue;
             const std::size_t end = hole.find('}') + 1;
-            if (behind == '\0' || (end < hole.size() && hole[end] == behind)) out |= place;
+            if (behind == '\0' || (end < hole.size() && hole[end] == behind)) out |= index;
         }
         return out;
     }
@@ -304,7 +304,7 @@ class LanguageLoader {
             const auto row =
                 row_named(all_quantities(), *quantity, "there is no such quantity", attributes_);
             if (!row) return;
-            range.quantity = static_cast<Quantity>(*row);
+            range.quantity = static_cast<SystemQuantity>(*row);
         } else {
             range.kind = VariableRange::Kind::Unsupported;
         }

@@ -13,7 +13,7 @@
 namespace kadr::nc {
 
 // load_frame.cpp: the text around the blocks.
-void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& attributes);
+void load_program(const XmlElement& element, ProgramTemplates& frame, Attributes& attributes);
 void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& attributes);
 void load_comment(const XmlElement& element, CommentStyle& style, Attributes& attributes);
 void load_notation(const XmlElement& element, Notation& notation, Attributes& attributes);

@@ -127,7 +127,7 @@ static void load_passed_beside(const XmlElement& element, const XmlAttribute& be
 void load_passed(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
     PassedWord passed;
     passed.meaning = needed(element, "meaning").value;
-    attributes.read_flag(element, "warns", passed.is_said);
+    attributes.read_flag(element, "warns", passed.is_given);
     attributes.read_flag(element, "rest", passed.takes_rest);
     attributes.read_number(element, "read_max", passed.read_max);
     attributes.read_number(element, "least", passed.least);

@@ -27,7 +27,7 @@ std::optional<int> loop_in_front(const ControlWords& words, std::string_view lin
         number = number * 10 + (line[at] - '0');
     if (at == first) return std::nullopt;
     const Word keyword = words.word_at(words.skip_blanks(at));
-    return words.says(keyword, form.tokens[2].text) ? std::optional(number) : std::nullopt;
+    return words.matches(keyword, form.tokens[2].text) ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace kadr::nc

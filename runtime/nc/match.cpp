@@ -290,8 +290,8 @@ class Matcher {
                 calls_cycle ||
                 modal_[static_cast<std::size_t>(Group::CycleMode)] == Function::Cycle;
             if (group == Group::Motion && is_in_cycle) return false;
-            const bool is_said = group == Group::Motion && block_.motion != Function::None;
-            const Function active = is_said ? block_.motion : active_of(group);
+            const bool is_given = group == Group::Motion && block_.motion != Function::None;
+            const Function active = is_given ? block_.motion : active_of(group);
             // Data of the control are input only where a block has begun it.
             // A text begins under the motion of power-on: no word belongs to another one there.
             const bool is_own_motion =
@@ -419,9 +419,9 @@ class Matcher {
 
     static bool is_of_mode(const FormWord& wanted, GivenWord::Mode mode) {
         using Mode = GivenWord::Mode;
-        const bool is_way = mode == Mode::Absolute || mode == Mode::Shortest ||
-                            mode == Mode::Positive || mode == Mode::Negative;
-        if (wanted.takes_rotary_approaches && is_way) return true;
+        const bool is_distance = mode == Mode::Absolute || mode == Mode::Shortest ||
+                                 mode == Mode::Positive || mode == Mode::Negative;
+        if (wanted.takes_rotary_approaches && is_distance) return true;
         if (wanted.is_incremental) return mode == Mode::Incremental;
         return mode == (wanted.is_absolute ? Mode::Absolute : Mode::Modal);
     }
@@ -593,12 +593,12 @@ class Matcher {
         claim.is_parameter = true;
         claim.invocation = invocation;
         claim.parameter = static_cast<std::uint8_t>(wanted.parameter);
-        claim.place =
+        claim.index =
             static_cast<std::uint8_t>(block_.functions[invocation].first + wanted.parameter);
         claim.dimension = wanted.dimension;
         claim.adds = wanted.adds;
         claim.is_named_only = wanted.is_named_only;
-        claim.is_lead = wanted.is_lead;
+        claim.is_pitch = wanted.is_pitch;
         claim.in_increments = wanted.in_increments;
         claim.tail_digits = wanted.tail_digits;
         claim.tail_parameter = wanted.tail_parameter;
@@ -651,7 +651,7 @@ class Matcher {
         Claim& claim = match_.claims[match_.claim_count++];
         claim = {};
         claim.word = static_cast<std::uint16_t>(i);
-        claim.place = static_cast<std::uint8_t>(head.slot);
+        claim.index = static_cast<std::uint8_t>(head.slot);
         claim.dimension = head.dimension;
         return {};
     }

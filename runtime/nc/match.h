@@ -55,14 +55,14 @@ struct GivenArgument {
 struct Claim {
     std::uint16_t word = 0;
     std::int16_t argument = -1;  // of a call; -1: the word itself
-    bool is_parameter = false;   // false: `place` is a Slot
-    std::uint8_t place = 0;      // Slot, or index into Block::arguments
+    bool is_parameter = false;   // false: `index` is a Slot
+    std::uint8_t index = 0;      // Slot, or index into Block::arguments
     std::uint8_t invocation = 0;
     std::uint8_t parameter = 0;
     Dimension dimension = Dimension::Number;
     bool adds = false;
     bool is_named_only = false;
-    bool is_lead = false;
+    bool is_pitch = false;
     bool in_increments = false;  // the number counts least increments
     int tail_digits = 0;         // that are another parameter, or none
     int tail_parameter = -1;

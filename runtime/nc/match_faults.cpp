@@ -33,11 +33,11 @@ std::string shown_pattern(std::string_view pattern) {
 /// Whether the block has the word of a form, or the distance that may stand for it.
 bool has_word(const DialectTables& tables, const LexedLine& lexed, const FormWord& wanted) {
     if (wanted.address == kNoAddress) return true;
-    const Address& place = tables.addresses[wanted.address];
+    const Address& address = tables.addresses[wanted.address];
     return std::ranges::any_of(lexed.words, [&](const GivenWord& word) {
         if (word.address == wanted.address) return true;
         const Address& other = tables.addresses[word.address];
-        return place.slot >= 0 && other.is_incremental && other.slot == place.slot;
+        return address.slot >= 0 && other.is_incremental && other.slot == address.slot;
     });
 }
 
@@ -54,8 +54,8 @@ Function plane_of(const DialectTables& tables, const LexedLine& lexed, Function 
         const Code* const code =
             word.is_known ? tables.find_code(word.address, word.number) : nullptr;
         if (code == nullptr || code->simple == kNoForm) continue;
-        const Function said = tables.forms[code->simple].function;
-        if (info(said).group == Group::Plane) return said;
+        const Function function = tables.forms[code->simple].function;
+        if (info(function).group == Group::Plane) return function;
     }
     return modal;
 }
@@ -85,23 +85,23 @@ std::string missing_words(const DialectTables& tables, const Form& form, const L
     const std::string whole = first_line(form);
     std::istringstream words(whole);
     std::string missing;
-    std::size_t place = 0;
+    std::size_t index = 0;
     for (std::string word; words >> word;) {
-        if (place == form.words.size()) return shown_pattern(whole);
-        const FormWord& wanted = form.words[place++];
+        if (index == form.words.size()) return shown_pattern(whole);
+        const FormWord& wanted = form.words[index++];
         const bool may_lack = wanted.is_kept || wanted.is_optional || wanted.has_default;
         if (may_lack || has_word(tables, lexed, wanted)) continue;
         missing.append(missing.empty() ? "" : " ").append(shown_pattern(word));
     }
-    return missing.empty() || place != form.words.size() ? shown_pattern(whole) : missing;
+    return missing.empty() || index != form.words.size() ? shown_pattern(whole) : missing;
 }
 
 /// "`CYCLE83` with -5 as its 17th argument", "`CYCLE97` without its 3rd argument"
 std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
                            const std::string& name) {
     const GivenWord& word = lexed.words[fault.word];
-    const auto place = static_cast<std::size_t>(fault.argument);
-    const std::size_t number = place + 1;
+    const auto index = static_cast<std::size_t>(fault.argument);
+    const std::size_t number = index + 1;
     const bool is_teen = number / 10 % 10 == 1;
     const std::string_view ending = is_teen            ? "th"
                                     : number % 10 == 1 ? "st"
@@ -109,9 +109,9 @@ std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
                                     : number % 10 == 3 ? "rd"
                                                        : "th";
     std::string words = '`' + name + "` ";
-    const bool is_given = place < word.argument_count;
+    const bool is_given = index < word.argument_count;
     const GivenArgument given =
-        is_given ? lexed.arguments[word.first_argument + place] : GivenArgument{};
+        is_given ? lexed.arguments[word.first_argument + index] : GivenArgument{};
     if (given.kind == GivenArgument::Kind::Empty) {
         words += "without its ";
     } else if (given.kind == GivenArgument::Kind::Text) {
@@ -168,15 +168,15 @@ class FaultWords {
 /// An argument of a call that its form does not take.
 void FaultWords::take_argument(LineFault& out) const {
     constexpr int kPowers = 5;
-    const auto place = static_cast<std::size_t>(fault_.argument);
+    const auto index = static_cast<std::size_t>(fault_.argument);
     if (is_polynomial() && fault_.argument >= kPowers) {
         out.row = &diag::PolynomialDegree;
         out.arguments = {std::to_string(word().argument_count)};
         return;
     }
     const bool is_text =
-        place < word().argument_count &&
-        words_.arguments[word().first_argument + place].kind == GivenArgument::Kind::Text;
+        index < word().argument_count &&
+        words_.arguments[word().first_argument + index].kind == GivenArgument::Kind::Text;
     const bool is_text_missing = !is_text && is_of(Function::Message);
     const bool is_of_type = is_text_missing || (is_text && is_of(Function::Cycle));
     out.row = is_of_type ? &diag::IsoArgumentType : &diag::IsoNotSupported;

@@ -24,7 +24,7 @@ void MatchedLine::keep(const DialectTables& tables, const ControlLine& compiled,
 }
 
 void MatchedLine::recall(const LexedLine& words, Block& block, Match& match) const {
-    block.skip = shape_.skip;
+    block.skip_level = shape_.skip_level;
     block.further_skip_levels = shape_.further_skip_levels;
     block.number = shape_.number;
     block.motion = shape_.motion;

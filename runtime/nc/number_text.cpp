@@ -36,7 +36,7 @@ double increment_of(const NumberFormat& format, Dimension dimension, const TextU
 int read_decimals(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
     const int decimals = text_decimals(format, dimension, units);
     if (dimension != Dimension::Feed || !units.per_revolution) return decimals;
-    return std::max(decimals, text_decimals(lead_format(format), dimension, units));
+    return std::max(decimals, text_decimals(pitch_format(format), dimension, units));
 }
 
 /// Whether the value in increments of its last decimal has more digits than the control takes.
@@ -61,11 +61,11 @@ double truncated(double value, int written, int kept) {
 
 }  // namespace
 
-NumberFormat lead_format(const NumberFormat& format) {
-    NumberFormat lead = format;
-    if (format.lead_decimals >= 0) lead.decimals = format.lead_decimals;
-    if (format.inch_lead_decimals >= 0) lead.inch_decimals = format.inch_lead_decimals;
-    return lead;
+NumberFormat pitch_format(const NumberFormat& format) {
+    NumberFormat pitch = format;
+    if (format.lead_decimals >= 0) pitch.decimals = format.lead_decimals;
+    if (format.inch_lead_decimals >= 0) pitch.inch_decimals = format.inch_lead_decimals;
+    return pitch;
 }
 
 NumberFormat frame_format(const NumberFormat& format) {

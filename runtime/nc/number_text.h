@@ -35,7 +35,7 @@ inline int text_decimals(const NumberFormat& format, Dimension dimension, const 
 }
 
 /// The format for the lead of a thread.
-NumberFormat lead_format(const NumberFormat& format);
+NumberFormat pitch_format(const NumberFormat& format);
 /// … and for a length that changes the frame: additive ones would add up what is rounded.
 NumberFormat frame_format(const NumberFormat& format);
 /// The format of the numbers in calls and in lines of the control's own language.

@@ -21,9 +21,9 @@ Span span_of_form(const Form& form, const LexedLine& words, std::string_view lin
 
 }  // namespace
 
-void PassedOver::tell(const LexedLine& words, std::string_view line) {
+void PassedOver::report(const LexedLine& words, std::string_view line) {
     for (const LexedLine::Passed& passed : words.passed) {
-        if (!passed.word->is_said || !told_words_.insert(passed.word).second) continue;
+        if (!passed.word->is_given || !reported_words_.insert(passed.word).second) continue;
         const Span& span = passed.span;
         DiagnosticBuilder builder = faults_.message(diag::WordPassed, line, span);
         builder.arg(line.substr(span.begin, span.end - span.begin)).arg(passed.word->meaning);
@@ -31,12 +31,12 @@ void PassedOver::tell(const LexedLine& words, std::string_view line) {
     }
 }
 
-void PassedOver::tell(FormId id, const LexedLine& words, std::string_view line) {
+void PassedOver::report(FormId id, const LexedLine& words, std::string_view line) {
     const Form& form = tables_.forms[id];
-    const bool is_told =
-        form.passed.empty() || std::ranges::find(told_forms_, id) != told_forms_.end();
-    if (is_told) return;
-    told_forms_.push_back(id);
+    const bool is_reported =
+        form.passed.empty() || std::ranges::find(reported_forms_, id) != reported_forms_.end();
+    if (is_reported) return;
+    reported_forms_.push_back(id);
     const Span span = span_of_form(form, words, line);
     DiagnosticBuilder message = faults_.message(diag::IsoPassedOver, line, span);
     message.arg(std::string(line.substr(span.begin, span.end - span.begin))).arg(form.passed);
@@ -50,7 +50,7 @@ bool PassedOver::leave_out(const MatchFault& fault, LexedLine& words, std::strin
     const auto is_known = [&](const LexedLine::Passed& passed) { return passed.word == found; };
     if (std::ranges::none_of(words.passed, is_known))
         words.passed.push_back({words.spans[fault.word], found});
-    tell(words, line);
+    report(words, line);
     return true;
 }
 
@@ -70,9 +70,9 @@ const PassedWord* PassedOver::beside(const MatchFault& fault, const LexedLine& w
         if (address.kind == Address::Kind::Code) {
             const Code* const code =
                 other.is_known ? tables_.find_code(other.address, other.number) : nullptr;
-            const Function said = code == nullptr ? Function::MachineFunction
-                                                  : tables_.forms[code->forms[0]].function;
-            name = info(said).name;
+            const Function function = code == nullptr ? Function::MachineFunction
+                                                      : tables_.forms[code->forms[0]].function;
+            name = info(function).name;
         }
         const auto rule = tables_.passed.find(front + name);
         if (&other != &word && rule != tables_.passed.end() && found == nullptr)

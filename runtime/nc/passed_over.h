@@ -18,9 +18,9 @@ class PassedOver {
         : tables_(tables), faults_(faults) {}
 
     /// Words of the line that the lexer has passed over.
-    void tell(const LexedLine& words, std::string_view line);
+    void report(const LexedLine& words, std::string_view line);
     /// A form that the words have used, if the control does nothing at it.
-    void tell(FormId id, const LexedLine& words, std::string_view line);
+    void report(FormId id, const LexedLine& words, std::string_view line);
     /// A word that no form takes, and that says something to another one of the block on which
     /// nothing depends here, is left out of the words: P of `M59 P10`. False: it is no such word.
     bool leave_out(const MatchFault& fault, LexedLine& words, std::string_view line);
@@ -30,8 +30,8 @@ class PassedOver {
 
     const DialectTables& tables_;
     LineFaults& faults_;
-    std::vector<FormId> told_forms_;
-    std::set<const PassedWord*> told_words_;
+    std::vector<FormId> reported_forms_;
+    std::set<const PassedWord*> reported_words_;
 };
 
 }  // namespace kadr::nc

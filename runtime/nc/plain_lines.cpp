@@ -51,7 +51,7 @@ PlainLines::PlainLines(const DialectTables& tables, const ReadingModes& modes, P
 bool PlainLines::are_of_motions(const Address& address) {
     for (const FormId id : address.forms) {
         const std::vector<Function>& during = tables_.forms[id].during;
-        const Group group = during.size() == 1 ? info(during[0]).group : Group::Once;
+        const Group group = during.size() == 1 ? info(during[0]).group : Group::NonModal;
         if (group != Group::Motion && group != Group::LengthComp) return false;
         closely_read_.set(static_cast<std::size_t>(during[0]));
     }

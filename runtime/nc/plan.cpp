@@ -75,7 +75,7 @@ Hole hole_of(const Claim& claim, const DialectTables& tables) {
     Hole hole;
     hole.dimension = claim.dimension;
     hole.is_argument = claim.is_parameter;
-    hole.place = claim.place;
+    hole.index = claim.index;
     hole.invocation = claim.invocation;
     hole.parameter = claim.parameter;
     hole.adds = claim.adds;
@@ -85,9 +85,9 @@ Hole hole_of(const Claim& claim, const DialectTables& tables) {
     return hole;
 }
 
-class Planner {
+class BlockPlanner {
   public:
-    Planner(const Dialect& dialect, std::span<const SourceWord> words, DiagnosticSink& sink)
+    BlockPlanner(const Dialect& dialect, std::span<const SourceWord> words, DiagnosticSink& sink)
         : dialect_(dialect), tables_(dialect.tables()), words_(words), sink_(sink) {}
 
     std::optional<BlockPlan> plan() {
@@ -190,7 +190,7 @@ class Planner {
         }
         for (std::size_t i = 0; i < match.claim_count; ++i) {
             const Claim& claim = match.claims[i];
-            if (claim.is_parameter || (kReadSlots >> claim.place & 1u) == 0) continue;
+            if (claim.is_parameter || (kReadSlots >> claim.index & 1u) == 0) continue;
             report_read_only(words_[source_[claim.word]]);
             return kFailed;
         }
@@ -233,7 +233,7 @@ class Planner {
         };
         return std::ranges::equal(
             claims(other), claims(match_), [](const Claim& a, const Claim& b) {
-                return a.word == b.word && a.is_parameter == b.is_parameter && a.place == b.place;
+                return a.word == b.word && a.is_parameter == b.is_parameter && a.index == b.index;
             });
     }
 
@@ -303,7 +303,7 @@ class Planner {
     Done check_arc_words(std::span<const Claim> claims) {
         const Function motion = plan_.block.motion;
         const bool is_straight = has_fact(motion, Fact::Straight);
-        const auto slot_of = [](const Claim& claim) { return static_cast<Slot>(claim.place); };
+        const auto slot_of = [](const Claim& claim) { return static_cast<Slot>(claim.index); };
         const Claim* radius = nullptr;
         const Claim* center = nullptr;
         Done checked = kDone;
@@ -405,12 +405,12 @@ class Planner {
 
 std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
                                     DiagnosticSink& sink) {
-    return Planner(dialect, words, sink).plan();
+    return BlockPlanner(dialect, words, sink).plan();
 }
 
 std::vector<LostWord> lost_words(const Dialect& dialect, std::span<const SourceWord> words) {
     DiagnosticList unheard;
-    Planner planner(dialect, words, unheard);
+    BlockPlanner planner(dialect, words, unheard);
     if (!planner.plan()) return {};
     return planner.lost();
 }
@@ -465,13 +465,13 @@ std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name
         const auto at = static_cast<std::size_t>(std::max(fault->argument, 0));
         const bool is_written = fault->argument >= 0 && at < arguments.size() &&
                                 arguments[at].kind != SourceArgument::Kind::Empty;
-        const SourceRange place = is_written ? arguments[at].range : range;
+        const SourceRange location = is_written ? arguments[at].range : range;
         const std::span<const std::string> names = argument_names(tables, word.address);
         std::string what = is_written ? "argument " + std::to_string(at + 1) : std::string(name);
         if (is_written && at < names.size()) what = names[at];
         std::string form = fault->form == kNoForm ? "" : shown(tables.forms[fault->form]);
         if (!names.empty()) form = shown_call(name, names);
-        sink.report(diag::BlockWordValueWrong, place).arg(what).arg(form);
+        sink.report(diag::BlockWordValueWrong, location).arg(what).arg(form);
         return std::nullopt;
     }
     for (std::size_t i = 0; i < match.claim_count; ++i) {

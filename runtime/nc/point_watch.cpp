@@ -32,8 +32,8 @@ void PointWatch::watch(const Claim& claim, const LexedLine& words, std::string_v
         kept_.push_back({faults_.location(line, span), words.text_of(line, claim.word),
                          quantity_words(meaning, claim.dimension, units)});
     }
-    for (WholePosition& whole : take_told()) {
-        DiagnosticBuilder message = faults_.message(diag::PointMissing, std::move(whole.place));
+    for (WholePosition& whole : take_reported()) {
+        DiagnosticBuilder message = faults_.message(diag::PointMissing, std::move(whole.location));
         message.arg(whole.word).arg(whole.quantity).fix("`" + whole.word + ".` has its point");
         faults_.write_notes(message);
     }
@@ -43,7 +43,7 @@ void PointWatch::finish() {
     if (faults_.failed() || !is_all_whole()) return;
     is_open_ = false;
     const double reach = reach_ * increment_size(tables_, Dimension::Length, modes_.units());
-    DiagnosticBuilder message = faults_.message(diag::PathInIncrements, kept_.front().place);
+    DiagnosticBuilder message = faults_.message(diag::PathInIncrements, kept_.front().location);
     message.arg(quantity_words(reach, Dimension::Length, modes_.units()));
     // What a number without a point is on other machines.
     const auto other = tables_.foreign.find(".");
@@ -66,12 +66,12 @@ bool PointWatch::takes(double number, std::uint64_t line, std::uint32_t column) 
 }
 
 /// What is to be told now: nothing before a position with a point has come.
-std::vector<PointWatch::WholePosition> PointWatch::take_told() {
+std::vector<PointWatch::WholePosition> PointWatch::take_reported() {
     if (!has_points_) return {};
-    std::vector<WholePosition> told = std::exchange(kept_, {});
-    told_ += static_cast<int>(told.size());
-    if (told_ >= kMostTold) is_open_ = false;
-    return told;
+    std::vector<WholePosition> reported = std::exchange(kept_, {});
+    reported_ += static_cast<int>(reported.size());
+    if (reported_ >= kMostTold) is_open_ = false;
+    return reported;
 }
 
 }  // namespace kadr::nc

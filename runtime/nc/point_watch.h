@@ -42,12 +42,12 @@ class PointWatch {
   private:
     /// A position without a decimal point.
     struct WholePosition {
-        TextLocation place;
+        TextLocation location;
         std::string word;      // as it stands: `X118`
         std::string quantity;  // what it is: `0.118 mm`
     };
     bool takes(double number, std::uint64_t line, std::uint32_t column);
-    std::vector<WholePosition> take_told();
+    std::vector<WholePosition> take_reported();
     bool is_all_whole() const { return is_open_ && !has_points_ && count_ >= kLeastPositions; }
 
     static constexpr int kLeastPositions = 2;  // one alone may be what it says
@@ -58,7 +58,7 @@ class PointWatch {
     bool is_open_ = true;
     bool has_points_ = false;
     int count_ = 0;
-    int told_ = 0;
+    int reported_ = 0;
     double reach_ = 0;  // the greatest of them, in increments
     std::vector<WholePosition> kept_;
     std::vector<std::pair<std::uint64_t, std::uint32_t>> seen_;

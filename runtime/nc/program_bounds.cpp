@@ -26,16 +26,16 @@ bool is_end_line(std::string_view line, std::string_view end) {
 TextLocation location_in_line(const std::string& file, std::string_view line, std::uint64_t number,
                               const Span& span) {
     constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
-    TextLocation place;
-    place.file = file;
-    place.line = static_cast<std::uint32_t>(number);
+    TextLocation location;
+    location.file = file;
+    location.line = static_cast<std::uint32_t>(number);
     const std::size_t begin = std::min<std::size_t>(span.begin, line.size());
     const std::size_t end = std::clamp<std::size_t>(span.end, begin, line.size());
-    place.column = static_cast<std::uint32_t>(count_code_points(line.substr(0, begin)) + 1);
-    place.length = static_cast<std::uint32_t>(
+    location.column = static_cast<std::uint32_t>(count_code_points(line.substr(0, begin)) + 1);
+    location.length = static_cast<std::uint32_t>(
         std::max<std::size_t>(1, count_code_points(line.substr(begin, end - begin))));
-    place.text = line.substr(0, std::max(kShown, std::min(end, line.size())));
-    return place;
+    location.text = line.substr(0, std::max(kShown, std::min(end, line.size())));
+    return location;
 }
 
 ProgramBounds::LineKind ProgramBounds::kind_of(std::string_view line) {
@@ -87,7 +87,7 @@ std::string_view ProgramBounds::without_head(std::string_view line, std::uint64_
 
 /// Whether the line names the program by a number that the control does not have.
 bool ProgramBounds::has_wrong_number(std::string_view line) const {
-    const ProgramFrame& frame = tables_.program;
+    const ProgramTemplates& frame = tables_.program;
     if (frame.most_read_number == 0) return false;
     for (const std::string& header : frame.header) {
         const std::size_t front = header.find("{number");

@@ -31,8 +31,8 @@ std::optional<int> offset_of_head(const Dialect& dialect) {
     constexpr std::size_t kNumber = parameter_of<Function::WorkOffset>("number");
     std::optional<int> offset;
     for (const Block& block : blocks_of_head(dialect)) {
-        if (const Invocation* said = block.find(Function::WorkOffset))
-            offset = static_cast<int>(block.argument(*said, kNumber));
+        if (const Invocation* invocation = block.find(Function::WorkOffset))
+            offset = static_cast<int>(block.argument(*invocation, kNumber));
     }
     return offset;
 }

@@ -80,11 +80,11 @@ class Template {
 
 /// Whether no line in front of the first block says the units, and the control begins with others.
 bool needs_units(const DialectTables& tables, const ProgramInfo& program) {
-    const auto says_units = [](const std::string& line) {
+    const auto has_units = [](const std::string& line) {
         return line.find("{units}") != std::string::npos;
     };
-    if (std::ranges::any_of(tables.program.header, says_units) ||
-        std::ranges::any_of(tables.program.start, says_units))
+    if (std::ranges::any_of(tables.program.header, has_units) ||
+        std::ranges::any_of(tables.program.start, has_units))
         return false;
     const Function first = tables.power_on[static_cast<std::size_t>(Group::Units)];
     return first != (program.is_inch ? Function::Inch : Function::Metric);
@@ -93,7 +93,7 @@ bool needs_units(const DialectTables& tables, const ProgramInfo& program) {
 }  // namespace
 
 ProgramLines program_lines(const DialectTables& tables, const ProgramInfo& program) {
-    const ProgramFrame& frame = tables.program;
+    const ProgramTemplates& frame = tables.program;
     Template filler(tables, program);
     ProgramLines lines;
     for (const std::string& line : frame.header) {

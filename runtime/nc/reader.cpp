@@ -52,12 +52,12 @@ bool Reader::failed() const { return state_->lines.faults().failed(); }
 std::uint64_t Reader::lines() const { return state_->line_number; }
 std::uint64_t Reader::first_fault() const { return state_->lines.faults().first_fault(); }
 
-TextLocation Reader::place(const Block& block) const { return state_->kept.place(block); }
-TextLocation Reader::place(const Block& block, Slot slot) const {
-    return state_->kept.place(block, slot);
+TextLocation Reader::location(const Block& block) const { return state_->kept.location(block); }
+TextLocation Reader::location(const Block& block, Slot slot) const {
+    return state_->kept.location(block, slot);
 }
-TextLocation Reader::place(const Block& block, Function function) const {
-    return state_->kept.place(block, function);
+TextLocation Reader::location(const Block& block, Function function) const {
+    return state_->kept.location(block, function);
 }
 
 }  // namespace kadr::nc

@@ -34,9 +34,9 @@ class BlockLocations {
     virtual ~BlockLocations() = default;
     /// The line of the block and the column of its first word or, if a slot or a function is named,
     /// of the word that set it.
-    virtual TextLocation place(const Block& block) const = 0;
-    virtual TextLocation place(const Block& block, Slot slot) const = 0;
-    virtual TextLocation place(const Block& block, Function function) const = 0;
+    virtual TextLocation location(const Block& block) const = 0;
+    virtual TextLocation location(const Block& block, Slot slot) const = 0;
+    virtual TextLocation location(const Block& block, Function function) const = 0;
     /// Where the program of the block was called, the nearest call first.
     virtual std::vector<TextLocation> calls(const Block& block) const {
         static_cast<void>(block);
@@ -71,9 +71,9 @@ class Reader final : public Stream<Block>, public BlockLocations {
         return failed() && block.line > first_fault();
     }
 
-    TextLocation place(const Block& block) const override;
-    TextLocation place(const Block& block, Slot slot) const override;
-    TextLocation place(const Block& block, Function function) const override;
+    TextLocation location(const Block& block) const override;
+    TextLocation location(const Block& block, Slot slot) const override;
+    TextLocation location(const Block& block, Function function) const override;
 
   private:
     struct State;

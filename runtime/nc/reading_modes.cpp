@@ -28,7 +28,7 @@ void ReadingModes::begin_numbers(const Block& block) {
 void ReadingModes::follow_line(const Block& block) {
     if (block.kind != Block::Kind::Nc) return;
     follow(block);
-    if (block.skip < 0) return;
+    if (block.skip_level < 0) return;
     // Nobody knows here whether the operator lets the block run.
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Group group = info(block.functions[i].function).group;

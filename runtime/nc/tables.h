@@ -111,9 +111,9 @@ struct FormWord {
     bool is_absolute = false;     // said absolute by itself, `AC(…)`; in forms that are read
     bool is_incremental = false;  // it says by itself that it is incremental: `IC(…)`
     bool takes_rotary_approaches =
-        false;             // an angle that may say the way to it: `DC(…)`, `ACP(…)`, `ACN(…)`
-    bool is_lead = false;  // the lead of a thread, which counts on every turn
-    bool is_any = false;   // `{}`: a number on which nothing depends; read only
+        false;  // an angle that may say the way to it: `DC(…)`, `ACP(…)`, `ACN(…)`
+    bool is_pitch = false;     // the lead of a thread, which counts on every turn
+    bool is_any = false;       // `{}`: a number on which nothing depends; read only
     double plain_factor = 0;   // `s|ms`: as `factor`, of a number without a point; 0: the same
     bool adds = false;         // read: added to the parameter; written: 0
     bool has_default = false;  // written with `fallback` if the parameter was not given
@@ -211,7 +211,7 @@ struct BlockNumbers {
     std::int64_t most = 99999999;
 };
 
-struct ProgramFrame {
+struct ProgramTemplates {
     SourceRange range;                 // of the element, in the file
     bool is_inherited = false;         // that file is one which this dialect extends
     std::vector<std::string> header;   // templates, written at once, without block numbers
@@ -269,7 +269,7 @@ struct AlarmAbout {
 /// A word of the control on which nothing that Kadr executes depends, with its brackets and value.
 struct PassedWord {
     std::string meaning;
-    bool is_said = false;       // that it has no effect here: on the control it has one
+    bool is_given = false;      // that it has no effect here: on the control it has one
     bool takes_rest = false;    // whatever stands behind it in the line belongs to it
     std::uint8_t read_max = 0;  // words of the name in a block; 0: no limit
     // What a number behind `=` may be; another one is an alarm.
@@ -319,7 +319,7 @@ struct DialectTables {
     std::map<std::string, PassedWord, std::less<>> passed;
     std::vector<Deferred> deferred;
     std::vector<Example> examples;
-    ProgramFrame program;
+    ProgramTemplates program;
     BlockNumbers block_numbers;
     CommentStyle comment;
     Notation notation;
@@ -342,10 +342,10 @@ struct DialectTables {
     bool has_incremental_letters = false;  // distances have letters of their own; no code says it
     std::vector<Slot> slot_order;          // in which slots are written
     std::array<Function, kGroups> power_on{};
-    AddressId builder_address = kNoAddress;    // of the codes that are the builder's: M
-    std::vector<FormId> verbatim_forms;        // in the order of the file
-    std::vector<FormId> comment_forms;         // `(MSG,{text})`
-    std::bitset<kFunctions> said_with_others;  // functions of forms that also set others
+    AddressId builder_address = kNoAddress;     // of the codes that are the builder's: M
+    std::vector<FormId> verbatim_forms;         // in the order of the file
+    std::vector<FormId> comment_forms;          // `(MSG,{text})`
+    std::bitset<kFunctions> given_with_others;  // functions of forms that also set others
 
     UsedEntries* used = nullptr;  // notes what texts use; as a rule nobody does
 

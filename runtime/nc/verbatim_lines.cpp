@@ -75,11 +75,11 @@ bool read_verbatim(const DialectTables& tables, const TextUnits& units, std::str
         while (begin != end && is_blank(*begin)) ++begin;
     };
     skip_blanks();
-    std::int8_t skip = -1;
+    std::int8_t skip_level = -1;
     if (begin != end && *begin == '/') {
         ++begin;
-        skip = static_cast<std::int8_t>(tables.notation.default_skip);
-        if (begin != end && is_digit(*begin)) skip = static_cast<std::int8_t>(*begin++ - '0');
+        skip_level = static_cast<std::int8_t>(tables.notation.default_skip);
+        if (begin != end && is_digit(*begin)) skip_level = static_cast<std::int8_t>(*begin++ - '0');
         skip_blanks();
     }
     std::int32_t number = -1;
@@ -94,7 +94,7 @@ bool read_verbatim(const DialectTables& tables, const TextUnits& units, std::str
         if (!matches(tables, units, form, {begin, end}, block)) continue;
         tables.note(&form);
         block.number = number;
-        block.skip = skip;
+        block.skip_level = skip_level;
         return true;
     }
     return false;

@@ -26,7 +26,7 @@ inline constexpr std::size_t kFunctions = 0
 
 /// Modal groups of the neutral vocabulary; a dialect maps its own groups onto them.
 enum class Group : std::uint8_t {
-    Once,
+    NonModal,
     Motion,
     Plane,
     Units,
@@ -47,7 +47,7 @@ enum class Group : std::uint8_t {
     Diameter,
     Compressor,
     Transformation,
-    Turning,
+    OrientInterpolation,
     OrientAngles,
     OrientSystem,
     Spinning,

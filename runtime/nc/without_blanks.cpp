@@ -26,7 +26,7 @@ class ColumnsOfLine {
         }
         put_back(line.statements);
         for (Call& call : line.calls) put_back(call);
-        put_back(line.places);
+        put_back(line.spans);
     }
 
   private:
@@ -91,11 +91,11 @@ class ColumnsOfLine {
 }  // namespace
 
 void LineWithoutBlanks::put_back(Span& span) const {
-    const auto last = static_cast<std::uint32_t>(places.size() - 1);
+    const auto last = static_cast<std::uint32_t>(columns.size() - 1);
     const std::uint32_t begin = std::min(span.begin, last);
     const std::uint32_t end = std::min(span.end, last);
     const bool is_empty = end <= begin;
-    span = {places[begin], is_empty ? places[begin] : places[end - 1] + 1};
+    span = {columns[begin], is_empty ? columns[begin] : columns[end - 1] + 1};
 }
 
 void LineWithoutBlanks::put_back(ControlLine& line) const { ColumnsOfLine(*this).put_back(line); }
@@ -131,9 +131,9 @@ LineWithoutBlanks without_blanks(const DialectTables& tables, std::string_view l
         }
         if (at >= comment_end && is_blank(line[at])) continue;
         out.text += line[at];
-        out.places.push_back(static_cast<std::uint32_t>(at));
+        out.columns.push_back(static_cast<std::uint32_t>(at));
     }
-    out.places.push_back(static_cast<std::uint32_t>(line.size()));
+    out.columns.push_back(static_cast<std::uint32_t>(line.size()));
     return out;
 }
 

@@ -14,7 +14,7 @@ namespace kadr::nc {
 /// A line whose blanks are gone; comments stand as they were written.
 struct LineWithoutBlanks {
     std::string text;
-    std::vector<std::uint32_t> places;  // of its characters in the line, and of the line's end
+    std::vector<std::uint32_t> columns;  // of its characters in the line, and of the line's end
 
     /// A place in the text as the place in the line, in bytes.
     void put_back(Span& span) const;

@@ -17,8 +17,8 @@ struct ApproachPath {
 };
 
 /// The way that ends at a place in a direction, a unit vector.
-Element way_to(const Vec2& place, const Vec2& direction, const ApproachPath& way);
+Element approach_path_to(const Vec2& point, const Vec2& direction, const ApproachPath& approach);
 /// The way that begins there.
-Element way_from(const Vec2& place, const Vec2& direction, const ApproachPath& way);
+Element approach_path_from(const Vec2& point, const Vec2& direction, const ApproachPath& approach);
 
 }  // namespace kadr::path

@@ -34,9 +34,9 @@ void Motion::become(Op op) {
     }
 }
 
-const ToolTurn& Motion::turn() const {
-    static const ToolTurn kNone;
-    return tool_turn ? *tool_turn : kNone;
+const OrientDetails& Motion::orientation() const {
+    static const OrientDetails kNone;
+    return orient_details ? *orient_details : kNone;
 }
 
 const VirtualAxes& Motion::virtual_axes() const {

@@ -131,26 +131,26 @@ class Command {
     void become(Op op);
 
     // What it says, by the name of its kind.
-    const Motion& motion() const { return said<Motion>(what_); }
-    Motion& motion() { return said<Motion>(what_); }
-    const Spindle& spindle() const { return said<Spindle>(what_); }
-    Spindle& spindle() { return said<Spindle>(what_); }
-    const SpeedLimit& speed_limit() const { return said<SpeedLimit>(what_); }
-    SpeedLimit& speed_limit() { return said<SpeedLimit>(what_); }
-    const ToolChange& tool() const { return said<ToolChange>(what_); }
-    ToolChange& tool() { return said<ToolChange>(what_); }
-    const ToolLength& tool_length() const { return said<ToolLength>(what_); }
-    ToolLength& tool_length() { return said<ToolLength>(what_); }
-    const Coolant& coolant() const { return said<Coolant>(what_); }
-    Coolant& coolant() { return said<Coolant>(what_); }
-    const Function& function() const { return said<Function>(what_); }
-    Function& function() { return said<Function>(what_); }
-    const Dwell& dwell() const { return said<Dwell>(what_); }
-    Dwell& dwell() { return said<Dwell>(what_); }
-    const Message& message() const { return said<Message>(what_); }
-    Message& message() { return said<Message>(what_); }
-    const External& external() const { return said<External>(what_); }
-    External& external() { return said<External>(what_); }
+    const Motion& motion() const { return read_as<Motion>(what_); }
+    Motion& motion() { return read_as<Motion>(what_); }
+    const Spindle& spindle() const { return read_as<Spindle>(what_); }
+    Spindle& spindle() { return read_as<Spindle>(what_); }
+    const SpeedLimit& speed_limit() const { return read_as<SpeedLimit>(what_); }
+    SpeedLimit& speed_limit() { return read_as<SpeedLimit>(what_); }
+    const ToolChange& tool() const { return read_as<ToolChange>(what_); }
+    ToolChange& tool() { return read_as<ToolChange>(what_); }
+    const ToolLength& tool_length() const { return read_as<ToolLength>(what_); }
+    ToolLength& tool_length() { return read_as<ToolLength>(what_); }
+    const Coolant& coolant() const { return read_as<Coolant>(what_); }
+    Coolant& coolant() { return read_as<Coolant>(what_); }
+    const Function& function() const { return read_as<Function>(what_); }
+    Function& function() { return read_as<Function>(what_); }
+    const Dwell& dwell() const { return read_as<Dwell>(what_); }
+    Dwell& dwell() { return read_as<Dwell>(what_); }
+    const Message& message() const { return read_as<Message>(what_); }
+    Message& message() { return read_as<Message>(what_); }
+    const External& external() const { return read_as<External>(what_); }
+    External& external() { return read_as<External>(what_); }
 
   private:
     Op other_op() const;

@@ -48,7 +48,7 @@ std::optional<Vec3> tip_beside(const Contact& contact, const Vec3& guide, const 
         case ContactKind::Tip: return Vec3::Zero();
         case ContactKind::Corner: return between(contact, tool);
         case ContactKind::Face: return off_face(contact, guide, tool);
-        case ContactKind::Side:
+        case ContactKind::Flank:
         case ContactKind::Pivot: break;
     }
     const auto aside = beside(guide, tool);
@@ -73,14 +73,14 @@ double tip_travel_about(const Contact& contact, const Vec3& tool) {
                    [&](double at) { return tip_beside(contact, guide_at(contact, at), tool); })
             .value_or(Vec3::Zero());
     };
-    double way = 0;
+    double distance = 0;
     Vec3 last = aside(0);
     for (int i = 1; i <= kChords; ++i) {
         const Vec3 next = aside(static_cast<double>(i) / kChords);
-        way += (next - last).norm();
+        distance += (next - last).norm();
         last = next;
     }
-    return way;
+    return distance;
 }
 
 }  // namespace kadr::path

@@ -15,7 +15,7 @@ namespace kadr::path {
 
 enum class ContactKind : std::uint8_t {
     Tip,     // the tip itself
-    Side,    // the cutter's side touches the contour, whose tangent is that of the path
+    Flank,   // the cutter's side touches the contour, whose tangent is that of the path
     Pivot,   // … while it stays in one place and `guide`, the tangent, turns
     Corner,  // … and touches two lines that meet there: `guide` and `axis` are their directions
     Face,    // a cutter with a rounded edge touches a surface; `guide` is its normal, outwards,

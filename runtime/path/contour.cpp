@@ -49,8 +49,8 @@ std::optional<double> share_of(const Element& element, const Vec2& point) {
     if (element.is_arc()) {
         share = share_on_arc(element, point - element.center);
     } else {
-        const Vec2 way = element.to - element.from;
-        share = (point - element.from).dot(way) / way.squaredNorm();
+        const Vec2 delta = element.to - element.from;
+        share = (point - element.from).dot(delta) / delta.squaredNorm();
     }
     if (share < -reach || share > 1 + reach) return std::nullopt;
     return std::clamp(share, 0.0, 1.0);
@@ -115,15 +115,15 @@ void cross_line_arc(std::vector<Crossing>& found, const Element& line, const Ele
 void cross_arcs(std::vector<Crossing>& found, const Element& a, const Element& b) {
     const double ra = radius(a);
     const double rb = radius(b);
-    const Vec2 way = b.center - a.center;
-    const double apart = way.norm();
+    const Vec2 delta = b.center - a.center;
+    const double apart = delta.norm();
     if (apart <= kReach && std::fabs(ra - rb) <= kReach) {
         add_overlap(found, a, b);
         return;
     }
     if (apart > ra + rb + kReach || apart < std::fabs(ra - rb) - kReach) return;
     if (apart < 1e-12) return;
-    const Vec2 direction = way / apart;
+    const Vec2 direction = delta / apart;
     const double along = (apart * apart + (ra - rb) * (ra + rb)) / (2 * apart);
     const double square = (ra - along) * (ra + along);
     if (square <= 2 * ra * 1e-12) {
@@ -213,10 +213,10 @@ Rectangle bounds(const Element& element) {
     Rectangle box{element.from.cwiseMin(element.to), element.from.cwiseMax(element.to)};
     if (!element.is_arc()) return box;
     const double r = radius(element);
-    for (const Vec2& way : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
-        const double share = share_on_arc(element, way);
+    for (const Vec2& delta : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
+        const double share = share_on_arc(element, delta);
         if (share < 0 || share > 1) continue;
-        const Vec2 point = element.center + way * r;
+        const Vec2 point = element.center + delta * r;
         box.lower = box.lower.cwiseMin(point);
         box.upper = box.upper.cwiseMax(point);
     }
@@ -226,22 +226,22 @@ Rectangle bounds(const Element& element) {
 Nearest nearest(const Element& element, const Vec2& point) {
     Nearest result;
     if (element.is_arc()) {
-        const Vec2 way = point - element.center;
-        const double apart = way.norm();
+        const Vec2 delta = point - element.center;
+        const double apart = delta.norm();
         const double r = radius(element);
         if (apart < 1e-12) {  // every point of the arc is as near
             return {element.from, r, 0, 0};
         }
-        const double share = share_on_arc(element, way);
+        const double share = share_on_arc(element, delta);
         if (share >= 0 && share <= 1) {
-            return {element.center + way * (r / apart), std::fabs(apart - r), 0, share};
+            return {element.center + delta * (r / apart), std::fabs(apart - r), 0, share};
         }
     } else {
-        const Vec2 way = element.to - element.from;
-        const double square = way.squaredNorm();
-        const double share = square > 0 ? (point - element.from).dot(way) / square : 0;
+        const Vec2 delta = element.to - element.from;
+        const double square = delta.squaredNorm();
+        const double share = square > 0 ? (point - element.from).dot(delta) / square : 0;
         if (share > 0 && share < 1) {
-            result.point = element.from + way * share;
+            result.point = element.from + delta * share;
             result.share = share;
             result.distance = (point - result.point).norm();
             return result;

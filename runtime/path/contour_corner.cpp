@@ -39,22 +39,22 @@ double reach(const Element& element) {
 
 /// The line or circle on which the centre of an arc lies that touches the element from the left
 /// (distance > 0) or from the right.
-struct Carrier {
+struct CenterLocus {
     bool is_line = true;
     Vec2 point = Vec2::Zero();  // on the line, or the centre
     Vec2 direction = Vec2::Zero();
     double radius = 0;
 };
 
-std::optional<Carrier> carrier_beside(const Element& element, double distance) {
+std::optional<CenterLocus> carrier_beside(const Element& element, double distance) {
     if (!element.is_arc()) {
         const Vec2 along = start_direction(element);
-        return Carrier{true, element.from + left_of(along) * distance, along, 0};
+        return CenterLocus{true, element.from + left_of(along) * distance, along, 0};
     }
     const double side = element.sweep > 0 ? 1 : -1;
     const double inside = radius(element) - side * distance;
     if (inside <= 0) return std::nullopt;
-    return Carrier{false, element.center, Vec2::Zero(), inside};
+    return CenterLocus{false, element.center, Vec2::Zero(), inside};
 }
 
 struct Points {
@@ -62,7 +62,7 @@ struct Points {
     std::size_t count = 0;
 };
 
-Points common_points(const Carrier& a, const Carrier& b) {
+Points common_points(const CenterLocus& a, const CenterLocus& b) {
     Points points;
     if (a.is_line && b.is_line) {
         const double w = cross(a.direction, b.direction);
@@ -80,13 +80,13 @@ Points common_points(const Carrier& a, const Carrier& b) {
         along = a.direction;
         square = b.radius * b.radius - (b.point - foot).squaredNorm();
     } else {
-        const Vec2 way = b.point - a.point;
-        const double apart = way.norm();
+        const Vec2 delta = b.point - a.point;
+        const double apart = delta.norm();
         if (apart < kReach) return points;
         const double part =
             (apart * apart + (a.radius - b.radius) * (a.radius + b.radius)) / (2 * apart);
-        foot = a.point + way / apart * part;
-        along = left_of(way / apart);
+        foot = a.point + delta / apart * part;
+        along = left_of(delta / apart);
         square = (a.radius - part) * (a.radius + part);
     }
     if (square < 0) return points;
@@ -199,8 +199,8 @@ std::optional<CornerCut> rounding(const Element& a, const Element& b, double rad
     if (std::fabs(turn) < kNoTurn || std::fabs(turn) > std::numbers::pi - kNoTurn)
         return std::nullopt;
     const double side = turn > 0 ? 1 : -1;
-    const std::optional<Carrier> beside_a = carrier_beside(a, side * radius);
-    const std::optional<Carrier> beside_b = carrier_beside(b, side * radius);
+    const std::optional<CenterLocus> beside_a = carrier_beside(a, side * radius);
+    const std::optional<CenterLocus> beside_b = carrier_beside(b, side * radius);
     if (!beside_a || !beside_b) return std::nullopt;
     const Points centers = common_points(*beside_a, *beside_b);
     std::optional<CornerCut> best;

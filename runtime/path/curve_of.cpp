@@ -20,8 +20,8 @@ constexpr double kLittleTurn = 0.1;
 /// The sweep of the arc from where the tip is, which may be a little beside where the program has
 /// it: the arc ends where it should all the same, and does not jump there.
 double sweep_from(const ArcShape& arc, const Vec3& from, const Vec3& to) {
-    const auto flat = [&](const Vec3& place) {
-        const Vec3 arm = place - arc.center;
+    const auto flat = [&](const Vec3& point) {
+        const Vec3 arm = point - arc.center;
         return Vec3(arm - arm.dot(arc.normal) * arc.normal);
     };
     const Vec3 first = flat(from);

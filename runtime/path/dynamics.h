@@ -34,7 +34,7 @@ struct FeedLaw {
     /// F is the feed.
     FeedPolynomial feed{};
 
-    bool is_said() const { return feed[0] > 0; }
+    bool is_given() const { return feed[0] > 0; }
     bool is_constant() const { return feed[1] == 0 && feed[2] == 0 && feed[3] == 0; }
     friend bool operator==(const FeedLaw&, const FeedLaw&) = default;
 };

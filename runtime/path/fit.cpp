@@ -63,9 +63,9 @@ Vec3 in_plane(const Vec2& point) { return {point.x(), point.y(), 0}; }
 Range along(const Cubic& cubic, const Vec2& point, const Vec2& direction) {
     Range range{0, 0};
     for (std::size_t i = 0; i < 4; ++i) {
-        const double way = (flat(cubic[i]) - point).dot(direction);
-        if (i == 0 || way < range.lower) range.lower = way;
-        if (i == 0 || way > range.upper) range.upper = way;
+        const double distance = (flat(cubic[i]) - point).dot(direction);
+        if (i == 0 || distance < range.lower) range.lower = distance;
+        if (i == 0 || distance > range.upper) range.upper = distance;
     }
     return range;
 }
@@ -139,8 +139,8 @@ std::optional<Vec3> CurveFit::direction(const CurveSample& at, double parameter,
     const double beside = parameter + side * range * 1e-7;
     const std::optional<CurveSample> near = sample(beside);
     if (!near) return std::nullopt;
-    const Vec3 way = (near->position - at.position) * side;
-    return way.norm() > 0 ? std::optional<Vec3>(way.normalized()) : Vec3(Vec3::Zero());
+    const Vec3 delta = (near->position - at.position) * side;
+    return delta.norm() > 0 ? std::optional<Vec3>(delta.normalized()) : Vec3(Vec3::Zero());
 }
 
 std::optional<Vec3> CurveFit::start() {

@@ -178,8 +178,8 @@ Extremes rising_extremes(double mean, double a, double b, double rise, double sw
     // A·sin(φ − δ) = rise; of those a turn apart the first and the last one are the extremes.
     constexpr double kTurn = 2 * std::numbers::pi;
     const double delta = std::atan2(b, a);
-    const double lean = std::asin(rise / amplitude);
-    for (const double angle : {delta + lean, delta + std::numbers::pi - lean}) {
+    const double inclination = std::asin(rise / amplitude);
+    for (const double angle : {delta + inclination, delta + std::numbers::pi - inclination}) {
         const double first = angle - kTurn * std::floor(angle / kTurn);
         if (first > sweep) continue;
         const double last = first + kTurn * std::floor((sweep - first) / kTurn);

@@ -6,7 +6,8 @@
 namespace kadr::path {
 
 /// The point and its derivatives of a homogeneous point and its derivatives: the quotient rule.
-inline SplinePoint projected(const Pole& at, const Pole& first, const Pole& second) {
+inline SplinePoint projected(const ControlPoint& at, const ControlPoint& first,
+                             const ControlPoint& second) {
     const double w = at[3];
     SplinePoint point;
     point.position = at.head<3>() / w;

@@ -41,7 +41,7 @@ double unwound_at(double distance, double radius) {
 }
 
 /// The part of a way that lies in the plane.
-Vec3 in_plane(const Vec3& way, const Vec3& normal) { return way - way.dot(normal) * normal; }
+Vec3 in_plane(const Vec3& delta, const Vec3& normal) { return delta - delta.dot(normal) * normal; }
 
 double flat_rate(const Involute& involute) {
     return std::sqrt(1 + involute.height_rate * involute.height_rate);

@@ -5,10 +5,10 @@
 namespace kadr::path {
 
 Line make_line(const Vec3& start, const Vec3& end) {
-    const Vec3 way = end - start;
-    const double length = way.norm();
+    const Vec3 delta = end - start;
+    const double length = delta.norm();
     KADR_ASSERT(length > 0, "a line needs two different points");
-    return {start, end, way / length, length};
+    return {start, end, delta / length, length};
 }
 
 Line part(const Line& line, double from, double to) {

@@ -68,8 +68,8 @@ struct InvoluteShape {
 };
 
 struct ThreadShape {
-    double lead_change = 0;  // by how much the feed changes in a turn, mm/rev
-    double start_deg = 0;    // angle of the spindle at its start
+    double pitch_change = 0;  // by how much the feed changes in a turn, mm/rev
+    double start_deg = 0;     // angle of the spindle at its start
 };
 struct ProbeShape {};
 
@@ -84,23 +84,23 @@ static_assert(std::variant_size_v<Shape> == static_cast<std::size_t>(Op::Probe) 
 /// How the tool turns that does not go with the axes: fields as of a Turn, but over the whole
 /// motion: `angle` is rad and `axis` of a Point mm from its start to the end, leans go from the
 /// first to the second.
-struct ToolTurn {
+struct OrientDetails {
     Vec3 from = Vec3::UnitZ();  // Surface, Point
     Vec3 axis = Vec3::Zero();   // Cone, Surface, Point
     double angle = 0;           // Cone, Surface; by the right-hand rule
     double outwards = 0;        // Point
-    Lean lean;                  // Surface
+    LeadTiltAngles lead_tilt;   // Surface
 };
 
 /// The alternative that is there. To ask for another one is a fault of Kadr.
 template <typename T, typename... Others>
-const T& said(const std::variant<Others...>& what) {
+const T& read_as(const std::variant<Others...>& what) {
     const T* const found = std::get_if<T>(&what);
     KADR_ASSERT(found != nullptr, "a command is read as one of another kind");
     return *found;
 }
 template <typename T, typename... Others>
-T& said(std::variant<Others...>& what) {
+T& read_as(std::variant<Others...>& what) {
     T* const found = std::get_if<T>(&what);
     KADR_ASSERT(found != nullptr, "a command is read as one of another kind");
     return *found;
@@ -120,13 +120,13 @@ struct Motion {
     bool exact_stop = false;           // ends at rest
     /// How the tool turns under a transformation: `to` is the tip in the workpiece system or in
     /// virtual coordinates, and where the rotary axes stand there.
-    Turning turning = Turning::None;
+    OrientKind orient_kind = OrientKind::None;
     Blending blending;    // of the corner behind it; none where it ends at rest
     double compress = 0;  // a line may become a part of a curve within this tolerance, mm; 0: it
                           // stays what it is
-    Vec3 direction = Vec3::UnitZ();     // of the tool at the end, unit vector from tip to holder
-    Boxed<ToolTurn> tool_turn;          // Cone, Surface, Point
-    Boxed<ContactMotion> contact;       // the path is that of the place where the cutter touches
+    Vec3 direction = Vec3::UnitZ();       // of the tool at the end, unit vector from tip to holder
+    Boxed<OrientDetails> orient_details;  // Cone, Surface, Point
+    Boxed<ContactMotion> contact;         // the path is that of the place where the cutter touches
     Boxed<VirtualAxes> virtual_system;  // in which the motion is told; the tool does not turn then
     Boxed<Dynamics> dynamics;           // where the program says something of it
 
@@ -135,23 +135,23 @@ struct Motion {
     void become(Op op);
 
     // The shape, by its name.
-    const ArcShape& arc() const { return said<ArcShape>(shape); }
-    ArcShape& arc() { return said<ArcShape>(shape); }
-    const SplineShape& spline() const { return *said<Boxed<SplineShape>>(shape); }
-    SplineShape& spline() { return *said<Boxed<SplineShape>>(shape); }
-    const InvoluteShape& involute() const { return said<InvoluteShape>(shape); }
-    InvoluteShape& involute() { return said<InvoluteShape>(shape); }
-    const CurveShape& curve() const { return *said<Boxed<CurveShape>>(shape); }
-    CurveShape& curve() { return *said<Boxed<CurveShape>>(shape); }
-    const ThreadShape& thread() const { return said<ThreadShape>(shape); }
-    ThreadShape& thread() { return said<ThreadShape>(shape); }
+    const ArcShape& arc() const { return read_as<ArcShape>(shape); }
+    ArcShape& arc() { return read_as<ArcShape>(shape); }
+    const SplineShape& spline() const { return *read_as<Boxed<SplineShape>>(shape); }
+    SplineShape& spline() { return *read_as<Boxed<SplineShape>>(shape); }
+    const InvoluteShape& involute() const { return read_as<InvoluteShape>(shape); }
+    InvoluteShape& involute() { return read_as<InvoluteShape>(shape); }
+    const CurveShape& curve() const { return *read_as<Boxed<CurveShape>>(shape); }
+    CurveShape& curve() { return *read_as<Boxed<CurveShape>>(shape); }
+    const ThreadShape& thread() const { return read_as<ThreadShape>(shape); }
+    ThreadShape& thread() { return read_as<ThreadShape>(shape); }
 
     /// How the tool turns; the least where nothing is said of it.
-    const ToolTurn& turn() const;
+    const OrientDetails& orientation() const;
     /// The tool goes with the axes, or does not turn: nothing more is said of it.
-    void turn_plainly(Turning how) {
-        turning = how;
-        tool_turn.reset();
+    void orient_plainly(OrientKind how) {
+        orient_kind = how;
+        orient_details.reset();
     }
     /// Off where the motion is in no virtual coordinates.
     const VirtualAxes& virtual_axes() const;

@@ -15,20 +15,20 @@ namespace kadr::path {
 struct Nurbs {
     int degree = 3;
     std::vector<double> knots;
-    std::vector<Vec3> poles;
+    std::vector<Vec3> control_points;
     std::vector<double> weights;  // > 0; none: all are 1
 
     double weight(std::size_t pole) const { return weights.empty() ? 1 : weights[pole]; }
 };
 
 enum class NurbsFault : std::uint8_t {
-    Degree,      // below one
-    Poles,       // fewer than degree + 1
-    Counts,      // knots are not poles + degree + 1, or weights not as many as poles
-    Decreasing,  // a knot is less than the one before
-    Unclamped,   // an end is no pole: its knot does not stand degree + 1 times
-    Gap,         // a knot inside stands more than `degree` times: the curve breaks off there
-    Weight,      // not positive
+    Degree,         // below one
+    ControlPoints,  // fewer than degree + 1
+    Counts,         // knots are not poles + degree + 1, or weights not as many as poles
+    Decreasing,     // a knot is less than the one before
+    Unclamped,      // an end is no pole: its knot does not stand degree + 1 times
+    Gap,            // a knot inside stands more than `degree` times: the curve breaks off there
+    Weight,         // not positive
 };
 std::optional<NurbsFault> fault_of(const Nurbs& nurbs);
 
@@ -63,14 +63,14 @@ class SplineSpans {
     /// What is wrong with a spline that ends here.
     std::optional<NurbsFault> end_fault() const;
 
-    std::size_t poles() const { return gone_ + poles_.size(); }
+    std::size_t control_points() const { return gone_ + control_points_.size(); }
 
   private:
-    Pole blossom(std::size_t span, std::size_t at_end) const;
+    ControlPoint blossom(std::size_t span, std::size_t at_end) const;
 
     std::size_t degree_;
-    std::vector<Pole> poles_;    // from number gone_ on
-    std::vector<double> knots_;  // from number gone_ on
+    std::vector<ControlPoint> control_points_;  // from number gone_ on
+    std::vector<double> knots_;                 // from number gone_ on
     std::size_t gone_ = 0;
     std::size_t span_ = 0;        // number of the next one
     std::size_t knot_count_ = 0;  // of all

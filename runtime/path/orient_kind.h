@@ -6,7 +6,7 @@
 namespace kadr::path {
 
 /// How the tool turns while the transformation of the machine holds its tip on the path.
-enum class Turning : std::uint8_t {
+enum class OrientKind : std::uint8_t {
     None,      // no transformation: every axis goes as `to` says
     Straight,  // every axis of the machine goes straight from point to point: the tip is on no path
     Joints,    // the rotary axes go along a cubic of the path: around a corner that is rounded
@@ -22,7 +22,7 @@ enum class Turning : std::uint8_t {
 enum class TiltAbout : std::uint8_t { Tangent, Normal };
 
 /// How a tool leans: first from the normal towards the direction of travel, then aside; rad.
-struct Lean {
+struct LeadTiltAngles {
     double lead = 0;
     double tilt = 0;
     TiltAbout about = TiltAbout::Tangent;

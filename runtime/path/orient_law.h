@@ -11,16 +11,16 @@
 namespace kadr::path {
 
 /// How the tool turns over a piece of path. A plain value: pieces are copied by the million.
-struct Turn {
-    Turning kind = Turning::None;
+struct OrientLaw {
+    OrientKind kind = OrientKind::None;
     double length = 0;  // of the piece's path
     /// Where the piece begins. Cone: direction of the tool; Surface: the surface normal; Point: the
     /// second point of the tool's axis, mm.
     Vec3 start = Vec3::UnitZ();
     /// Cone, Surface: unit vector about which that goes. Point: how it goes per unit of path.
     Vec3 axis = Vec3::Zero();
-    double rate = 0;  // Cone, Surface: rad per unit of path
-    Lean lean;        // Surface
+    double rate = 0;           // Cone, Surface: rad per unit of path
+    LeadTiltAngles lead_tilt;  // Surface
     /// Joints: the rotary axes as three coordinates, rad.
     Glide joints{{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 0};
     /// Point: the curve is an arc, and the place to which the direction counts lies so far outwards
@@ -32,10 +32,10 @@ struct Turn {
 /// and Axes it is the chain's matter; there the answer is `start`.
 ///
 /// curve  way of the tip over the piece, of any parameter of the length `turn.length`
-Vec3 direction_at(const Turn& turn, const Curve& curve, double distance);
+Vec3 direction_at(const OrientLaw& orientation, const Curve& curve, double distance);
 
 /// The turn over a part of the piece.
-Turn part_of(const Turn& turn, double from, double to);
+OrientLaw part_of(const OrientLaw& orientation, double from, double to);
 
 /// The tool by its angles to a surface: the tangent is brought into the surface, t' = unit(t −
 /// (t·n)n); the lead leans the normal towards t', the tilt turns the result about t' or n.
@@ -44,7 +44,7 @@ Turn part_of(const Turn& turn, double from, double to);
 /// normal   unit vector
 /// tangent  unit vector; where it is along the normal, or zero, a tool that leans has no direction:
 ///          the answer is the normal
-Vec3 leaning(const Vec3& normal, const Vec3& tangent, const Lean& lean);
+Vec3 leaning(const Vec3& normal, const Vec3& tangent, const LeadTiltAngles& lead_tilt);
 
 /// The angle between two vectors, rad, 0 … π; exact near both ends.
 double angle_between(const Vec3& a, const Vec3& b);

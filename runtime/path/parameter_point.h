@@ -19,9 +19,9 @@ CurvePoint parameter_point(const At& at, double u, double least) {
     const SplinePoint point = at(u);
     if (!(point.first.norm() > least)) {
         const double beside = u < 0.5 ? u + 1e-3 : u - 1e-3;
-        const Vec3 way = (at(beside).position - point.position) * (u < 0.5 ? 1 : -1);
-        const double size = way.norm();
-        return {point.position, size > 0 ? Vec3(way / size) : Vec3(Vec3::Zero()), Vec3::Zero()};
+        const Vec3 delta = (at(beside).position - point.position) * (u < 0.5 ? 1 : -1);
+        const double size = delta.norm();
+        return {point.position, size > 0 ? Vec3(delta / size) : Vec3(Vec3::Zero()), Vec3::Zero()};
     }
     const double square = point.first.squaredNorm();
     const Vec3 tangent = point.first / std::sqrt(square);

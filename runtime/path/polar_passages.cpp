@@ -69,7 +69,7 @@ bool stays_at_pole(const VirtualAxes& axes, const Curve& curve) {
 
 std::vector<double> pole_passages(const VirtualAxes& axes, const Curve& curve) {
     std::vector<double> found;
-    if (axes.kind != VirtualKind::Face || std::holds_alternative<Point>(curve)) return found;
+    if (axes.kind != VirtualKind::Polar || std::holds_alternative<Point>(curve)) return found;
     const double length = path::length(curve);
     if (std::holds_alternative<Line>(curve)) {
         passages_of_line(axes, curve, found);
@@ -106,7 +106,7 @@ std::vector<Curve> legs_between_poles(const VirtualAxes& axes, const Curve& curv
 }
 
 double rotary_to_leave(const VirtualAxes& axes, const Curve& leg, double rotary) {
-    if (axes.kind != VirtualKind::Face || !is_at_pole(axes, start(leg))) return rotary;
+    if (axes.kind != VirtualKind::Polar || !is_at_pole(axes, start(leg))) return rotary;
     const Vec3 out = evaluate(leg, 0).tangent;
     if (std::hypot(out.x(), out.y()) < kSameTurn) return rotary;
     const double to = rotary_towards(axes, out, rotary);
@@ -119,12 +119,12 @@ double rotary_to_leave(const VirtualAxes& axes, const Curve& leg, double rotary)
 
 namespace {
 
-struct Reach {
+struct ParameterRange {
     double from = 0;
     double to = 0;
 };
 
-double follow(const VirtualAxes& axes, const Curve& leg, const Reach& reach, double rotary,
+double follow(const VirtualAxes& axes, const Curve& leg, const ParameterRange& reach, double rotary,
               int halvings) {
     const double middle = (reach.from + reach.to) / 2;
     const double half_way = rotary_at(axes, position(leg, middle), rotary);
@@ -139,7 +139,7 @@ double follow(const VirtualAxes& axes, const Curve& leg, const Reach& reach, dou
 }  // namespace
 
 double rotary_behind(const VirtualAxes& axes, const Curve& leg, double rotary) {
-    if (axes.kind != VirtualKind::Face) return rotary_at(axes, end(leg), rotary);
+    if (axes.kind != VirtualKind::Polar) return rotary_at(axes, end(leg), rotary);
     return follow(axes, leg, {0, length(leg)}, rotary, 0);
 }
 

@@ -16,7 +16,7 @@ constexpr double kUsed = 0.95;
 constexpr std::size_t kMostWork = 64;
 
 /// Lines between two points, to be fitted by themselves.
-struct Run {
+struct LineRun {
     std::size_t first;
     std::size_t last;
     bool is_broken = false;  // a line beside which no cubic stays
@@ -33,7 +33,7 @@ class Fit {
     std::vector<PolylinePart> run() {
         waiting_ = {{0, points_.size() - 1}};
         while (!waiting_.empty()) {
-            const Run run = waiting_.back();
+            const LineRun run = waiting_.back();
             waiting_.pop_back();
             fit(run);
         }
@@ -42,7 +42,7 @@ class Fit {
 
   private:
     /// Cubics for a run, or lines out of it and what is left between them.
-    void fit(const Run& run) {
+    void fit(const LineRun& run) {
         const bool is_alone = run.last - run.first == 1 && !begins_with_slope(run);
         if (run.is_broken || is_alone) return add_line(run.first);
         set_nodes(run);
@@ -73,7 +73,7 @@ class Fit {
 
     /// Lines stay, what is between them begins anew: what was halved beside a corner may do without
     /// once the corner is apart. The first comes next, for parts are in order.
-    void break_at(const std::vector<std::size_t>& lines, const Run& run) {
+    void break_at(const std::vector<std::size_t>& lines, const LineRun& run) {
         std::size_t last = run.last;
         for (std::size_t i = lines.size(); i-- > 0;) {
             if (lines[i] + 1 < last) waiting_.push_back({lines[i] + 1, last});
@@ -83,22 +83,22 @@ class Fit {
         if (run.first < last) waiting_.push_back({run.first, last});
     }
 
-    void add_lines(const Run& run) {
+    void add_lines(const LineRun& run) {
         for (std::size_t i = run.first; i < run.last; ++i) add_line(i);
     }
     void add_line(std::size_t at) {
-        const Vec3 way = points_[at + 1] - points_[at];
-        done_.push_back({at, at + 1, true, hermite(points_[at], way, points_[at + 1], way),
-                         way / width(at, at + 1)});
+        const Vec3 delta = points_[at + 1] - points_[at];
+        done_.push_back({at, at + 1, true, hermite(points_[at], delta, points_[at + 1], delta),
+                         delta / width(at, at + 1)});
     }
     double width(std::size_t from, std::size_t to) const { return lengths_[to] - lengths_[from]; }
 
-    bool begins_with_slope(const Run& run) const {
+    bool begins_with_slope(const LineRun& run) const {
         return run.first == 0 && options_.first_slope.has_value();
     }
 
     /// No more than there have to be.
-    void set_nodes(const Run& run) {
+    void set_nodes(const LineRun& run) {
         nodes_ = {run.first};
         for (const std::size_t end : options_.ends) {
             if (end > run.first && end < run.last) nodes_.push_back(end);
@@ -118,7 +118,7 @@ class Fit {
     }
 
     /// Cubics through the nodes.
-    void solve(const Run& run) {
+    void solve(const LineRun& run) {
         const std::size_t count = nodes_.size();
         std::vector<SplineNode> nodes;
         for (const std::size_t node : nodes_) nodes.push_back({lengths_[node], points_[node]});
@@ -150,7 +150,7 @@ class Fit {
     std::span<const Vec3> points_;
     const PolylineFitOptions& options_;
     std::vector<double> lengths_;      // of the polyline up to every point
-    std::vector<Run> waiting_;         // the first one last
+    std::vector<LineRun> waiting_;     // the first one last
     std::vector<std::size_t> nodes_;   // of the run that is fitted; parts end there
     std::vector<PolylinePart> parts_;  // of it
     std::vector<PolylinePart> done_;

@@ -14,8 +14,8 @@ double gauss(const Function& f, double from, double to) {
     const double half = 0.5 * (to - from);
     double sum = kWeights[0] * f(middle);
     for (int i = 0; i < 2; ++i) {
-        const double way = half * kNodes[i];
-        sum += kWeights[i + 1] * (f(middle - way) + f(middle + way));
+        const double distance = half * kNodes[i];
+        sum += kWeights[i + 1] * (f(middle - distance) + f(middle + distance));
     }
     return half * sum;
 }

@@ -107,9 +107,9 @@ std::vector<Vec2> crossings_of(const Curve& a, const Curve& b) {
 
 /// How far a point on the element's curve is ahead of a place on it, mm along a line, rad along an
 /// arc.
-double ahead(const Element& path, const Vec2& place, const Vec2& point) {
-    if (!path.is_arc()) return (path.to - path.from).normalized().dot(point - place);
-    const double angle = angle_between(place - path.center, point - path.center);
+double ahead(const Element& path, const Vec2& at, const Vec2& point) {
+    if (!path.is_arc()) return (path.to - path.from).normalized().dot(point - at);
+    const double angle = angle_between(at - path.center, point - path.center);
     return path.sweep > 0 ? angle : -angle;
 }
 
@@ -137,26 +137,26 @@ Element trimmed(const Element& path, double from, double to) {
 
 /// The places of `path` of which one is nearest to the curve of `other`: its ends, the foot of the
 /// other's centre and the place opposite to that.
-std::vector<Vec2> near_places(const Element& path, const Element& other) {
-    std::vector<Vec2> places = {path.from, path.to};
+std::vector<Vec2> near_points(const Element& path, const Element& other) {
+    std::vector<Vec2> points = {path.from, path.to};
     if (!other.is_arc()) {
-        if (!path.is_arc()) return places;
+        if (!path.is_arc()) return points;
         // Where the arc runs along the line.
         const Vec2 across = left_of((other.to - other.from).normalized()) * radius(path);
         for (const double sign : {1.0, -1.0})
-            places.push_back(nearest(path, path.center + sign * across).point);
-        return places;
+            points.push_back(nearest(path, path.center + sign * across).point);
+        return points;
     }
-    places.push_back(nearest(path, other.center).point);
-    if (path.is_arc()) places.push_back(nearest(path, 2 * path.center - other.center).point);
-    return places;
+    points.push_back(nearest(path, other.center).point);
+    if (path.is_arc()) points.push_back(nearest(path, 2 * path.center - other.center).point);
+    return points;
 }
 
 /// The least distance of two elements that do not cross.
 double distance_between(const Element& a, const Element& b) {
     double least = std::numeric_limits<double>::infinity();
-    for (const Vec2& place : near_places(a, b)) least = std::min(least, nearest(b, place).distance);
-    for (const Vec2& place : near_places(b, a)) least = std::min(least, nearest(a, place).distance);
+    for (const Vec2& point : near_points(a, b)) least = std::min(least, nearest(b, point).distance);
+    for (const Vec2& point : near_points(b, a)) least = std::min(least, nearest(a, point).distance);
     return least;
 }
 
@@ -167,7 +167,7 @@ double spread(const Element& path) {
 }
 
 /// Where an element lies that has left another one.
-enum class Beside : std::uint8_t {
+enum class RelativeSide : std::uint8_t {
     Nowhere,
     Along,  // it goes the way of what is behind the other
     Left,
@@ -179,35 +179,35 @@ enum class Beside : std::uint8_t {
 /// between them.
 ///
 /// next  behind the other; nullptr: nobody knows yet
-Beside side_beyond(const std::vector<Element>& way, std::size_t piece, double share, int direction,
-                   const Element& other, const Element* next) {
+RelativeSide side_beyond(const std::vector<Element>& elements, std::size_t piece, double share,
+                         int direction, const Element& other, const Element* next) {
     constexpr double kGrowth = 1.5;
     bool goes_along = false;
     for (double step = kCut;;) {
-        const double whole = length(way[piece]);
+        const double whole = length(elements[piece]);
         const double at = whole > 0 ? share + direction * step / whole : direction;
-        const Vec2 point = point_at(way[piece], std::clamp(at, 0.0, 1.0));
+        const Vec2 point = point_at(elements[piece], std::clamp(at, 0.0, 1.0));
         const Nearest foot = nearest(other, point);
         // Beyond an end of the other its tangent goes on, …
         const bool is_behind = foot.share >= 1;
         const Vec2 along =
             is_behind ? end_direction(other) : start_direction(part(other, foot.share, 1));
         const double aside = cross(along, point - foot.point);
-        const double touching = kCut + spread(way[piece]) + spread(other);
+        const double touching = kCut + spread(elements[piece]) + spread(other);
         // … and whoever goes the way of what is behind it, as the next turn of a circle, is beside
         // neither.
         if (std::abs(aside) > touching) {
             const bool is_along =
                 next != nullptr && nearest(*next, point).distance <= touching + spread(*next);
-            if (!is_along) return aside > 0 ? Beside::Left : Beside::Right;
+            if (!is_along) return aside > 0 ? RelativeSide::Left : RelativeSide::Right;
             goes_along = true;
         }
         if (at > 0 && at < 1) {
             step *= kGrowth;
             continue;
         }
-        if (piece == (direction > 0 ? way.size() - 1 : 0))
-            return goes_along ? Beside::Along : Beside::Nowhere;
+        if (piece == (direction > 0 ? elements.size() - 1 : 0))
+            return goes_along ? RelativeSide::Along : RelativeSide::Nowhere;
         piece = direction > 0 ? piece + 1 : piece - 1;
         share = direction > 0 ? 0 : 1;
         step = kCut;
@@ -215,9 +215,9 @@ Beside side_beyond(const std::vector<Element>& way, std::size_t piece, double sh
 }
 
 /// How far along an element a place on its curve is, from its start; of an arc 0 … 2π.
-double along(const Element& path, const Vec2& place) {
-    const double way = ahead(path, path.from, place);
-    return path.is_arc() && way < -kSmooth ? way + 2 * pi : way;
+double along(const Element& path, const Vec2& point) {
+    const double distance = ahead(path, path.from, point);
+    return path.is_arc() && distance < -kSmooth ? distance + 2 * pi : distance;
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ Vec2 RadiusComp::start_of(const Element& element, double distance) {
 
 std::optional<CompFault> RadiusComp::push(const Element& element, double distance,
                                           std::size_t index) {
-    Side side{element, element, distance, Vec2::Zero(), 0, 0, index, {}};
+    OffsetElement side{element, element, distance, Vec2::Zero(), 0, 0, index, {}};
     fault_at_ = index;
     const bool continues = !sides_.empty() && !element.is_arc();
     const double at_start = continues ? sides_.back().distance : distance;
@@ -268,13 +268,13 @@ std::optional<CompFault> RadiusComp::push(const Element& element, double distanc
     return settle();
 }
 
-bool RadiusComp::fits(const Side& side) {
+bool RadiusComp::fits(const OffsetElement& side) {
     return side.from + side.to <= extent(side.path) + kSamePoint;
 }
 
 std::optional<CompFault> RadiusComp::finish_open() {
     if (rules_.open_end != OpenEnd::None && sides_.size() > 1) {
-        const Side& last = sides_.back();
+        const OffsetElement& last = sides_.back();
         if (!last.is_apart && fits(last) && fits(sides_[sides_.size() - 2])) return finish();
         fault_at_ = last.index;
         if (!leave_earlier()) return CompFault::Reversed;
@@ -285,7 +285,7 @@ std::optional<CompFault> RadiusComp::finish_open() {
 /// The last element ends beside the contour before it meets the one in front of it: the cutter
 /// leaves that one, or an earlier one, where it comes to the last one's lengthening.
 bool RadiusComp::leave_earlier() {
-    const Side& last = sides_.back();
+    const OffsetElement& last = sides_.back();
     const Vec2 end = last.path.to + last.aside;
     const Vec2 direction = end_direction(last.contour);
     const bool is_arc = rules_.open_end == OpenEnd::Arc;
@@ -294,13 +294,14 @@ bool RadiusComp::leave_earlier() {
     std::optional<std::size_t> leaves;
     double to = 0;
     for (std::size_t i = sides_.size() - 1; i-- > 0;) {
-        const Side& side = sides_[i];
+        const OffsetElement& side = sides_[i];
         const double whole = extent(side.path);
         double first = whole + kSamePoint;
-        for (const Vec2& place : crossings_of(curve_at_end(side.path), longer)) {
-            const double way = along(side.path, place);
-            const bool is_ahead = is_arc || direction.dot(place - end) > -kSamePoint;
-            if (is_ahead && way >= side.from - kSamePoint && way < first) first = way;
+        for (const Vec2& point : crossings_of(curve_at_end(side.path), longer)) {
+            const double distance = along(side.path, point);
+            const bool is_ahead = is_arc || direction.dot(point - end) > -kSamePoint;
+            if (is_ahead && distance >= side.from - kSamePoint && distance < first)
+                first = distance;
         }
         if (first > whole) continue;
         leaves = i;
@@ -315,19 +316,19 @@ bool RadiusComp::leave_earlier() {
 
 /// The same at the start: the cutter comes to the newest element where it leaves the first one's
 /// lengthening.
-bool RadiusComp::begin_later(const Side& first) {
-    Side& side = sides_.back();
+bool RadiusComp::begin_later(const OffsetElement& first) {
+    OffsetElement& side = sides_.back();
     const Vec2 direction = start_direction(first.contour);
     const bool is_arc = rules_.open_end == OpenEnd::Arc;
     const Curve longer = is_arc ? Curve{{}, {}, first.contour.from, std::abs(first.distance), true}
                                 : Curve{first.path.from, direction, {}, 0, false};
     const double whole = extent(side.path);
     double latest = -1;
-    for (const Vec2& place : crossings_of(curve_at_start(side.path), longer)) {
-        const double way = along(side.path, place);
-        const bool is_behind = is_arc || direction.dot(place - first.path.from) < kSamePoint;
-        if (is_behind && way >= -kSamePoint && way <= whole + kSamePoint)
-            latest = std::max(latest, way);
+    for (const Vec2& point : crossings_of(curve_at_start(side.path), longer)) {
+        const double distance = along(side.path, point);
+        const bool is_behind = is_arc || direction.dot(point - first.path.from) < kSamePoint;
+        if (is_behind && distance >= -kSamePoint && distance <= whole + kSamePoint)
+            latest = std::max(latest, distance);
     }
     if (latest < 0) return false;
     side.from = std::clamp(latest, 0.0, whole);
@@ -343,7 +344,7 @@ std::optional<CompFault> RadiusComp::settle_start() {
         if (sides_.size() < 2) return std::nullopt;
         if (sides_.size() == 2) {
             const bool stays = !sides_[1].is_apart && fits(sides_[0]);
-            if (!stays && !begin_later(Side(sides_[0]))) return std::nullopt;
+            if (!stays && !begin_later(OffsetElement(sides_[0]))) return std::nullopt;
             if (!stays) sides_.pop_front();
             starts_open_ = false;
             return std::nullopt;
@@ -370,7 +371,7 @@ std::optional<CompFault> RadiusComp::finish() {
     if (left_out_.has_value()) return CompFault::Reversed;
     if (has_open_start && !fits(sides_.front())) return CompFault::Reversed;
     if (!sides_.empty()) {
-        const Side& last = sides_.back();
+        const OffsetElement& last = sides_.back();
         fault_at_ = last.index;
         if (last.is_apart) return CompFault::NoIntersection;
         if (!fits(last)) return CompFault::Reversed;
@@ -383,7 +384,7 @@ std::optional<CompFault> RadiusComp::finish() {
 
 std::optional<CompFault> RadiusComp::finish_towards(const Vec2& direction) {
     if (sides_.empty()) return finish();
-    Side& last = sides_.back();
+    OffsetElement& last = sides_.back();
     const Vec2 corner = last.contour.to;
     const Vec2 beside = corner + left_of(direction) * last.distance;
     const std::vector<Vec2> common = crossings_of(
@@ -396,7 +397,7 @@ std::optional<CompFault> RadiusComp::finish_towards(const Vec2& direction) {
     return finish();
 }
 
-std::optional<CompFault> RadiusComp::join(Side& a, Side& b) {
+std::optional<CompFault> RadiusComp::join(OffsetElement& a, OffsetElement& b) {
     const bool rounds = std::exchange(rounds_next_, false);
     const Vec2 corner = b.contour.from;
     const double turn = turn_between(a.contour, b.contour, a.distance);
@@ -414,11 +415,12 @@ std::optional<CompFault> RadiusComp::join(Side& a, Side& b) {
     return std::nullopt;
 }
 
-void RadiusComp::insert(Side& side, const Element& element) {
+void RadiusComp::insert(OffsetElement& side, const Element& element) {
     side.before.push_back({element, side.index, true, 0, Vec2::Zero()});
 }
 
-std::optional<CompFault> RadiusComp::join_inside(Side& a, Side& b, const Vec2& corner) const {
+std::optional<CompFault> RadiusComp::join_inside(OffsetElement& a, OffsetElement& b,
+                                                 const Vec2& corner) const {
     std::vector<Vec2> common = crossings_of(curve_at_end(a.path), curve_at_start(b.path));
     if (common.empty()) return CompFault::NoIntersection;
     // Where the elements turn back both crossings may be as far from the corner: the sides are
@@ -434,7 +436,7 @@ std::optional<CompFault> RadiusComp::join_inside(Side& a, Side& b, const Vec2& c
     return std::nullopt;
 }
 
-void RadiusComp::join_outside(Side& a, Side& b, double turn, bool rounds) const {
+void RadiusComp::join_outside(OffsetElement& a, OffsetElement& b, double turn, bool rounds) const {
     const double sharpness = std::abs(turn);
     const bool has_arc = a.path.is_arc() || b.path.is_arc();
     OutsideCorner style = sharpness <= rules_.limit + kSmooth ? rules_.outside : rules_.sharp;
@@ -464,7 +466,7 @@ void RadiusComp::join_outside(Side& a, Side& b, double turn, bool rounds) const 
 /// The arc about the corner is a conic whose middle weight is c, the cosine of half the turn. Seen
 /// from the corner its middle is at the radius r, the sides meet at r/c, and the chord is at r·c:
 /// the weight that puts the middle at m is (m − r·c)/(r/c − m).
-void RadiusComp::join_by_conic(Side& a, Side& b, double turn) const {
+void RadiusComp::join_by_conic(OffsetElement& a, OffsetElement& b, double turn) const {
     const double reach = std::abs(a.distance);
     const double cosine = std::cos(turn / 2);
     const Vec2 apex = a.path.to + end_direction(a.contour) * reach * std::tan(std::abs(turn) / 2);
@@ -482,7 +484,7 @@ void RadiusComp::join_by_conic(Side& a, Side& b, double turn) const {
 /// Looks at the element that has got its second end, and lets go of what is far enough behind.
 std::optional<CompFault> RadiusComp::settle() {
     if (sides_.size() >= 2) {
-        const Side& done = sides_[sides_.size() - 2];
+        const OffsetElement& done = sides_[sides_.size() - 2];
         fault_at_ = done.index;
         if (done.is_apart) return CompFault::NoIntersection;
         if (!fits(done) && !leaves_out_reversed()) return CompFault::Reversed;
@@ -498,8 +500,8 @@ std::optional<CompFault> RadiusComp::settle() {
 bool RadiusComp::leaves_out_reversed() {
     const std::size_t count = sides_.size();
     if (!rules_.leaves_out || rules_.look_ahead < 2 || count < 3) return false;
-    Side& a = sides_[count - 3];
-    Side& c = sides_[count - 1];
+    OffsetElement& a = sides_[count - 3];
+    OffsetElement& c = sides_[count - 1];
     const double a_to = a.to;
     const double c_from = c.from;
     if (a.distance != c.distance || c.aside != Vec2::Zero()) return false;
@@ -514,33 +516,33 @@ bool RadiusComp::leaves_out_reversed() {
 }
 
 /// Between the ends that are left to it, from the old distance to the new one.
-Element RadiusComp::path_of(const Side& side) {
+Element RadiusComp::path_of(const OffsetElement& side) {
     Element path = trimmed(side.path, side.from, side.to);
     path.from += side.aside;
     return path;
 }
 
 /// What the cutter does at the corner before a side and along it, in lines and arcs.
-std::vector<Element> RadiusComp::way_of(const Side& side) {
-    std::vector<Element> way;
+std::vector<Element> RadiusComp::elements_of(const OffsetElement& side) {
+    std::vector<Element> elements;
     for (const CompPiece& piece : side.before) {
         if (!(piece.weight > 0)) {
-            way.push_back(piece.element);
+            elements.push_back(piece.element);
             continue;
         }
         for (int i = 0; i < kChords; ++i)
-            way.push_back(line_element(conic_at(piece, static_cast<double>(i) / kChords),
-                                       conic_at(piece, static_cast<double>(i + 1) / kChords)));
+            elements.push_back(line_element(conic_at(piece, static_cast<double>(i) / kChords),
+                                            conic_at(piece, static_cast<double>(i + 1) / kChords)));
     }
-    way.push_back(path_of(side));
-    return way;
+    elements.push_back(path_of(side));
+    return elements;
 }
 
 /// Whether the cutter on its way along one side comes too near to the contour's element of another.
-bool RadiusComp::cuts_into(const Side& side, const Side& other) {
+bool RadiusComp::cuts_into(const OffsetElement& side, const OffsetElement& other) {
     const double apart = std::min(std::abs(side.distance), std::abs(other.distance)) - kCut;
-    const std::vector<Element> way = way_of(side);
-    return std::any_of(way.begin(), way.end(), [&](const Element& piece) {
+    const std::vector<Element> elements = elements_of(side);
+    return std::any_of(elements.begin(), elements.end(), [&](const Element& piece) {
         const double least = apart - spread(piece) - spread(other.contour);
         return !crossings(piece, other.contour).empty() ||
                distance_between(piece, other.contour) < least;
@@ -551,20 +553,20 @@ bool RadiusComp::cuts_into(const Side& side, const Side& other) {
 /// into the contour there. Sides that touch, or lie on each other, do not.
 bool RadiusComp::runs_into_earlier(std::size_t done) const {
     if (std::abs(sides_[done].distance) < kCut) return false;
-    const std::vector<Element> latest = way_of(sides_[done]);
+    const std::vector<Element> latest = elements_of(sides_[done]);
     // Where it comes from the side before it tells.
-    std::vector<Element> whole = done > 0 ? way_of(sides_[done - 1]) : std::vector<Element>();
+    std::vector<Element> whole = done > 0 ? elements_of(sides_[done - 1]) : std::vector<Element>();
     const std::size_t in_front = whole.size();
     whole.insert(whole.end(), latest.begin(), latest.end());
     const auto meets_at = [&](const Element& earlier, const Element* next, bool is_neighbour,
                               std::size_t piece, double share) {
-        const Beside beyond = side_beyond(latest, piece, share, 1, earlier, next);
+        const RelativeSide beyond = side_beyond(latest, piece, share, 1, earlier, next);
         // What follows tells.
-        if (beyond == Beside::Nowhere || beyond == Beside::Along) return false;
-        const Beside before = is_neighbour
-                                  ? side_beyond(latest, piece, share, -1, earlier, next)
-                                  : side_beyond(whole, in_front + piece, share, -1, earlier, next);
-        return before != Beside::Nowhere && before != Beside::Along && before != beyond;
+        if (beyond == RelativeSide::Nowhere || beyond == RelativeSide::Along) return false;
+        const RelativeSide before =
+            is_neighbour ? side_beyond(latest, piece, share, -1, earlier, next)
+                         : side_beyond(whole, in_front + piece, share, -1, earlier, next);
+        return before != RelativeSide::Nowhere && before != RelativeSide::Along && before != beyond;
     };
     const auto crosses = [&](const Element& earlier, const Element* next, bool is_neighbour) {
         for (std::size_t piece = 0; piece < latest.size(); ++piece)
@@ -573,14 +575,15 @@ bool RadiusComp::runs_into_earlier(std::size_t done) const {
         return false;
     };
     for (std::size_t i = 0; i < done; ++i) {
-        std::vector<Element> way = way_of(sides_[i]);
-        const std::size_t count = way.size();
+        std::vector<Element> elements = elements_of(sides_[i]);
+        const std::size_t count = elements.size();
         const bool is_neighbour = i + 1 == done;  // what goes on behind it is this side itself
-        if (!is_neighbour) way.push_back(way_of(sides_[i + 1]).front());
+        if (!is_neighbour) elements.push_back(elements_of(sides_[i + 1]).front());
         bool meet = false;
         for (std::size_t piece = 0; piece < count && !meet; ++piece)
-            meet = crosses(way[piece], piece + 1 < way.size() ? &way[piece + 1] : nullptr,
-                           is_neighbour);
+            meet =
+                crosses(elements[piece],
+                        piece + 1 < elements.size() ? &elements[piece + 1] : nullptr, is_neighbour);
         if (meet && (cuts_into(sides_[done], sides_[i]) || cuts_into(sides_[i], sides_[done])))
             return true;
     }
@@ -589,7 +592,7 @@ bool RadiusComp::runs_into_earlier(std::size_t done) const {
 
 void RadiusComp::release(std::size_t kept) {
     for (; sides_.size() > kept; sides_.pop_front()) {
-        const Side& side = sides_.front();
+        const OffsetElement& side = sides_.front();
         pieces_.insert(pieces_.end(), side.before.begin(), side.before.end());
         Element path = path_of(side);
         // What is left of an arc on the spot, or of nothing, is no arc.

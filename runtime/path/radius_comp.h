@@ -104,7 +104,7 @@ class RadiusComp {
 
   private:
     /// An element beside the contour's, between the ends that its neighbours leave to it.
-    struct Side {
+    struct OffsetElement {
         Element contour;
         Element path;               // from normal to normal, everywhere as far off as at its end
         double distance = 0;        // at its end
@@ -116,30 +116,31 @@ class RadiusComp {
         bool is_apart = false;          // it does not meet the one before it, anywhere
     };
 
-    std::optional<CompFault> join(Side& a, Side& b);
-    std::optional<CompFault> join_inside(Side& a, Side& b, const Vec2& corner) const;
-    void join_outside(Side& a, Side& b, double turn, bool rounds) const;
-    void join_by_conic(Side& a, Side& b, double turn) const;
-    static void insert(Side& side, const Element& element);
+    std::optional<CompFault> join(OffsetElement& a, OffsetElement& b);
+    std::optional<CompFault> join_inside(OffsetElement& a, OffsetElement& b,
+                                         const Vec2& corner) const;
+    void join_outside(OffsetElement& a, OffsetElement& b, double turn, bool rounds) const;
+    void join_by_conic(OffsetElement& a, OffsetElement& b, double turn) const;
+    static void insert(OffsetElement& side, const Element& element);
     std::optional<CompFault> settle();
     bool leaves_out_reversed();
     bool runs_into_earlier(std::size_t done) const;
-    static bool cuts_into(const Side& side, const Side& other);
-    static Element path_of(const Side& side);
-    static std::vector<Element> way_of(const Side& side);
+    static bool cuts_into(const OffsetElement& side, const OffsetElement& other);
+    static Element path_of(const OffsetElement& side);
+    static std::vector<Element> elements_of(const OffsetElement& side);
     void release(std::size_t kept);
-    static bool fits(const Side& side);
+    static bool fits(const OffsetElement& side);
     bool leave_earlier();
-    bool begin_later(const Side& first);
+    bool begin_later(const OffsetElement& first);
     std::optional<CompFault> settle_start();
 
     CompRules rules_;
-    std::deque<Side> sides_;
+    std::deque<OffsetElement> sides_;
     std::size_t fault_at_ = 0;
     bool rounds_next_ = false;
-    bool starts_open_ = false;        // the first of `sides_` may be left out
-    std::optional<Side> left_out_;    // … and has been: the elements from there on
-    std::size_t count_left_out_ = 0;  // do not reach the way to the contour
+    bool starts_open_ = false;               // the first of `sides_` may be left out
+    std::optional<OffsetElement> left_out_;  // … and has been: the elements from there on
+    std::size_t count_left_out_ = 0;         // do not reach the way to the contour
     std::vector<CompPiece> pieces_;
 };
 

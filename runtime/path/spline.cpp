@@ -16,37 +16,40 @@ namespace kadr::path {
 namespace {
 
 template <std::size_t N>
-using Poles = std::array<Pole, N>;
+using ControlPoints = std::array<ControlPoint, N>;
 
 constexpr double kShare = 1.0 / static_cast<double>(CubicSpan::kParts);
 
 /// Below this part of the polygon's length the derivative is taken for zero: the curve stands.
 constexpr double kStands = 1e-7;
 
-Vec3 point_of(const Pole& pole) { return pole.head<3>() / pole[3]; }
-
-template <std::size_t N>
-std::pair<Poles<N>, Poles<N>> split(const Poles<N>& poles, double u) {
-    return Casteljau<Pole, N>(poles, u).halves();
+Vec3 point_of(const ControlPoint& control_point) {
+    return control_point.head<3>() / control_point[3];
 }
 
 template <std::size_t N>
-double polygon(const Poles<N>& poles) {
+std::pair<ControlPoints<N>, ControlPoints<N>> split(const ControlPoints<N>& control_points,
+                                                    double u) {
+    return Casteljau<ControlPoint, N>(control_points, u).halves();
+}
+
+template <std::size_t N>
+double polygon(const ControlPoints<N>& control_points) {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < N; ++i)
-        sum += (point_of(poles[i + 1]) - point_of(poles[i])).norm();
+        sum += (point_of(control_points[i + 1]) - point_of(control_points[i])).norm();
     return sum;
 }
 
 /// |dC/du|.
 double speed(const QuinticSpan& spline, double u) { return point_at(spline, u).first.norm(); }
 double speed(const CubicSpan& spline, double u) {
-    const Poles<4>& p = spline.poles;
+    const ControlPoints<4>& p = spline.control_points;
     const double v = 1 - u;
-    const Pole first =
+    const ControlPoint first =
         3 * (v * v * (p[1] - p[0]) + 2 * u * v * (p[2] - p[1]) + u * u * (p[3] - p[2]));
     if (!spline.is_rational) return first.head<3>().norm();
-    const Pole at =
+    const ControlPoint at =
         v * v * v * p[0] + 3 * u * v * v * p[1] + 3 * u * u * v * p[2] + u * u * u * p[3];
     return (first.head<3>() - at.head<3>() * (first[3] / at[3])).norm() / at[3];
 }
@@ -54,13 +57,13 @@ double speed(const CubicSpan& spline, double u) {
 /// Where the speed has a least value far below the mean. Quadrature has to end there: beside such a
 /// place, at the edge of an interval, the rule and its halves would both look past it.
 template <std::size_t N>
-std::array<double, 2> slow_places(const Bezier<N>& spline) {
+std::array<double, 2> slow_parameters(const Bezier<N>& spline) {
     constexpr int kSteps = 32;
     constexpr double kEnd = 1e-6;  // a curve that ends where it stands does not turn back
     std::array<double, 2> found = {1, 1};
     if (!spline.is_rational) {
         std::array<Vec3, N> points;
-        for (std::size_t i = 0; i < N; ++i) points[i] = spline.poles[i].template head<3>();
+        for (std::size_t i = 0; i < N; ++i) points[i] = spline.control_points[i].template head<3>();
         if (is_steady(points)) return found;
     }
     std::array<double, kSteps + 1> rate{};
@@ -87,9 +90,10 @@ std::array<double, 2> slow_places(const Bezier<N>& spline) {
             (speed(spline, a) < speed(spline, b) ? upper : lower) =
                 speed(spline, a) < speed(spline, b) ? b : a;
         }
-        const double place = 0.5 * (lower + upper);
-        const bool is_inside = place > kEnd && place < 1 - kEnd;
-        if (is_inside && speed(spline, place) < kNearlyStands * mean) found[count++] = place;
+        const double parameter = 0.5 * (lower + upper);
+        const bool is_inside = parameter > kEnd && parameter < 1 - kEnd;
+        if (is_inside && speed(spline, parameter) < kNearlyStands * mean)
+            found[count++] = parameter;
     }
     return found;
 }
@@ -100,10 +104,10 @@ double careful_length(const Bezier<N>& spline, double from, double to) {
     const auto rate = [&](double u) { return speed(spline, u); };
     double sum = 0;
     double begin = from;
-    for (const double place : spline.slow) {
-        if (place <= begin || place >= to) continue;
-        sum += integrate(rate, begin, place, 0.1 * kArcLengthTolerance).value;
-        begin = place;
+    for (const double parameter : spline.slow) {
+        if (parameter <= begin || parameter >= to) continue;
+        sum += integrate(rate, begin, parameter, 0.1 * kArcLengthTolerance).value;
+        begin = parameter;
     }
     sum += integrate(rate, begin, to, 0.1 * kArcLengthTolerance).value;
     return sum;
@@ -118,7 +122,7 @@ double length_between(const Bezier<N>& spline, double from, double to) {
 template <std::size_t N>
 void measure(Bezier<N>& spline) {
     const auto rate = [&](double u) { return speed(spline, u); };
-    spline.slow = slow_places(spline);
+    spline.slow = slow_parameters(spline);
     const bool is_slow = spline.slow[0] < 1;
     spline.is_smooth = !is_slow;
     spline.length = 0;
@@ -135,15 +139,18 @@ void measure(Bezier<N>& spline) {
 }
 
 template <std::size_t N>
-Bezier<N> of_control_points(const Poles<N>& poles, const Vec3& start, const Vec3& end) {
+Bezier<N> of_control_points(const ControlPoints<N>& control_points, const Vec3& start,
+                            const Vec3& end) {
     Bezier<N> spline;
-    spline.poles = poles;
+    spline.control_points = control_points;
     spline.start = start;
     spline.end = end;
-    spline.is_rational = std::any_of(poles.begin(), poles.end(),
-                                     [&](const Pole& pole) { return pole[3] != poles[0][3]; });
+    spline.is_rational = std::any_of(control_points.begin(), control_points.end(),
+                                     [&](const ControlPoint& control_point) {
+                                         return control_point[3] != control_points[0][3];
+                                     });
     if (!spline.is_rational) {
-        for (Pole& pole : spline.poles) pole /= pole[3];
+        for (ControlPoint& control_point : spline.control_points) control_point /= control_point[3];
     }
     measure(spline);
     return spline;
@@ -151,38 +158,38 @@ Bezier<N> of_control_points(const Poles<N>& poles, const Vec3& start, const Vec3
 
 }  // namespace
 
-Pole control_point_of(const Vec3& point, double weight) {
-    Pole pole;
-    pole << point * weight, weight;
-    return pole;
+ControlPoint control_point_of(const Vec3& point, double weight) {
+    ControlPoint control_point;
+    control_point << point * weight, weight;
+    return control_point;
 }
 
 CubicSpan make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape) {
     KADR_ASSERT(shape.degree >= 1 && shape.degree <= 3, "a span of degree one to three");
     const auto last = static_cast<std::size_t>(shape.degree);
     return of_control_points<4>(
-        raised_to_cubic<Pole>(shape.degree, control_point_of(start, shape.weights[0]),
-                              {control_point_of(shape.inner[0], shape.weights[1]),
-                               control_point_of(shape.inner[1], shape.weights[2])},
-                              control_point_of(end, shape.weights[last])),
+        raised_to_cubic<ControlPoint>(shape.degree, control_point_of(start, shape.weights[0]),
+                                      {control_point_of(shape.inner[0], shape.weights[1]),
+                                       control_point_of(shape.inner[1], shape.weights[2])},
+                                      control_point_of(end, shape.weights[last])),
         start, end);
 }
 
 QuinticSpan make_quintic(const Vec3& start, const Vec3& end, const SplineShape& shape) {
     KADR_ASSERT(shape.degree >= 1 && shape.degree <= 5, "a span of degree one to five");
     const auto degree = static_cast<std::size_t>(shape.degree);
-    Poles<6> poles;
-    poles[0] = control_point_of(start, shape.weights[0]);
+    ControlPoints<6> control_points;
+    control_points[0] = control_point_of(start, shape.weights[0]);
     for (std::size_t i = 1; i < degree; ++i)
-        poles[i] = control_point_of(shape.inner[i - 1], shape.weights[i]);
-    poles[degree] = control_point_of(end, shape.weights[degree]);
-    raise_degree(poles, degree);
-    return of_control_points<6>(poles, start, end);
+        control_points[i] = control_point_of(shape.inner[i - 1], shape.weights[i]);
+    control_points[degree] = control_point_of(end, shape.weights[degree]);
+    raise_degree(control_points, degree);
+    return of_control_points<6>(control_points, start, end);
 }
 
 template <std::size_t N>
 SplinePoint point_at(const Bezier<N>& spline, double u) {
-    const Casteljau<Pole, N> scheme(spline.poles, u);
+    const Casteljau<ControlPoint, N> scheme(spline.control_points, u);
     return projected(scheme.at(), scheme.derivative(), scheme.second_derivative());
 }
 
@@ -228,7 +235,7 @@ Vec3 position(const Bezier<N>& spline, double s) {
 template <std::size_t N>
 CurvePoint curvature_at(const Bezier<N>& spline, double u) {
     return parameter_point([&](double at) { return point_at(spline, at); }, u,
-                           kStands * polygon<N>(spline.poles));
+                           kStands * polygon<N>(spline.control_points));
 }
 
 template <std::size_t N>
@@ -242,15 +249,16 @@ template <std::size_t N>
 Bezier<N> part(const Bezier<N>& spline, double from, double to) {
     const double first = parameter_at(spline, from);
     const double last = parameter_at(spline, to);
-    const Poles<N> behind = first > 0 ? split<N>(spline.poles, first).second : spline.poles;
+    const ControlPoints<N> behind =
+        first > 0 ? split<N>(spline.control_points, first).second : spline.control_points;
     const double share = first < 1 ? (last - first) / (1 - first) : 1;
-    const Poles<N> piece = last < 1 ? split<N>(behind, share).first : behind;
+    const ControlPoints<N> piece = last < 1 ? split<N>(behind, share).first : behind;
     return of_control_points<N>(piece, position(spline, from), position(spline, to));
 }
 
 template <std::size_t N>
 std::pair<Bezier<N>, Bezier<N>> split(const Bezier<N>& spline, double u) {
-    const auto [before, behind] = split<N>(spline.poles, u);
+    const auto [before, behind] = split<N>(spline.control_points, u);
     const Vec3 middle = point_of(behind[0]);
     return {of_control_points<N>(before, spline.start, middle),
             of_control_points<N>(behind, middle, spline.end)};
@@ -261,14 +269,14 @@ namespace {
 /// Widens a box by what is between the ends of a piece, which are in it: by the control points
 /// where they hardly leave it, or by the halves.
 template <std::size_t N>
-void widen(Box& box, const Poles<N>& poles, int depth = 0) {
+void widen(Box& box, const ControlPoints<N>& control_points, int depth = 0) {
     // A half leaves its ends by a quarter of what the whole does: mostly ten halvings suffice.
     constexpr double kNear = 1e-6;  // mm
     constexpr int kDeepest = 40;
     Box hull = box;
-    for (const Pole& pole : poles) {
-        hull.lower = hull.lower.cwiseMin(point_of(pole));
-        hull.upper = hull.upper.cwiseMax(point_of(pole));
+    for (const ControlPoint& control_point : control_points) {
+        hull.lower = hull.lower.cwiseMin(point_of(control_point));
+        hull.upper = hull.upper.cwiseMax(point_of(control_point));
     }
     const double out =
         std::max((box.lower - hull.lower).maxCoeff(), (hull.upper - box.upper).maxCoeff());
@@ -276,7 +284,7 @@ void widen(Box& box, const Poles<N>& poles, int depth = 0) {
         box = hull;
         return;
     }
-    const auto [before, behind] = split<N>(poles, 0.5);
+    const auto [before, behind] = split<N>(control_points, 0.5);
     box.lower = box.lower.cwiseMin(point_of(behind[0]));
     box.upper = box.upper.cwiseMax(point_of(behind[0]));
     widen<N>(box, before, depth + 1);
@@ -288,7 +296,7 @@ void widen(Box& box, const Poles<N>& poles, int depth = 0) {
 template <std::size_t N>
 Box bounds(const Bezier<N>& spline) {
     Box box{spline.start.cwiseMin(spline.end), spline.start.cwiseMax(spline.end)};
-    widen<N>(box, spline.poles);
+    widen<N>(box, spline.control_points);
     return box;
 }
 

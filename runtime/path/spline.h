@@ -15,8 +15,8 @@
 namespace kadr::path {
 
 /// A control point times its weight, and the weight.
-using Pole = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
-Pole control_point_of(const Vec3& point, double weight);
+using ControlPoint = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+ControlPoint control_point_of(const Vec3& point, double weight);
 
 /// A span as a Command states it: control points between the ends, and the weights of all.
 struct SplineShape {
@@ -31,7 +31,7 @@ template <std::size_t N>
 struct Bezier {
     static constexpr std::size_t kParts = 8;
 
-    std::array<Pole, N> poles;
+    std::array<ControlPoint, N> control_points;
     Vec3 start;  // as programmed
     Vec3 end;    // as programmed
     double length;

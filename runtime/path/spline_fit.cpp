@@ -40,7 +40,7 @@ struct Node {
 };
 
 /// A smooth part of the curve, and the spline's slopes by the parameter at its nodes.
-struct Stretch {
+struct SmoothPart {
     std::vector<Node> nodes;
     std::vector<Vec3> slopes;
     bool is_curvature_continuous = true;
@@ -75,9 +75,10 @@ class Fitter {
     }
 
     static bool moves(const Nurbs& spline) {
-        return std::any_of(spline.poles.begin(), spline.poles.end(), [&](const Vec3& pole) {
-            return (pole - spline.poles[0]).norm() > kSameCorner;
-        });
+        return std::any_of(spline.control_points.begin(), spline.control_points.end(),
+                           [&](const Vec3& pole) {
+                               return (pole - spline.control_points[0]).norm() > kSameCorner;
+                           });
     }
 
     // ------------------------------------------------------------ measuring
@@ -101,12 +102,12 @@ class Fitter {
         return true;
     }
 
-    struct Place {
+    struct Sample {
         double parameter;
         CurveSample at;
     };
 
-    bool follows(const Cubic& cubic, const Place& a, const Place& b, double limit, int depth) {
+    bool follows(const Cubic& cubic, const Sample& a, const Sample& b, double limit, int depth) {
         if (!((b.at.position - cubic[3]).norm() <= limit)) return false;
         const double width = b.parameter - a.parameter;
         const double inside = a.parameter + width * kInside;
@@ -120,7 +121,7 @@ class Fitter {
         if (!(error > kWellMeasured * limit) && !(apart > limit / 2)) return false;
         if (depth >= kDeepest || !std::isfinite(apart + error)) return false;
         const auto [left, right] = split(cubic, kInside);
-        const Place between{inside, *middle};
+        const Sample between{inside, *middle};
         return follows(left, a, between, limit, depth + 1) &&
                follows(right, between, b, limit, depth + 1);
     }
@@ -168,9 +169,9 @@ class Fitter {
 
     /// The curve between two parameters, cut at its corners.
     void add_stretches(const Node& from, const Node& to) {
-        std::optional<Stretch> best;
+        std::optional<SmoothPart> best;
         for (const std::int64_t intervals : kFirstIntervals) {
-            Stretch stretch;
+            SmoothPart stretch;
             std::optional<std::pair<Node, Node>> corner;
             const Divided divided = divide(from, to, intervals, stretch, corner);
             if (divided == Divided::AtCorner) return cut(from, *corner, to);
@@ -181,7 +182,7 @@ class Fitter {
         }
         append(*best);
     }
-    static std::size_t control_point_count(const Stretch& stretch) {
+    static std::size_t control_point_count(const SmoothPart& stretch) {
         const std::size_t nodes = stretch.nodes.size();
         return stretch.is_curvature_continuous ? nodes + 2 : 2 * nodes;
     }
@@ -192,7 +193,7 @@ class Fitter {
         NotAtAll,  // a fault
     };
     /// Nodes of a stretch.
-    Divided divide(const Node& from, const Node& to, std::int64_t intervals, Stretch& stretch,
+    Divided divide(const Node& from, const Node& to, std::int64_t intervals, SmoothPart& stretch,
                    std::optional<std::pair<Node, Node>>& corner) {
         stretch.nodes = {{0, from.parameter, from.at}};
         std::vector<Node> ahead;  // right ends, the nearest last
@@ -227,8 +228,8 @@ class Fitter {
     static double unrest(const Node& a, const Node& b) {
         const double width = std::fabs(b.parameter - a.parameter);
         const double turn = (b.at.derivative - a.at.derivative).norm();
-        const double way = (b.at.position - a.at.position).norm();
-        return way + 2 * (std::isfinite(turn) ? turn * width : way);
+        const double distance = (b.at.position - a.at.position).norm();
+        return distance + 2 * (std::isfinite(turn) ? turn * width : distance);
     }
 
     /// Closes in on the corner between two nodes and goes on with what is before and behind it.
@@ -251,7 +252,7 @@ class Fitter {
     // ------------------------------------------------------------ the spline of a stretch
 
     /// Slopes with which second derivatives agree at every node between the ends.
-    static void smooth_slopes(Stretch& stretch) {
+    static void smooth_slopes(SmoothPart& stretch) {
         std::vector<SplineNode> nodes;
         for (const Node& node : stretch.nodes) nodes.push_back({node.parameter, node.at.position});
         stretch.slopes = complete_slopes(nodes, stretch.nodes.front().at.derivative,
@@ -259,7 +260,7 @@ class Fitter {
     }
 
     /// Adds nodes until the spline keeps the tolerance; not done after a fault.
-    Done solve(Stretch& stretch) {
+    Done solve(SmoothPart& stretch) {
         for (int round = 0; round < kRounds; ++round) {
             smooth_slopes(stretch);
             std::vector<Node> nodes = {stretch.nodes[0]};
@@ -288,7 +289,7 @@ class Fitter {
 
     /// The curve's own slopes, with which intervals that are narrow enough keep the tolerance;
     /// every knot stands twice. Not done after a fault.
-    Done take_own_slopes(Stretch& stretch) {
+    Done take_own_slopes(SmoothPart& stretch) {
         std::vector<Node> ahead(stretch.nodes.rbegin(), stretch.nodes.rend());
         std::vector<Node> nodes = {ahead.back()};
         ahead.pop_back();
@@ -320,19 +321,19 @@ class Fitter {
 
     // ------------------------------------------------------------ poles and knots
 
-    void append(const Stretch& stretch) {
+    void append(const SmoothPart& stretch) {
         const Nurbs piece = nurbs_of(stretch);
         Nurbs& all = result_.spline;
-        if (all.poles.empty()) {
+        if (all.control_points.empty()) {
             all = piece;
             return;
         }
-        if ((piece.poles[0] - all.poles.back()).norm() > kSameCorner) {
-            const Vec3 from = all.poles.back();
-            const Vec3 way = piece.poles[0] - from;
+        if ((piece.control_points[0] - all.control_points.back()).norm() > kSameCorner) {
+            const Vec3 from = all.control_points.back();
+            const Vec3 delta = piece.control_points[0] - from;
             join(all, {3,
                        {0, 0, 0, 0, 1, 1, 1, 1},
-                       {from, from + way / 3, from + way * (2.0 / 3), piece.poles[0]},
+                       {from, from + delta / 3, from + delta * (2.0 / 3), piece.control_points[0]},
                        {}});
         }
         join(all, piece);
@@ -344,10 +345,11 @@ class Fitter {
         all.knots.pop_back();
         for (std::size_t i = 4; i < piece.knots.size(); ++i)
             all.knots.push_back(from + piece.knots[i]);
-        all.poles.insert(all.poles.end(), piece.poles.begin() + 1, piece.poles.end());
+        all.control_points.insert(all.control_points.end(), piece.control_points.begin() + 1,
+                                  piece.control_points.end());
     }
 
-    static Nurbs nurbs_of(const Stretch& stretch) {
+    static Nurbs nurbs_of(const SmoothPart& stretch) {
         const std::vector<Node>& nodes = stretch.nodes;
         const std::size_t last = nodes.size() - 1;
         std::int64_t least = kUnits;
@@ -366,7 +368,7 @@ class Fitter {
         };
         add_knot(0, 4);
         const Cubic first = cubic(0);
-        nurbs.poles = {first[0], first[1]};
+        nurbs.control_points = {first[0], first[1]};
         Cubic before = first;
         for (std::size_t i = 1; i < last; ++i) {
             const Cubic behind = cubic(i);
@@ -375,19 +377,19 @@ class Fitter {
                 // the wider one is stretched less.
                 const double h0 = knot(i) - knot(i - 1);
                 const double h1 = knot(i + 1) - knot(i);
-                nurbs.poles.push_back(h1 >= h0
-                                          ? Vec3(behind[1] - (behind[2] - behind[1]) * (h0 / h1))
-                                          : Vec3(before[2] + (before[2] - before[1]) * (h1 / h0)));
+                nurbs.control_points.push_back(
+                    h1 >= h0 ? Vec3(behind[1] - (behind[2] - behind[1]) * (h0 / h1))
+                             : Vec3(before[2] + (before[2] - before[1]) * (h1 / h0)));
                 add_knot(i, 1);
             } else {
-                nurbs.poles.push_back(before[2]);
-                nurbs.poles.push_back(behind[1]);
+                nurbs.control_points.push_back(before[2]);
+                nurbs.control_points.push_back(behind[1]);
                 add_knot(i, 2);
             }
             before = behind;
         }
-        nurbs.poles.push_back(before[2]);
-        nurbs.poles.push_back(before[3]);
+        nurbs.control_points.push_back(before[2]);
+        nurbs.control_points.push_back(before[3]);
         add_knot(last, 4);
         return nurbs;
     }

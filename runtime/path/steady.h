@@ -28,9 +28,9 @@ bool is_steady(const std::array<Vec3, N>& points) {
     double least = std::numeric_limits<double>::infinity();  // times the chord
     double greatest_square = 0;
     for (std::size_t i = 0; i + 1 < N; ++i) {
-        const Vec3 way = points[i + 1] - points[i];
-        least = std::min(least, way.dot(chord));
-        greatest_square = std::max(greatest_square, way.squaredNorm());
+        const Vec3 delta = points[i + 1] - points[i];
+        least = std::min(least, delta.dot(chord));
+        greatest_square = std::max(greatest_square, delta.squaredNorm());
     }
     constexpr double kShare = kRounding * kNearlyStands;
     return least > 0 && least * least >= kShare * kShare * greatest_square * chord.squaredNorm();

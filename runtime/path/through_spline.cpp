@@ -100,8 +100,8 @@ bool ThroughSpline::settle_akima(std::size_t i) {
 
 Vec3 ThroughSpline::akima_inside(std::size_t i) const {
     const auto at = static_cast<std::ptrdiff_t>(i);
-    const auto chord = [&](std::ptrdiff_t place) -> Vec3 {
-        return axes_.transpose() * chord_beyond(place);
+    const auto chord = [&](std::ptrdiff_t index) -> Vec3 {
+        return axes_.transpose() * chord_beyond(index);
     };
     const std::array<Vec3, 4> beside = {chord(at - 2), chord(at - 1), chord(at), chord(at + 1)};
     Vec3 slope;

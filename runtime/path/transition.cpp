@@ -29,11 +29,11 @@ double distance_to(const Leg& leg, const Vec3& point, double guess) {
     double distance = 0;
     for (int step = 0; step <= kSteps; ++step) {
         const CurvePoint at = evaluate(leg.curve, s);
-        const Vec3 way = point - at.position;
-        distance = way.norm();
+        const Vec3 delta = point - at.position;
+        distance = delta.norm();
         // (C − Q)·C' = 0; its derivative by s is 1 − (Q − C)·C''.
-        const double slope = std::max(0.1, 1 - way.dot(at.curvature));
-        const double next = std::clamp(s + way.dot(at.tangent) / slope, leg.from, leg.to);
+        const double slope = std::max(0.1, 1 - delta.dot(at.curvature));
+        const double next = std::clamp(s + delta.dot(at.tangent) / slope, leg.from, leg.to);
         if (next == s) break;
         s = next;
     }
@@ -42,9 +42,9 @@ double distance_to(const Leg& leg, const Vec3& point, double guess) {
 
 }  // namespace
 
-Transition transition_between(const CurvePoint& from, const CurvePoint& to, double way) {
-    const double second = way * kSecondControlPoint;
-    const double third = way * kThirdPole;
+Transition transition_between(const CurvePoint& from, const CurvePoint& to, double distance) {
+    const double second = distance * kSecondControlPoint;
+    const double third = distance * kThirdPole;
     // The first Bézier polygon is q0, q1, q1 + (q2 − q1)·share; its curvature is two thirds of the
     // height of the third point over the tangent, divided by the square of the first leg.
     constexpr double kShare = kFirstKnot / kSecondKnot;
@@ -69,8 +69,9 @@ Transition transition_between(const CurvePoint& from, const CurvePoint& to, doub
         split(Cubic{first_joint, inner_early, inner_late, second_joint}, 0.5);
     constexpr double kOuter = 2 * kFirstKnot / kLastKnot;
     constexpr double kInner = 1 - kOuter;
-    return {Glide{{q0, q1, early, first_joint}, kOuter * way}, Glide{left, kInner * way},
-            Glide{right, kInner * way}, Glide{{second_joint, late, q4, q5}, kOuter * way}};
+    return {Glide{{q0, q1, early, first_joint}, kOuter * distance}, Glide{left, kInner * distance},
+            Glide{right, kInner * distance},
+            Glide{{second_joint, late, q4, q5}, kOuter * distance}};
 }
 
 double deviation(const Transition& transition, const Leg& before, const Leg& behind) {

@@ -21,12 +21,12 @@ using Transition = std::array<Glide, 4>;
 /// to rest along the first line and one up along the second: with the derivatives by s, each is
 /// 25/24/way² of jerk, then 5/6/way of acceleration for a third of the ramp.
 ///
-/// from, to   the path `way` before and `way` behind the corner
-/// way        length of the path on either side, mm, > 0
+/// from, to   the path `distance` before and `distance` behind the corner
+/// distance        length of the path on either side, mm, > 0
 /// source     clamped cubic B-spline of six poles. Those next to the ends lie on the tangents,
 ///            where a ramp has them; where the path is bent at the ends, the inner ones follow from
 ///            its curvature (derived in the .cpp)
-Transition transition_between(const CurvePoint& from, const CurvePoint& to, double way);
+Transition transition_between(const CurvePoint& from, const CurvePoint& to, double distance);
 
 /// A part of a path that a transition takes the place of: a curve between two arc lengths.
 struct Leg {

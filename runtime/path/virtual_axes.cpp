@@ -32,7 +32,7 @@ double rotary_at(const VirtualAxes& axes, const Vec3& tip, double near) {
     switch (axes.kind) {
         case VirtualKind::None:
         case VirtualKind::Inclined: return near;
-        case VirtualKind::Face:
+        case VirtualKind::Polar:
             if (is_at_pole(axes, tip)) return near;
             return rotary_towards(axes, tip - Vec3(axes.center_x, axes.center_y, 0), near);
         case VirtualKind::Cylinder:
@@ -45,7 +45,7 @@ Vec3 real_position(const VirtualAxes& axes, const Vec3& tip) {
     Vec3 real = tip;
     switch (axes.kind) {
         case VirtualKind::None: break;
-        case VirtualKind::Face:
+        case VirtualKind::Polar:
             real.x() = axes.center_x + axes.side * radius_at(axes, tip);
             real.y() = axes.standing;
             break;
@@ -62,7 +62,7 @@ Vec3 virtual_position(const VirtualAxes& axes, const Vec3& real, double rotary) 
     Vec3 tip = real;
     switch (axes.kind) {
         case VirtualKind::None: break;
-        case VirtualKind::Face: {
+        case VirtualKind::Polar: {
             const double angle = axes.sign * (rotary - axes.zero);
             const double along = real.x() - axes.center_x;
             tip.x() = axes.center_x + along * std::cos(angle);
@@ -81,7 +81,7 @@ Vec3 virtual_position(const VirtualAxes& axes, const Vec3& real, double rotary) 
 }
 
 bool is_at_pole(const VirtualAxes& axes, const Vec3& tip) {
-    return axes.kind == VirtualKind::Face && radius_at(axes, tip) < kPoleRadius;
+    return axes.kind == VirtualKind::Polar && radius_at(axes, tip) < kPoleRadius;
 }
 
 }  // namespace kadr::path

@@ -19,7 +19,7 @@
 
 namespace kadr::path {
 
-enum class VirtualKind : std::uint8_t { None, Face, Cylinder, Inclined };
+enum class VirtualKind : std::uint8_t { None, Polar, Cylinder, Inclined };
 
 /// Nearer to the centre of a face the angle of the rotary axis has no meaning, mm.
 inline constexpr double kPoleRadius = 1e-6;
@@ -37,7 +37,7 @@ struct VirtualAxes {
 
     bool is_on() const { return kind != VirtualKind::None; }
     /// Whether a rotary axis follows the path.
-    bool turns() const { return kind == VirtualKind::Face || kind == VirtualKind::Cylinder; }
+    bool turns() const { return kind == VirtualKind::Polar || kind == VirtualKind::Cylinder; }
     /// The coordinate that no linear axis of the machine moves; of an inclined slide there is none.
     Axis virtual_axis() const {
         return kind == VirtualKind::Cylinder && rotary == Axis::B ? Axis::X : Axis::Y;

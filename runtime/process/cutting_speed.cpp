@@ -12,7 +12,7 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// The speed that nothing lets the spindle exceed, rev/s; 0: none.
-double top_speed(const motion::Spindle& spindle) {
+double top_speed(const motion::CommandedSpindle& spindle) {
     if (spindle.limit > 0 && spindle.machine_limit > 0) {
         return std::min(spindle.limit, spindle.machine_limit);
     }
@@ -20,7 +20,7 @@ double top_speed(const motion::Spindle& spindle) {
 }
 
 /// The speed below which the spindle does not turn, rev/s; 0: none.
-double least_speed(const motion::Spindle& spindle) {
+double least_speed(const motion::CommandedSpindle& spindle) {
     const double top = top_speed(spindle);
     return top > 0 ? std::min(spindle.least, top) : spindle.least;
 }
@@ -30,26 +30,27 @@ double radial_feed(const FacePass& pass) { return pass.feed_per_revolution * std
 
 }  // namespace
 
-double limit_radius(const motion::Spindle& spindle) {
+double limit_radius(const motion::CommandedSpindle& spindle) {
     const double top = top_speed(spindle);
     return top > 0 ? spindle.cutting_speed / (kTurn * top) : 0;
 }
 
-double least_speed_radius(const motion::Spindle& spindle) {
+double least_speed_radius(const motion::CommandedSpindle& spindle) {
     const double least = least_speed(spindle);
     return least > 0 ? spindle.cutting_speed / (kTurn * least)
                      : std::numeric_limits<double>::infinity();
 }
 
-double cutting_speed(const motion::Spindle& spindle, double radius) {
+double cutting_speed(const motion::CommandedSpindle& spindle, double radius) {
     return kTurn * std::abs(radius) * spindle.speed_at(radius);
 }
 
-double feed_speed(const motion::Spindle& spindle, const FacePass& pass, double radius) {
+double feed_speed(const motion::CommandedSpindle& spindle, const FacePass& pass, double radius) {
     return pass.feed_per_revolution * spindle.speed_at(radius);
 }
 
-double spindle_acceleration(const motion::Spindle& spindle, const FacePass& pass, double radius) {
+double spindle_acceleration(const motion::CommandedSpindle& spindle, const FacePass& pass,
+                            double radius) {
     const double distance = std::abs(radius);
     if (distance <= limit_radius(spindle) || distance >= least_speed_radius(spindle)) return 0;
     // ω = V/R and dR/dt = −f·ω/2π.
@@ -57,7 +58,7 @@ double spindle_acceleration(const motion::Spindle& spindle, const FacePass& pass
     return speed / distance * radial_feed(pass) * speed / kTurn;
 }
 
-double pass_time(const motion::Spindle& spindle, const FacePass& pass) {
+double pass_time(const motion::CommandedSpindle& spindle, const FacePass& pass) {
     if (pass.from * pass.to < 0) {
         FacePass in = pass;
         FacePass out = pass;

@@ -18,30 +18,31 @@ struct FacePass {
 
 /// The radius below which the spindle runs at its limit and the cutting speed falls, mm; 0 if
 /// nothing limits it.
-double limit_radius(const motion::Spindle& spindle);
+double limit_radius(const motion::CommandedSpindle& spindle);
 
 /// The radius above which the spindle runs at its least speed and the cutting speed rises, mm;
 /// infinity if it has none.
-double least_speed_radius(const motion::Spindle& spindle);
+double least_speed_radius(const motion::CommandedSpindle& spindle);
 
 /// Cutting speed at a radius, mm/s: the programmed one between the limit radius and that of the
 /// least speed.
-double cutting_speed(const motion::Spindle& spindle, double radius);
+double cutting_speed(const motion::CommandedSpindle& spindle, double radius);
 
 /// Path speed of the feed at a radius, mm/s.
-double feed_speed(const motion::Spindle& spindle, const FacePass& pass, double radius);
+double feed_speed(const motion::CommandedSpindle& spindle, const FacePass& pass, double radius);
 
 /// How fast the spindle has to change its speed, rad/s²: it grows with 1/R³ down to the limit
 /// radius, and is 0 below, as above the radius of the least speed.
 ///
 /// source       dω/dt of the hyperbola R² = R0² − f·V·t/π, reference motion §9.1
-double spindle_acceleration(const motion::Spindle& spindle, const FacePass& pass, double radius);
+double spindle_acceleration(const motion::CommandedSpindle& spindle, const FacePass& pass,
+                            double radius);
 
 /// Time of the whole pass, s; the spindle holds a cutting speed.
 ///
 /// source       π(R0² − R1²)/(f·V) above the limit radius, (R0 − R1)/(f·n) below and where
 ///              n is the least speed; reference motion §9.1
-double pass_time(const motion::Spindle& spindle, const FacePass& pass);
+double pass_time(const motion::CommandedSpindle& spindle, const FacePass& pass);
 
 /// Revolutions of the pass; the speed does not count.
 double pass_revolutions(const FacePass& pass);

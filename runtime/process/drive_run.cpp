@@ -53,14 +53,14 @@ void DriveRun::add(const Segment& segment) {
 }
 
 void DriveRun::begin(const Segment& segment) {
-    place_ = path::start(segment.curve);
-    for (std::size_t i = 0; i < axes_.size(); ++i) axes_[i].position = place_[static_cast<int>(i)];
+    point_ = path::start(segment.curve);
+    for (std::size_t i = 0; i < axes_.size(); ++i) axes_[i].position = point_[static_cast<int>(i)];
     has_begun_ = true;
     show();
 }
 
 void DriveRun::set_spindle(const Segment& segment) {
-    const motion::Spindle& to = segment.spindle;
+    const motion::CommandedSpindle& to = segment.spindle;
     const bool is_new = to.is_turning != commanded_.is_turning ||
                         to.holds_cutting_speed != commanded_.holds_cutting_speed ||
                         to.cutting_speed != commanded_.cutting_speed ||
@@ -73,7 +73,7 @@ void DriveRun::set_spindle(const Segment& segment) {
 
 void DriveRun::stand(double duration) {
     const auto count = static_cast<std::int64_t>(std::llround(duration / step_));
-    for (std::int64_t i = 0; i < count; ++i) step(nullptr, place_, Vec3::Zero());
+    for (std::int64_t i = 0; i < count; ++i) step(nullptr, point_, Vec3::Zero());
 }
 
 void DriveRun::wait_for_speed() {
@@ -81,7 +81,7 @@ void DriveRun::wait_for_speed() {
     for (std::int64_t i = 0; i < most; ++i) {
         if (std::abs(spindle_.speed - wanted_) <= kReached * wanted_) return;
         along_ = rest_ = 0;
-        step(nullptr, place_, Vec3::Zero());
+        step(nullptr, point_, Vec3::Zero());
     }
     has_stalled_ = true;
 }
@@ -108,7 +108,7 @@ void DriveRun::walk(const Segment& segment) {
     const motion::Profile& plan = segment.profile;
     const double length = plan.length;
     // The tip jumps where another tool length begins to act; the axes do not.
-    const Vec3 jump = path::start(segment.curve) - place_;
+    const Vec3 jump = path::start(segment.curve) - point_;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         axes_[i].position += jump[static_cast<int>(i)];
     }
@@ -144,13 +144,13 @@ void DriveRun::walk(const Segment& segment) {
     rest_ = at - length;
 }
 
-/// One step of both drives, with the command of the axes at `place`; null: nothing is run.
-void DriveRun::step(const Segment* segment, const Vec3& place, const Vec3& velocity) {
+/// One step of both drives, with the command of the axes at `point`; null: nothing is run.
+void DriveRun::step(const Segment* segment, const Vec3& point, const Vec3& velocity) {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const int k = static_cast<int>(i);
-        axes_[i] = advanced(drives_.feed, axes_[i], {place[k], velocity[k]}, step_);
+        axes_[i] = advanced(drives_.feed, axes_[i], {point[k], velocity[k]}, step_);
     }
-    place_ = place;
+    point_ = point;
     if (segment != nullptr && follows_radius_) wanted_ = kTurn * commanded_.speed_at(radius());
     load_ = segment != nullptr ? load(*segment) : 0;
     spindle_ = advanced(drives_.spindle, spindle_, wanted_, load_, step_);

@@ -54,7 +54,7 @@ class DriveRun {
     void walk(const motion::Segment& segment);
     double target_speed(const motion::Segment& segment) const;
     double asked_feed(const motion::Segment& segment) const;
-    void step(const motion::Segment* segment, const path::Vec3& place, const path::Vec3& velocity);
+    void step(const motion::Segment* segment, const path::Vec3& point, const path::Vec3& velocity);
     double load(const motion::Segment& segment) const;
     double radius() const { return axes_[0].position; }
     double feed() const;
@@ -66,12 +66,12 @@ class DriveRun {
     std::int64_t per_sample_ = 1;  // steps
     std::int64_t steps_ = 0;
 
-    motion::Spindle commanded_;
+    motion::CommandedSpindle commanded_;
     SpindleState spindle_;
     double wanted_ = 0;  // rad/s
     bool follows_radius_ = false;
     std::array<AxisState, 3> axes_;
-    path::Vec3 place_ = path::Vec3::Zero();  // of the command
+    path::Vec3 point_ = path::Vec3::Zero();  // of the command
     double along_ = 0;                       // mm/s, path speed of the command
     double rest_ = 0;                        // mm, what the last step ran beyond its segment
     double side_ = 1;                        // sign of the radius where the cut began

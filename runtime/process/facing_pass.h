@@ -14,12 +14,12 @@
 namespace kadr::process {
 
 struct FacingPass {
-    double radius = 0;               // mm, of the base point
-    motion::Spindle spindle;         // holds a cutting speed, with a limit
-    double feed_per_revolution = 0;  // mm
-    double rapid = 0;                // mm/s, of the way back
-    double acceleration = 0;         // mm/s², of the interpolator
-    double ramp_time = 0;            // s, in which its speed comes close to the commanded one
+    double radius = 0;                 // mm, of the base point
+    motion::CommandedSpindle spindle;  // holds a cutting speed, with a limit
+    double feed_per_revolution = 0;    // mm
+    double rapid = 0;                  // mm/s, of the way back
+    double acceleration = 0;           // mm/s², of the interpolator
+    double ramp_time = 0;              // s, in which its speed comes close to the commanded one
 };
 
 /// The drives at one moment of a pass.

@@ -173,9 +173,9 @@ void PulseAhead::find_bands(Node& at, const Bands& behind) const {
 }
 
 /// How the oldest leg can go on from the speed that was reached, the fewest intervals first.
-std::vector<PulseAhead::Way> PulseAhead::ways(const Node& at, const Bands& behind,
-                                              std::int64_t since) const {
-    std::vector<Way> found;
+std::vector<PulseAhead::PulseChoice> PulseAhead::choices(const Node& at, const Bands& behind,
+                                                         std::int64_t since) const {
+    std::vector<PulseChoice> found;
     std::int64_t hit = 0;
     bool can_be_later = true;
     for (std::int64_t k = 1; (hit == 0 && can_be_later) || k < hit + kWindows; ++k) {
@@ -193,7 +193,7 @@ std::vector<PulseAhead::Way> PulseAhead::ways(const Node& at, const Bands& behin
             found.push_back({k, k + band.intervals, ticks, ends.low, ends.high});
         }
     }
-    std::stable_sort(found.begin(), found.end(), [](const Way& a, const Way& b) {
+    std::stable_sort(found.begin(), found.end(), [](const PulseChoice& a, const PulseChoice& b) {
         return a.intervals != b.intervals ? a.intervals < b.intervals : a.window < b.window;
     });
     return found;
@@ -220,14 +220,15 @@ std::int64_t PulseAhead::ticks_in(const PulseWindow& window, const Durations& ti
 double PulseAhead::wanted_exit(std::size_t legs) {
     const std::size_t last = std::min(1 + kMean, legs);
     if (last <= 1) return 0;
-    double way = 0;
-    for (std::size_t i = 1; i < last; ++i) way += node(i).leg.length;
-    return way / (static_cast<double>(last - 1) * static_cast<double>(clock_.nominal) * tick_);
+    double distance = 0;
+    for (std::size_t i = 1; i < last; ++i) distance += node(i).leg.length;
+    return distance / (static_cast<double>(last - 1) * static_cast<double>(clock_.nominal) * tick_);
 }
 
 /// The leg on its way: the end speed comes from the wanted one, as far as the time allows.
-PulseBlock PulseAhead::block_of(const PulseLeg& leg, const Way& way, double wanted) const {
-    const Times exact = times_of(way.ticks, way.ticks, tick_);
+PulseBlock PulseAhead::block_of(const PulseLeg& leg, const PulseChoice& choice,
+                                double wanted) const {
+    const Times exact = times_of(choice.ticks, choice.ticks, tick_);
     const auto is_fast = [&](double exit) {
         const auto time = durations(leg, speed_, exit);
         return time && time->least <= exact.last;
@@ -236,11 +237,11 @@ PulseBlock PulseAhead::block_of(const PulseLeg& leg, const Way& way, double want
         const auto time = durations(leg, speed_, exit);
         return time && time->most >= exact.first;
     };
-    double exit = std::clamp(wanted, way.low, way.high);
-    if (!is_fast(exit)) exit = edge(way.high, exit, is_fast);
-    else if (!is_slow(exit)) exit = edge(way.low, exit, is_slow);
-    return {profile_lasting(leg, speed_, exit, static_cast<double>(way.ticks) * tick_), way.ticks,
-            way.window};
+    double exit = std::clamp(wanted, choice.low, choice.high);
+    if (!is_fast(exit)) exit = edge(choice.high, exit, is_fast);
+    else if (!is_slow(exit)) exit = edge(choice.low, exit, is_slow);
+    return {profile_lasting(leg, speed_, exit, static_cast<double>(choice.ticks) * tick_),
+            choice.ticks, choice.window};
 }
 
 PulseBlock PulseAhead::take(std::int64_t since) {
@@ -252,7 +253,7 @@ PulseBlock PulseAhead::take(std::int64_t since) {
     const Bands rest = {{0, 0, 0}};
     const Node& oldest = node(0);
     const Bands& behind = count_ > 1 ? node(1).bands : rest;
-    const std::vector<Way> all = ways(oldest, behind, since);
+    const std::vector<PulseChoice> all = choices(oldest, behind, since);
     KADR_ASSERT(!all.empty(), "the bands promised that the leg can end on a pulse");
     const PulseBlock block = block_of(oldest.leg, all.front(), wanted_exit(count_));
     speed_ = block.profile.exit_speed;

@@ -62,7 +62,7 @@ class PulseAhead {
         double limit = 0;  // of the point before it
         Bands bands;       // of the point before it
     };
-    struct Way {
+    struct PulseChoice {
         std::int64_t window = 0;     // intervals of this leg
         std::int64_t intervals = 0;  // of the whole rest
         std::int64_t ticks = 0;      // of this leg
@@ -73,11 +73,11 @@ class PulseAhead {
     Node& node(std::size_t i) { return nodes_[(first_ + i) % nodes_.size()]; }
     void plan_backward();
     void find_bands(Node& at, const Bands& behind) const;
-    std::vector<Way> ways(const Node& at, const Bands& behind, std::int64_t since) const;
+    std::vector<PulseChoice> choices(const Node& at, const Bands& behind, std::int64_t since) const;
     double wanted_exit(std::size_t legs);
     std::int64_t ticks_in(const PulseWindow& window, const Durations& time, std::int64_t wished,
                           std::int64_t since) const;
-    PulseBlock block_of(const PulseLeg& leg, const Way& way, double wanted) const;
+    PulseBlock block_of(const PulseLeg& leg, const PulseChoice& choice, double wanted) const;
 
     PulseClock clock_;
     double tick_;

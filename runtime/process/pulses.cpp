@@ -15,10 +15,10 @@ constexpr double kRounding = 1e-9;
 double time_over(const PulseLeg& leg, double entry, double exit, double middle) {
     const double a = leg.acceleration;
     const double ramps = std::abs(middle - entry) + std::abs(middle - exit);
-    const double ways =
+    const double distances =
         (std::abs(middle * middle - entry * entry) + std::abs(middle * middle - exit * exit)) /
         (2 * a);
-    const double rest = std::max(0.0, leg.length - ways);
+    const double rest = std::max(0.0, leg.length - distances);
     return ramps / a + (rest > 0 ? rest / middle : 0);
 }
 

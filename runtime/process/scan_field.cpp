@@ -40,12 +40,12 @@ CellIndex cell_of(const std::vector<double>& values, double value) {
     return {index, (value - values[index]) / (values[index + 1] - values[index])};
 }
 
-double distance_to_chord(const Vec2& place, const Vec2& from, const Vec2& to) {
+double distance_to_chord(const Vec2& point, const Vec2& from, const Vec2& to) {
     const Vec2 chord = to - from;
     const double square = chord.squaredNorm();
     const double share =
-        square > 0 ? std::clamp((place - from).dot(chord) / square, 0.0, 1.0) : 0.0;
-    return (place - from - share * chord).norm();
+        square > 0 ? std::clamp((point - from).dot(chord) / square, 0.0, 1.0) : 0.0;
+    return (point - from - share * chord).norm();
 }
 
 }  // namespace
@@ -58,8 +58,8 @@ ScanField::ScanField(const machine::Scanner& scanner) : scanner_(scanner) {
     if (!grid.is_empty()) cell_ = std::min(least_side(grid.x), least_side(grid.y));
 }
 
-Vec2 ScanField::field_of(const path::Vec3& place, const path::Vec3& stage) const {
-    return inverse_ * (place - stage).head<2>();
+Vec2 ScanField::field_of(const path::Vec3& point, const path::Vec3& stage) const {
+    return inverse_ * (point - stage).head<2>();
 }
 
 double ScanField::outside(const Vec2& field) const {
@@ -82,9 +82,9 @@ Vec2 ScanField::corrected(const Vec2& field) const {
     return field + Vec2(between(grid.dx), between(grid.dy));
 }
 
-FieldStep ScanField::at(const Way& way, double share) const {
+FieldStep ScanField::at(const StagedCurve& curve, double share) const {
     FieldStep step;
-    step.field = field_of(path::position(way.curve, share * way.length), way.stage);
+    step.field = field_of(path::position(curve.curve, share * curve.length), curve.stage);
     step.to = corrected(step.field);
     step.share = share;
     return step;
@@ -95,24 +95,24 @@ FieldStep ScanField::end_of(const path::Curve& curve, const path::Vec3& stage) c
 }
 
 std::vector<FieldStep> ScanField::vectors(const path::Curve& curve, const path::Vec3& stage) const {
-    const Way way{curve, stage, path::length(curve)};
+    const StagedCurve staged{curve, stage, path::length(curve)};
     std::vector<FieldStep> steps;
     if (std::holds_alternative<path::Line>(curve)) {
-        cut(way, 0, 1, steps);
+        cut(staged, 0, 1, steps);
         return steps;
     }
     // A bent way may come back to where it began, or be alike on both sides of its middle.
     constexpr int kFirst = 8;
     for (int i = 0; i < kFirst; ++i)
-        cut(way, static_cast<double>(i) / kFirst, static_cast<double>(i + 1) / kFirst, steps);
+        cut(staged, static_cast<double>(i) / kFirst, static_cast<double>(i + 1) / kFirst, steps);
     return steps;
 }
 
 /// How many places show what a vector would leave out: more where it crosses many cells.
-std::size_t ScanField::probes(const Way& way, double from, double to) const {
+std::size_t ScanField::probes(const StagedCurve& curve, double from, double to) const {
     if (cell_ == 0) return kProbes;
-    const double length = (field_of(path::position(way.curve, to * way.length), way.stage) -
-                           field_of(path::position(way.curve, from * way.length), way.stage))
+    const double length = (field_of(path::position(curve.curve, to * curve.length), curve.stage) -
+                           field_of(path::position(curve.curve, from * curve.length), curve.stage))
                               .norm();
     const double crossed = std::min(2 * length / cell_, static_cast<double>(kMostProbes));
     return std::clamp(static_cast<std::size_t>(std::ceil(crossed)), kProbes, kMostProbes);
@@ -120,7 +120,7 @@ std::size_t ScanField::probes(const Way& way, double from, double to) const {
 
 /// Where a way crosses a line of the table between two places that are no farther apart than a
 /// cell: by its share, along X and along Y.
-std::vector<double> ScanField::kinks(const Way& way, const FieldStep& from,
+std::vector<double> ScanField::kinks(const StagedCurve& curve, const FieldStep& from,
                                      const FieldStep& to) const {
     std::vector<double> shares;
     const machine::FieldGrid& grid = scanner_.correction;
@@ -136,46 +136,47 @@ std::vector<double> ScanField::kinks(const Way& way, const FieldStep& from,
         double beyond = to.share;
         for (int i = 0; i < kHalvings; ++i) {
             const double middle = (inside + beyond) / 2;
-            (cell(at(way, middle)) == first ? inside : beyond) = middle;
+            (cell(at(curve, middle)) == first ? inside : beyond) = middle;
         }
         shares.push_back(beyond);
     }
     return shares;
 }
 
-bool ScanField::is_straight(const Way& way, double from, double to) const {
-    if (cell_ == 0 && std::holds_alternative<path::Line>(way.curve)) return true;
+bool ScanField::is_straight(const StagedCurve& curve, double from, double to) const {
+    if (cell_ == 0 && std::holds_alternative<path::Line>(curve.curve)) return true;
     if (to - from <= kFinest) return true;
-    const FieldStep start = at(way, from);
-    const FieldStep end = at(way, to);
+    const FieldStep start = at(curve, from);
+    const FieldStep end = at(curve, to);
     // Between the places that are looked at the way bends by little of what it bends in all.
     const double most = kOfTolerance * scanner_.chord_tolerance;
     const auto is_near = [&](const FieldStep& step) {
         return distance_to_chord(step.to, start.to, end.to) <= most;
     };
-    const std::size_t count = probes(way, from, to);
+    const std::size_t count = probes(curve, from, to);
     FieldStep before = start;
     for (std::size_t i = 1; i <= count + 1; ++i) {
         const double share =
             std::lerp(from, to, static_cast<double>(i) / static_cast<double>(count + 1));
-        const FieldStep step = i > count ? end : at(way, share);
+        const FieldStep step = i > count ? end : at(curve, share);
         if (!is_near(step)) return false;
         // A way has a kink where it comes into another cell.
-        for (const double kink : kinks(way, before, step))
-            if (!is_near(at(way, kink))) return false;
+        for (const double kink : kinks(curve, before, step))
+            if (!is_near(at(curve, kink))) return false;
         before = step;
     }
     return true;
 }
 
-void ScanField::cut(const Way& way, double from, double to, std::vector<FieldStep>& out) const {
-    if (is_straight(way, from, to)) {
-        out.push_back(at(way, to));
+void ScanField::cut(const StagedCurve& curve, double from, double to,
+                    std::vector<FieldStep>& out) const {
+    if (is_straight(curve, from, to)) {
+        out.push_back(at(curve, to));
         return;
     }
     const double middle = (from + to) / 2;
-    cut(way, from, middle, out);
-    cut(way, middle, to, out);
+    cut(curve, from, middle, out);
+    cut(curve, middle, to, out);
 }
 
 }  // namespace kadr::process

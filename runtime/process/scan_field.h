@@ -29,7 +29,7 @@ class ScanField {
     explicit ScanField(const machine::Scanner& scanner);
 
     /// The place in the field, before the correction.
-    Vec2 field_of(const path::Vec3& place, const path::Vec3& stage) const;
+    Vec2 field_of(const path::Vec3& point, const path::Vec3& stage) const;
     /// By how much a place lies outside of the field, mm; 0 inside.
     double outside(const Vec2& field) const;
     /// What the mirrors are told, for a place within the table.
@@ -42,17 +42,18 @@ class ScanField {
 
   private:
     /// A way that is being cut, with the stage below it.
-    struct Way {
+    struct StagedCurve {
         const path::Curve& curve;
         const path::Vec3& stage;
         double length;
     };
 
-    FieldStep at(const Way& way, double share) const;
-    bool is_straight(const Way& way, double from, double to) const;
-    void cut(const Way& way, double from, double to, std::vector<FieldStep>& out) const;
-    std::vector<double> kinks(const Way& way, const FieldStep& from, const FieldStep& to) const;
-    std::size_t probes(const Way& way, double from, double to) const;
+    FieldStep at(const StagedCurve& staged, double share) const;
+    bool is_straight(const StagedCurve& staged, double from, double to) const;
+    void cut(const StagedCurve& staged, double from, double to, std::vector<FieldStep>& out) const;
+    std::vector<double> kinks(const StagedCurve& staged, const FieldStep& from,
+                              const FieldStep& to) const;
+    std::size_t probes(const StagedCurve& staged, double from, double to) const;
 
     const machine::Scanner& scanner_;
     Eigen::Matrix2d inverse_;

@@ -35,7 +35,7 @@ Vec2 direction_at(const path::Curve& curve, double place) {
 }
 
 /// "Z", or the first other axis that leaves its place.
-std::string moved_axis(const motion::Standing::Target& target, const Segment& standing,
+std::string moved_axis(const motion::AxesPosition::MotionEnd& target, const Segment& standing,
                        const Vec3& tip, const path::Box& box) {
     if (box.upper.z() - tip.z() > kSamePlace || tip.z() - box.lower.z() > kSamePlace) return "Z";
     for (std::size_t i = 0; i < motion::kFollowers; ++i) {
@@ -179,7 +179,7 @@ void ScannerCommands::switch_off(const Command& command) {
     const double away = (beam_at_.tip() - axes_at_.tip()).norm();
     if (away > kSamePlace) {
         refuse([this, command, away] {
-            motion::report(sink_, diag::ScannerAway, command, options_.place_of)
+            motion::report(sink_, diag::ScannerAway, command, options_.locate_command)
                 .arg(round_to(away, 6))
                 .fix("jump to the place where the scanner was switched on");
         });
@@ -196,7 +196,7 @@ void ScannerCommands::scan(const Command& command) {
         case Op::Arc:
         case Op::Spline:
         case Op::Involute:
-        case Op::Parametric: scan_way(command); break;
+        case Op::Parametric: scan_path(command); break;
         case Op::Dwell: scan_dwell(command); break;
         case Op::Thread: refuse_busy(command, "a thread"); break;
         case Op::Probe: refuse_busy(command, "probing"); break;
@@ -223,10 +223,10 @@ void ScannerCommands::scan(const Command& command) {
     if (builder_.size() >= scanner_.list_size) put_list(command, builder_.cut());
 }
 
-void ScannerCommands::scan_way(const Command& command) {
+void ScannerCommands::scan_path(const Command& command) {
     if (command.motion().machine_coordinates)
         return refuse_busy(command, "a place in machine coordinates");
-    const motion::Standing::Target target = beam_at_.target_of(command.motion());
+    const motion::AxesPosition::MotionEnd target = beam_at_.target_of(command.motion());
     ScanMotion motion;
     motion.segment = still(command);
     const double length = beam_at_.lay_path(command.motion(), target, motion.segment);
@@ -251,7 +251,7 @@ void ScannerCommands::mark(const Command& command, ScanMotion motion, double len
         const bool no_feed = feed.error() == motion::FeedFault::NoFeed;
         return refuse([this, command, no_feed] {
             motion::report(sink_, no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle,
-                           command, options_.place_of);
+                           command, options_.locate_command);
         });
     }
     const double speed = std::min(*feed, scanner_.mark_speed);
@@ -266,12 +266,12 @@ void ScannerCommands::put_motion(const Command& command, ScanMotion motion, doub
     for (const FieldStep& step : motion.vectors) {
         const double outside = field_.outside(step.field);
         if (outside == 0) continue;
-        const Vec3 place =
+        const Vec3 point =
             path::position(motion.segment.curve, step.share * path::length(motion.segment.curve));
-        return refuse([this, command, place, outside] {
-            motion::report(sink_, diag::ScannerField, command, options_.place_of)
-                .arg(round_to(place.x(), 3))
-                .arg(round_to(place.y(), 3))
+        return refuse([this, command, point, outside] {
+            motion::report(sink_, diag::ScannerField, command, options_.locate_command)
+                .arg(round_to(point.x(), 3))
+                .arg(round_to(point.y(), 3))
                 .arg(round_to(outside, 3));
         });
     }
@@ -284,7 +284,7 @@ void ScannerCommands::scan_dwell(const Command& command) {
         const double turns = spindle_.speed_at(axes_at_.tip()[0]);
         if (!(turns > 0)) {
             return refuse([this, command] {
-                motion::report(sink_, diag::DwellWithoutSpindle, command, options_.place_of)
+                motion::report(sink_, diag::DwellWithoutSpindle, command, options_.locate_command)
                     .arg(command.dwell().revolutions);
             });
         }
@@ -305,19 +305,19 @@ Segment ScannerCommands::still(const Command& command) const {
 
 /// No axis may move that is not the scanner's.
 Done ScannerCommands::require_own_axes(const Command& command, const Segment& segment,
-                                       const motion::Standing::Target& target) {
+                                       const motion::AxesPosition::MotionEnd& target) {
     const std::string axis =
         moved_axis(target, segment, beam_at_.tip(), path::bounds(segment.curve));
     if (axis.empty()) return kDone;
     refuse([this, command, axis] {
-        motion::report(sink_, diag::ScannerAxis, command, options_.place_of).arg(axis);
+        motion::report(sink_, diag::ScannerAxis, command, options_.locate_command).arg(axis);
     });
     return kFailed;
 }
 
 void ScannerCommands::refuse_busy(const Command& command, const char* what) {
     refuse([this, command, what] {
-        motion::report(sink_, diag::ScannerBusy, command, options_.place_of).arg(what);
+        motion::report(sink_, diag::ScannerBusy, command, options_.locate_command).arg(what);
     });
 }
 

@@ -59,7 +59,7 @@ class ScannerCommands final : public Stream<path::Command> {
     void follow(const path::Command& command);
     void follow_spindle(const path::Command& command);
     void scan(const path::Command& command);
-    void scan_way(const path::Command& command);
+    void scan_path(const path::Command& command);
     void scan_dwell(const path::Command& command);
     void mark(const path::Command& command, ScanMotion motion, double length);
     void put_motion(const path::Command& command, ScanMotion motion, double speed);
@@ -70,7 +70,7 @@ class ScannerCommands final : public Stream<path::Command> {
     void refuse(Report report) { refusal_ = std::move(report); }
     void refuse_busy(const path::Command& command, const char* what);
     Done require_own_axes(const path::Command& command, const motion::Segment& segment,
-                          const motion::Standing::Target& target);
+                          const motion::AxesPosition::MotionEnd& target);
     motion::Segment still(const path::Command& command) const;
 
     Stream<path::Command>& commands_;
@@ -97,9 +97,9 @@ class ScannerCommands final : public Stream<path::Command> {
     bool has_ended_ = false;
     bool has_alarmed_ = false;
     Report refusal_;  // to be reported when everything before it is planned
-    motion::Spindle spindle_;
-    motion::Standing axes_at_;  // where the axes hold the tip
-    motion::Standing beam_at_;  // where the beam is, while the scanner is on
+    motion::CommandedSpindle spindle_;
+    motion::AxesPosition axes_at_;  // where the axes hold the tip
+    motion::AxesPosition beam_at_;  // where the beam is, while the scanner is on
 };
 
 /// What the scanner did in a run.

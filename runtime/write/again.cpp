@@ -52,7 +52,7 @@ void BlockWriter::say_doubtful(const Block& block, std::string& out) {
     const bool is_cycle = block.find(Function::Cycle) != nullptr;
     Block again;
     again.source = block.source;
-    again.skip = block.skip;
+    again.skip_level = block.skip_level;
     for (std::size_t i = 0; i < kGroups; ++i) {
         const auto group = static_cast<Group>(i);
         const Function meant = modal_.meant[i];

@@ -92,15 +92,15 @@ Block frame_of(const ArcParts& parts, std::size_t part) {
         out.given &= ~(kTargetSlots | kCenterSlots | bit(Slot::Radius));
     } else {
         out.source = block.source;
-        out.skip = block.skip;
+        out.skip_level = block.skip_level;
         out.further_skip_levels = block.further_skip_levels;
         out.motion = block.motion;
         out.feed_along_arc = block.feed_along_arc;
     }
     keep_functions_of_part(block, part == 0, part + 1 == parts.count, out);
-    const SlotMask said = block.given & kTargetSlots;
-    out.incremental = block.incremental & said;
-    out.absolute = block.absolute & said;
+    const SlotMask programmed = block.given & kTargetSlots;
+    out.incremental = block.incremental & programmed;
+    out.absolute = block.absolute & programmed;
     return out;
 }
 
@@ -160,11 +160,11 @@ Block block_of(const ArcParts& parts, std::size_t part, const TextView& text) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const auto slot = static_cast<Slot>(axis);
         if (axis == parts.axes[0] || axis == parts.axes[1] || !block.has(slot)) continue;
-        const bool is_way = text.is_distance(block, axis);
-        const double way = block.at(slot) - (is_way ? 0 : parts.begin.meant[axis]);
-        out.set(slot, is_way    ? way * (share - share_before)
-                      : is_last ? block.at(slot)
-                                : parts.begin.meant[axis] + way * share);
+        const bool is_distance = text.is_distance(block, axis);
+        const double distance = block.at(slot) - (is_distance ? 0 : parts.begin.meant[axis]);
+        out.set(slot, is_distance ? distance * (share - share_before)
+                      : is_last   ? block.at(slot)
+                                  : parts.begin.meant[axis] + distance * share);
     }
     // Under inverse time the time of the block is shared out by the angle.
     if (parts.shares_time) out.set(Slot::Feed, parts.feed / (share - share_before));
@@ -223,7 +223,7 @@ Block circle_of(const HelixTurns& helix, int turn, const TextView& text) {
         circle.comment.clear();
     }
     circle.source = block.source;
-    circle.skip = block.skip;
+    circle.skip_level = block.skip_level;
     circle.motion = helix.motion;
     if (helix.shares_time) circle.set(Slot::Feed, helix.inverse_time / kTurnRad);
     for (std::size_t i = 0; i < 2; ++i)

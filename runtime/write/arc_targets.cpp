@@ -286,10 +286,10 @@ void place_helix_feed(const TextView& text, Messages& messages, const Block& blo
     const std::array<std::size_t, 3> axes = text.plane_axes();
     const auto third = static_cast<Slot>(axes[2]);
     if (!block.has(third)) return;
-    const bool is_way = text.is_distance(block, axes[2]);
-    if (!is_way && (start.known >> axes[2] & 1u) == 0)
+    const bool is_distance = text.is_distance(block, axes[2]);
+    if (!is_distance && (start.known >> axes[2] & 1u) == 0)
         return messages.position_unknown(block, "F", text.unknown_ends(block, start));
-    const double height = (block.at(third) - (is_way ? 0 : start.meant[axes[2]])) *
+    const double height = (block.at(third) - (is_distance ? 0 : start.meant[axes[2]])) *
                           text.on_part(axes[2]) * text.modal.frame.factors[axes[2]];
     if (std::fabs(height) < kSame) return;
     if (!is_chord_known(text, block, start))

@@ -102,10 +102,10 @@ TracedArc traced_arc(const ArcPoints& arc, const PlanePoint& center, bool is_clo
         traced.center = {middle[0] - side * height * half[1], middle[1] + side * height * half[0]};
         traced.start_radius = traced.end_radius = radius;
         const PlanePoint& start = arc.text_start;
-        const PlanePoint said = {center[0] - start[0], center[1] - start[1]};
+        const PlanePoint programmed = {center[0] - start[0], center[1] - start[1]};
         const PlanePoint moved = {traced.center[0] - start[0], traced.center[1] - start[1]};
-        const double sine = said[0] * moved[1] - said[1] * moved[0];
-        const double cosine = said[0] * moved[0] + said[1] * moved[1];
+        const double sine = programmed[0] * moved[1] - programmed[1] * moved[0];
+        const double cosine = programmed[0] * moved[0] + programmed[1] * moved[1];
         traced.is_refused = std::fabs(sine) > std::tan(kMostShift) * cosine;
     }
     traced.sweep = sweep_angle(arc.text_start, arc.text_end, traced.center, is_clockwise);

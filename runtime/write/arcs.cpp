@@ -43,8 +43,8 @@ std::optional<PlannedArc> planned_arc(const TextView& text, const Block& block, 
         points.text_start[i] = start.text[axes[i]] * scale * part;
         points.text_end[i] = block.has(slot) ? round_to(end * scale, text.decimals(slot)) * part
                                              : points.text_start[i];
-        const double said = block.has(center) ? block.at(center) * scale : 0;
-        arc.center[i] = is_center_absolute[i] ? said : points.start[i] + said;
+        const double programmed = block.has(center) ? block.at(center) * scale : 0;
+        arc.center[i] = is_center_absolute[i] ? programmed : points.start[i] + programmed;
     }
     if (block.has(Slot::Radius)) {
         const double scale = text.to_text(static_cast<Slot>(axes[0]), 1);

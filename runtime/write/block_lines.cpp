@@ -83,7 +83,7 @@ void BlockWriter::add_deferred(const Block& block, const Choice& choice, Items& 
     if (modal_.edge.is_end_due && length == Function::None && !is_machine &&
         (block.has(Slot::Z) || is_cycle)) {
         add_code(block, Function::LengthCompOff, items);
-        state_.length_is_said(Function::LengthCompOff);
+        state_.length_is_given(Function::LengthCompOff);
     }
     for (std::size_t i = 0; i < state_.pending().size();) {
         const Deferred& deferred = *state_.pending()[i].deferred;
@@ -97,12 +97,12 @@ void BlockWriter::add_deferred(const Block& block, const Choice& choice, Items& 
             continue;
         }
         words_.set_held_offset(own_offset(choice, state_.pending()[i], block));
-        remove_said(tables_, deferred, items);
+        remove_given(tables_, deferred, items);
         items.add(
             Item::of_words(tables_.addresses[deferred.words[0].address].order, deferred.words));
         // Functions may come again for the same tool; an axis word acts once.
         if (deferred.axis >= 0) {
-            state_.length_is_said(Function::LengthCompOn);
+            state_.length_is_given(Function::LengthCompOn);
             state_.drop_pending(i);
         } else {
             ++i;
@@ -140,41 +140,42 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
     const bool fits = !is_verbatim && (most == 0 || count_code_points(block.comment) <= most);
     if (!fits && !block.comment.empty()) lines_.write_comment(block.comment, out);
     check_takers(tables_, messages_, block, items);
-    const Places places = places_of(tables_, messages_, block, items);
-    const bool has_all = std::ranges::all_of(std::span(places).first(items.count),
-                                             [](Place p) { return p == Place::Here; });
-    if (!has_all) write_apart(block, items, places, false, out);
-    lines_.open(block.skip, true, out);
+    const LineChoices choices = line_choices_of(tables_, messages_, block, items);
+    const bool has_all = std::ranges::all_of(std::span(choices).first(items.count),
+                                             [](LineChoice p) { return p == LineChoice::Here; });
+    if (!has_all) write_apart(block, items, choices, false, out);
+    lines_.open(block.skip_level, true, out);
     for (std::size_t i = 0; i < items.count; ++i) {
-        if (places[i] == Place::Here) words_.append_item(block, items.list[i], targets, out);
+        if (choices[i] == LineChoice::Here) words_.append_item(block, items.list[i], targets, out);
     }
     lines_.end_block(out);
     if (!block.comment.empty() && fits) lines_.append_comment(block.comment, out);
     lines_.close(out);
     for (std::size_t i = 0; i < items.count; ++i) {
         const Item& item = items.list[i];
-        if (item.form == kNoForm || places[i] != Place::Here) continue;
+        if (item.form == kNoForm || choices[i] != LineChoice::Here) continue;
         for (const std::vector<FormWord>& line : tables_.forms[item.form].extra) {
-            lines_.open(block.skip, true, out);
+            lines_.open(block.skip_level, true, out);
             words_.append_words(block, line, item.invocation, false, out);
             lines_.end_block(out);
             lines_.close(out);
             note_line(line);
         }
     }
-    if (!has_all) write_apart(block, items, places, true, out);
+    if (!has_all) write_apart(block, items, choices, true, out);
 }
 
 /// The words that stand in lines before the block's, or behind it.
-void BlockWriter::write_apart(const Block& block, const Items& items, const Places& places,
+void BlockWriter::write_apart(const Block& block, const Items& items, const LineChoices& choices,
                               bool is_behind, std::string& out) {
     Items apart;
     for (std::size_t i = 0; i < items.count; ++i) {
-        if (places[i] == (is_behind ? Place::Behind : Place::Before)) apart.add(items.list[i]);
+        if (choices[i] == (is_behind ? LineChoice::Behind : LineChoice::Before))
+            apart.add(items.list[i]);
     }
     if (apart.count == 0) return;
     Block rest;
-    rest.skip = block.skip;
+    rest.skip_level = block.skip_level;
     rest.source = block.source;
     rest.text = block.text;
     rest.arguments = block.arguments;

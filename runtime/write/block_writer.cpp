@@ -60,7 +60,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
     lines_.bring_number(block.number);
     check_front(block);
     check_arc_words(block);
-    if (block.skip < 0) {
+    if (block.skip_level < 0) {
         write_block(block, out);
     } else {
         // The operator may leave it out: behind it, only what is the same with and without it is
@@ -75,7 +75,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
         state_.join(before);
     }
     if (lines_.brings_number()) {  // all that the block says holds already
-        lines_.open(block.skip, true, out);
+        lines_.open(block.skip_level, true, out);
         lines_.end_block(out);
         lines_.close(out);
     }
@@ -86,12 +86,12 @@ void BlockWriter::check_front(const Block& block) {
     if (block.number > tables_.block_numbers.most) {
         messages_.number_fault(block, NumberFault::TooLarge, block.number, Dimension::Count, "N");
     }
-    const bool is_level =
-        block.skip >= tables_.notation.default_skip && block.skip < tables_.notation.skip_levels;
+    const bool is_level = block.skip_level >= tables_.notation.default_skip &&
+                          block.skip_level < tables_.notation.skip_levels;
     if (block.further_skip_levels != 0)
         messages_.cannot_express(block, "several skip levels of one block");
-    if (block.skip >= 0 && !is_level) {
-        messages_.cannot_express(block, "the skip level " + std::to_string(block.skip));
+    if (block.skip_level >= 0 && !is_level) {
+        messages_.cannot_express(block, "the skip level " + std::to_string(block.skip_level));
     }
 }
 
@@ -222,9 +222,9 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
         add_code(block, Function::Incremental, items);
     }
     const bool probes = block.function_count != 0 && block.find(Function::Probe) != nullptr;
-    const bool says_motion = block.motion != Function::None ||
-                             (!probes && (block.given & (kTargetSlots | kCenterSlots)) != 0);
-    if (says_motion) {
+    const bool has_motion = block.motion != Function::None ||
+                            (!probes && (block.given & (kTargetSlots | kCenterSlots)) != 0);
+    if (has_motion) {
         const bool is_new = modal_.text_of(Group::Motion) != motion;
         if (motion != Function::None &&
             (is_new || (options_.verbose_modal && block.motion != Function::None))) {
@@ -299,11 +299,11 @@ std::optional<std::size_t> BlockWriter::longer_travel(const Block& block) const 
         const auto slot = static_cast<Slot>(axis);
         if (!block.has(slot)) continue;
         ++count;
-        const bool is_way = text_.is_distance(block, axis);
-        is_certain &= is_way || text_.is_known(axis);
-        const double way =
-            std::fabs(is_way ? block.at(slot) : block.at(slot) - modal_.position.meant[axis]);
-        if (way > most) longest = axis, most = way;
+        const bool is_distance = text_.is_distance(block, axis);
+        is_certain &= is_distance || text_.is_known(axis);
+        const double distance =
+            std::fabs(is_distance ? block.at(slot) : block.at(slot) - modal_.position.meant[axis]);
+        if (distance > most) longest = axis, most = distance;
     }
     return count == 1 || is_certain ? longest : std::nullopt;
 }
@@ -359,7 +359,7 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         feed.set(Slot::Feed, modal_.meant_feed);
         write_block(feed, out);
     }
-    if (modal_.edge.waiting != 0) say_waiting_edge(block, out);
+    if (modal_.edge.waiting != 0) put_waiting_edge(block, out);
     if (modal_.edge.is_end_due)
         messages_.cannot_express(block,
                                  "raw text between the end of the tool length and the next move "
@@ -396,9 +396,9 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
 // ---------------------------------------------------------------- functions
 
 /// The line that a form wants before its own: `M29 S800` before the tapping cycle.
-void BlockWriter::write_lead(const Form& form, const Block& block, const Invocation& invocation,
-                             std::string& out) {
-    lines_.open(block.skip, true, out);
+void BlockWriter::write_pitch(const Form& form, const Block& block, const Invocation& invocation,
+                              std::string& out) {
+    lines_.open(block.skip_level, true, out);
     words_.append_words(block, form.lead, &invocation, false, out);
     lines_.end_block(out);
     lines_.close(out);
@@ -414,7 +414,7 @@ void BlockWriter::write_needs(const Form& form, const Block& block, std::string&
     if (items.count == 0) return;
     Block alone;
     alone.source = block.source;
-    alone.skip = block.skip;
+    alone.skip_level = block.skip_level;
     write_items(alone, items, {}, out);
 }
 
@@ -432,7 +432,7 @@ void BlockWriter::write_functions_alone(const Block& block, Choice& choice, std:
             continue;
         }
         if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
-        if (!form.lead.empty()) write_lead(form, block, invocation, out);
+        if (!form.lead.empty()) write_pitch(form, block, invocation, out);
         if (form.is_verbatim) write_needs(form, block, out);
         const bool is_alone = form.owns_block || form.owns_line;
         if (is_only || !(is_alone || shares_address(form, block))) continue;
@@ -442,7 +442,7 @@ void BlockWriter::write_functions_alone(const Block& block, Choice& choice, std:
         }
         items.add(Item::of_form(form.order, choice.forms[i], &invocation));
         Block alone;
-        alone.skip = block.skip;
+        alone.skip_level = block.skip_level;
         alone.text = block.text;
         alone.cycle = block.cycle;
         alone.arguments = block.arguments;
@@ -459,7 +459,7 @@ bool BlockWriter::is_shift_standing(const Form& form, const Block& block,
     return std::ranges::all_of(form.words, [&](const FormWord& word) {
         if (word.parameter < 0) return true;
         const auto parameter = static_cast<std::size_t>(word.parameter);
-        const Standing& kept = modal_.frame.shift[parameter % modal_.frame.shift.size()];
+        const NumberInForce& kept = modal_.frame.shift[parameter % modal_.frame.shift.size()];
         return kept.is_known && kept.value == block.argument(invocation, parameter, word.fallback);
     });
 }
@@ -484,7 +484,7 @@ void BlockWriter::write_before(const Form& form, const Block& block, std::string
         if (function == Function::ScaleOff && modal_.frame.scale == Activity::No) continue;
         Block extra;
         extra.source = block.source;
-        extra.skip = block.skip;
+        extra.skip_level = block.skip_level;
         extra.add(function);
         write_block(extra, out);
     }

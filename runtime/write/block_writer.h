@@ -67,15 +67,15 @@ class BlockWriter {
     bool is_shift_standing(const Form& form, const Block& block,
                            const Invocation& invocation) const;
     void write_before(const Form& form, const Block& block, std::string& out);
-    void write_lead(const Form& form, const Block& block, const Invocation& invocation,
-                    std::string& out);
+    void write_pitch(const Form& form, const Block& block, const Invocation& invocation,
+                     std::string& out);
     void leave_cycle(const Block& block, const Choice& choice, std::string& out);
     double cycle_speed(const Block& block, const Invocation& invocation) const;
     Function spindle_behind(const Form& form, const Block& block,
                             const Invocation& invocation) const;
-    bool says_speed(const Block& block, const Invocation& invocation) const;
+    bool has_speed(const Block& block, const Invocation& invocation) const;
     void write_waiting_edge(const Block& block, std::string& out);
-    void say_waiting_edge(const Block& block, std::string& out);
+    void put_waiting_edge(const Block& block, std::string& out);
     void check_length_due(const Block& block);
     void add_edge(const Block& block, Items& items);
     bool holds_length(const Block& block) const;
@@ -98,8 +98,8 @@ class BlockWriter {
                        Items& items);
     void add_deferred(const Block& block, const Choice& choice, Items& items);
     double own_offset(const Choice& choice, const Pending& pending, const Block& block) const;
-    void write_apart(const Block& block, const Items& items, const Places& places, bool is_behind,
-                     std::string& out);
+    void write_apart(const Block& block, const Items& items, const LineChoices& choices,
+                     bool is_behind, std::string& out);
     void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
     void note_line(const std::vector<FormWord>& words);
 

@@ -163,23 +163,23 @@ std::string without_returns(std::string_view text) {
 /// Why the text has not the form that its author may have expected; each is said once.
 void note_refusals(const std::vector<Refusal>& refusals, DiagnosticBuilder& message) {
     constexpr std::size_t kMost = 4;
-    std::vector<std::string> said;
+    std::vector<std::string> text;
     for (const Refusal& refusal : refusals) {
         std::string note = "`" + refusal.pattern + "` is not taken: " + refusal.why;
-        if (std::ranges::find(said, note) != said.end() || said.size() == kMost) continue;
+        if (std::ranges::find(text, note) != text.end() || text.size() == kMost) continue;
         message.note(refusal.range, note);
-        said.push_back(std::move(note));
+        text.push_back(std::move(note));
     }
 }
 
 }  // namespace
 
-std::string first_difference(std::string_view found, std::string_view said) {
+std::string first_difference(std::string_view found, std::string_view message) {
     const auto lines = static_cast<std::size_t>(
-        std::max(std::ranges::count(found, '\n'), std::ranges::count(said, '\n')));
+        std::max(std::ranges::count(found, '\n'), std::ranges::count(message, '\n')));
     for (std::size_t i = 0; i <= lines; ++i) {
         const std::string_view line = line_of(found, i);
-        const std::string_view other = line_of(said, i);
+        const std::string_view other = line_of(message, i);
         if (is_same_meaning(line, other)) continue;
         const std::vector<std::string_view> words = words_of_meaning(line);
         const std::vector<std::string_view> others = words_of_meaning(other);
@@ -207,7 +207,7 @@ void check_frame(const Dialect& dialect, DiagnosticSink& sink) {
         const std::string fault =
             messages.all().empty() ? read(dialect, text).fault : messages.all()[0].message();
         if (fault.empty()) continue;
-        const nc::ProgramFrame& frame = dialect.tables().program;
+        const nc::ProgramTemplates& frame = dialect.tables().program;
         auto message = sink.report(diag::DialectTextUnread,
                                    frame.is_inherited ? dialect.tables().root : frame.range);
         message.arg(one_line(text)).arg(fault);

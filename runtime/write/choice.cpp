@@ -38,14 +38,14 @@ constexpr bool is_quiet_group(Group group) {
         case Group::Diameter:
         case Group::Compressor:
         case Group::Transformation:
-        case Group::Turning:
+        case Group::OrientInterpolation:
         case Group::OrientAngles:
         case Group::OrientSystem:
         case Group::CompKind:
         case Group::CompOrientation:
         case Group::Spinning:
         case Group::DataInput: return true;
-        case Group::Once:
+        case Group::NonModal:
         case Group::LengthComp:
         case Group::WorkOffsets:
         case Group::Spindle:
@@ -63,7 +63,7 @@ Choice FormChooser::choose(const Block& block) {
         for (std::size_t i = 0; i < block.function_count; ++i) {
             const Invocation& invocation = block.functions[i];
             const auto function = static_cast<std::size_t>(invocation.function);
-            if (tables_.said_with_others[function] != with_others || (choice.done >> i & 1u) != 0)
+            if (tables_.given_with_others[function] != with_others || (choice.done >> i & 1u) != 0)
                 continue;
             if (is_suppressed(invocation.function)) {
                 choice.done |= 1u << i;
@@ -82,10 +82,10 @@ Choice FormChooser::choose(const Block& block) {
             const Form& form = tables_.forms[choice.forms[i]];
             for (std::size_t j = 0; j < block.function_count; ++j) {
                 const Function other = block.functions[j].function;
-                const bool is_said =
+                const bool is_given =
                     j != i && (other == form.function ||
                                std::ranges::find(form.sets, other) != form.sets.end());
-                if (is_said && !form.sets.empty()) choice.done |= 1u << j;
+                if (is_given && !form.sets.empty()) choice.done |= 1u << j;
             }
         }
     }
@@ -184,14 +184,15 @@ FormChooser::Misfit FormChooser::misfit(const Form& form, const Block& block,
         // What the text does not agree upon with the program is said again in this block.
         const bool is_restored = group == Group::Distance && (block.given & kTargetSlots) != 0 &&
                                  modal_.meant[index_of(group)] == needed;
-        const bool is_said = group == Group::Motion && text_.effective_motion(block) == needed &&
-                             (block.motion == needed || (block.given & kTargetSlots) != 0);
+        const bool is_programmed = group == Group::Motion &&
+                                   text_.effective_motion(block) == needed &&
+                                   (block.motion == needed || (block.given & kTargetSlots) != 0);
         // In its own line the block says it for the form, or the contrary.
         const bool is_alone = form.owns_block || form.owns_line;
         const Function own = is_alone ? Function::None : programmed_in(block, group);
         const bool is_active = own != Function::None ? own == needed
                                                      : modal_.text[index_of(group)] == needed ||
-                                                           is_restored || is_said;
+                                                           is_restored || is_programmed;
         if (!is_active) misfit.state = needed;
     }
     return misfit;
@@ -366,7 +367,7 @@ bool FormChooser::ends_by_itself(const Form& form, const Block& block, Function 
     const Group group = info(around).group;
     const Function own = programmed_in(block, group);
     const auto is_of_group = [&](Function function) { return info(function).group == group; };
-    return group != Group::Once && own != Function::None && own != around &&
+    return group != Group::NonModal && own != Function::None && own != around &&
            std::ranges::any_of(form.sets, is_of_group);
 }
 

@@ -17,7 +17,7 @@ double BlockWriter::cycle_speed(const Block& block, const Invocation& invocation
 }
 
 /// Whether a cycle's block tells the control a spindle speed, in a word S or as an argument.
-bool BlockWriter::says_speed(const Block& block, const Invocation& invocation) const {
+bool BlockWriter::has_speed(const Block& block, const Invocation& invocation) const {
     const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const bool is_given = (invocation.given >> i & 1u) != 0;
@@ -46,21 +46,21 @@ void BlockWriter::leave_cycle(const Block& block, const Choice& choice, std::str
     if (id == kNoForm) return;
     state_.follow_back(block, *cycle);
     const Form& form = tables_.forms[id];
-    const bool says_feed = has_feed_word(block, choice, *cycle);
+    const bool has_feed = has_feed_word(block, choice, *cycle);
     Block back;
     back.source = block.source;
-    back.skip = block.skip;
+    back.skip_level = block.skip_level;
     const Function mode = modal_.meant_of(Group::FeedMode);
     const bool changes_mode =
         mode != Function::None && !form.needs.empty() && modal_.text_of(Group::FeedMode) != mode;
     if (changes_mode) back.add(mode);
-    if (says_feed || changes_mode) {
+    if (has_feed || changes_mode) {
         state_.doubt_feed();
         if (modal_.has_meant_feed) back.set(Slot::Feed, modal_.meant_feed);
     }
     const Function spindle = spindle_behind(form, block, *cycle);
     if (spindle != Function::None) back.add(spindle);
-    if (says_speed(block, *cycle) || spindle != Function::None) {
+    if (has_speed(block, *cycle) || spindle != Function::None) {
         state_.doubt_speed();
         if (modal_.has_meant_speed) back.set(Slot::Speed, modal_.meant_speed);
         else if (const double speed = cycle_speed(block, *cycle);

@@ -11,11 +11,11 @@ void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
     const bool is_machine = block.find(Fact::AtMachinePosition) != nullptr;
     const bool moves = (block.given & kTargetSlots) != 0 || block.find(Function::Cycle) != nullptr;
     if (is_machine || !moves || block.find(Function::ToolEdge) != nullptr) return;
-    say_waiting_edge(block, out);
+    put_waiting_edge(block, out);
 }
 
 /// In a line that nobody leaves out, whatever the block beside it is.
-void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
+void BlockWriter::put_waiting_edge(const Block& block, std::string& out) {
     Block edge;
     edge.source = block.source;
     Invocation* invocation = edge.add(Function::ToolEdge, 1);
@@ -23,7 +23,7 @@ void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
                       state_.call_waiting_edge());
     const WrittenPosition position = modal_.position;
     write_block(edge, out);
-    state_.edge_is_said(position);
+    state_.edge_is_given(position);
 }
 
 /// The length comes with the first motion along it: a way there would be travelled less the length.
@@ -43,7 +43,7 @@ void BlockWriter::add_edge(const Block& block, Items& items) {
     for (std::size_t i = 0; i < items.count; ++i) {
         const Item& item = items.list[i];
         if (item.form == kNoForm || !tables_.forms[item.form].keeps_length) continue;
-        const Standing old = state_.drop_edge();
+        const NumberInForce old = state_.drop_edge();
         if (old.is_known && old.value == 0) return;
         const auto& edges = tables_.forms_of[static_cast<std::size_t>(Function::ToolEdge)];
         if (edges.empty()) return;
@@ -90,7 +90,7 @@ bool BlockWriter::holds_length(const Block& block) const {
 void BlockWriter::write_without_length(const Block& block, std::string& out) {
     const auto of_axis = std::ranges::find_if(
         tables_.deferred, [](const Deferred& deferred) { return deferred.axis >= 0; });
-    if (block.skip >= 0 || of_axis == tables_.deferred.end()) {
+    if (block.skip_level >= 0 || of_axis == tables_.deferred.end()) {
         messages_.cannot_express(
             block, "a change of the tool length in a block that moves no axis along it");
         return;

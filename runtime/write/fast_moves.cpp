@@ -44,7 +44,7 @@ FastPlan fast_plan(const TextView& text) {
 }
 
 bool FastMoves::is_fast(const Block& block) const {
-    if (block.kind != Block::Kind::Nc || block.function_count != 0 || block.skip >= 0 ||
+    if (block.kind != Block::Kind::Nc || block.function_count != 0 || block.skip_level >= 0 ||
         block.number >= 0)
         return false;
     const SlotMask targets = block.given & kTargetSlots;
@@ -95,11 +95,11 @@ bool FastMoves::write(const Block& block, std::string& out) {
         const double rounded =
             static_cast<double>(scaled) / kPowersOfTen[static_cast<std::size_t>(decimals)];
         const double text = (is_minus ? -rounded : rounded) / scale;
-        const auto place = static_cast<std::size_t>(axis.slot);
-        const bool is_same = !repeats_ && text_.is_named(place) &&
-                             std::fabs(text - modal_.position.text[place]) < kSame;
+        const auto index = static_cast<std::size_t>(axis.slot);
+        const bool is_same = !repeats_ && text_.is_named(index) &&
+                             std::fabs(text - modal_.position.text[index]) < kSame;
         if (!is_same) changed |= bit(axis.slot);
-        arrivals[count] = {place, text};
+        arrivals[count] = {index, text};
         words[count++] = {&axis, scaled, is_minus, decimals};
     }
     state_.arrive(block, text_.effective_motion(block), std::span(arrivals).first(count));

@@ -210,13 +210,13 @@ void TextState::forget_words(const Block& block, const Effect& effect) {
 
 /// Another zero point: the axes that the block itself does not bring to a coordinate have others.
 void TextState::forget_unsaid(const Block& block) {
-    SlotMask said = block.given & kTargetSlots;
+    SlotMask programmed = block.given & kTargetSlots;
     for (std::size_t axis = 0; axis < kAxes; ++axis)
         if (view_.is_distance(block, axis))
-            said &= static_cast<SlotMask>(~bit(static_cast<Slot>(axis)));
+            programmed &= static_cast<SlotMask>(~bit(static_cast<Slot>(axis)));
     const SlotMask known = modal_.position.known;
     modal_.position.forget();
-    modal_.position.known = known & said;
+    modal_.position.known = known & programmed;
 }
 
 /// Another length along the tool: its axis is elsewhere in the program's coordinates, if the block
@@ -225,9 +225,9 @@ void TextState::forget_unsaid(const Block& block) {
 void TextState::change_length(const Block& block) {
     if (modal_.meant_of(Group::Plane) != Function::PlaneXy) return modal_.position.forget();
     constexpr auto kTool = static_cast<std::size_t>(Slot::Z);
-    const bool is_said = block.has(Slot::Z) && !view_.is_distance(block, kTool);
-    if (!is_said) modal_.position.known &= ~bit(Slot::Z);
-    modal_.position.told |= modal_.position.known & ~(is_said ? bit(Slot::Z) : 0);
+    const bool is_given = block.has(Slot::Z) && !view_.is_distance(block, kTool);
+    if (!is_given) modal_.position.known &= ~bit(Slot::Z);
+    modal_.position.written |= modal_.position.known & ~(is_given ? bit(Slot::Z) : 0);
 }
 
 /// Where a tool change leaves the tool: elsewhere along its axis, and in the plane where it stood,
@@ -238,7 +238,7 @@ void TextState::leave_changer() {
     if (rules_.tool_change_moves_plane || modal_.meant_of(Group::Plane) != Function::PlaneXy)
         return position.forget();
     position.known &= bit(Slot::X) | bit(Slot::Y);
-    position.told = position.known;
+    position.written = position.known;
 }
 
 /// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,
@@ -268,7 +268,7 @@ void TextState::follow_shift(const FrameChange& change) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const SlotMask mask = bit(static_cast<Slot>(axis));
         const double shift = change.values[axis];
-        Standing& origin = modal_.frame.origin[axis];
+        NumberInForce& origin = modal_.frame.origin[axis];
         const bool stays =
             (modal_.frame.turned & mask) == 0 && origin.is_known && origin.value == shift;
         if (!stays) modal_.position.known &= ~mask;

@@ -26,7 +26,7 @@ void check_turn(const TextView& text, Messages& messages, const Block& block) {
     const double half = std::max(
         kSeen, text.end_increment() / text.to_text(static_cast<Slot>(text.plane_axes()[0]), 1) / 2);
     const auto report = [&](const TurnMiss& turn, double beside, const DiagnosticRow& row) {
-        const SourceRange statement = messages.place(turn.source);
+        const SourceRange statement = messages.location(turn.source);
         DiagnosticBuilder message = messages.report(row, block);
         message.arg(text.tables.name).arg(readable(round_to(1000 * beside, 1)));
         if (statement.file.is_valid()) message.note(statement, "the angle is said here");

@@ -13,7 +13,7 @@ struct LineRoom {
     std::array<bool, 256> is_closed{};  // a code that stands alone among its address is there
     std::uint64_t groups = 0;
 
-    std::size_t place_of(const FormWord& word) const { return word.address % words.size(); }
+    std::size_t index_of(const FormWord& word) const { return word.address % words.size(); }
 };
 
 /// Whether a line takes an item beside those that it has.
@@ -46,9 +46,9 @@ Fit fit_of(const DialectTables& tables, const Item& item, const LineRoom& room) 
     for (const FormWord& word : *words) {
         if (!is_written(item, word)) continue;
         const Address& address = tables.addresses[word.address];
-        const std::size_t place = room.place_of(word);
+        const std::size_t index = room.index_of(word);
         const int most = is_alone ? 1 : std::max<int>(address.write_max, 1);
-        if (room.words[place] < most && !room.is_closed[place]) continue;
+        if (room.words[index] < most && !room.is_closed[index]) continue;
         is_taken = true;
         may_wait &= address.kind == Address::Kind::Code;
     }
@@ -63,8 +63,8 @@ void count_words(const DialectTables& tables, const Item& item, LineRoom& room) 
     const bool is_alone = item.form != kNoForm && tables.forms[item.form].owns_address;
     for (const FormWord& word : *words) {
         if (!is_written(item, word)) continue;
-        ++room.words[room.place_of(word)];
-        room.is_closed[room.place_of(word)] |= is_alone;
+        ++room.words[room.index_of(word)];
+        room.is_closed[room.index_of(word)] |= is_alone;
     }
 }
 
@@ -100,8 +100,8 @@ const std::vector<FormWord>* words_of(const DialectTables& tables, const Item& i
     return &tables.forms[edges[0]].words;
 }
 
-void remove_said(const DialectTables& tables, const Deferred& deferred, Items& items) {
-    const auto is_said = [&](const Item& item) {
+void remove_given(const DialectTables& tables, const Deferred& deferred, Items& items) {
+    const auto is_given = [&](const Item& item) {
         if (item.form == kNoForm) return false;
         const std::vector<FormWord>& own = tables.forms[item.form].words;
         return std::ranges::all_of(own, [&](const FormWord& word) {
@@ -111,14 +111,15 @@ void remove_said(const DialectTables& tables, const Deferred& deferred, Items& i
             });
         });
     };
-    const auto end = std::remove_if(
-        items.list.begin(), items.list.begin() + static_cast<std::ptrdiff_t>(items.count), is_said);
+    const auto end =
+        std::remove_if(items.list.begin(),
+                       items.list.begin() + static_cast<std::ptrdiff_t>(items.count), is_given);
     items.count = static_cast<std::size_t>(end - items.list.begin());
 }
 
-Places places_of(const DialectTables& tables, Messages& messages, const Block& block,
-                 const Items& items) {
-    Places places{};
+LineChoices line_choices_of(const DialectTables& tables, Messages& messages, const Block& block,
+                            const Items& items) {
+    LineChoices choices{};
     LineRoom room;
     for (const Item& item : items.all()) {
         if (words_of(tables, item) != nullptr) continue;
@@ -136,7 +137,7 @@ Places places_of(const DialectTables& tables, Messages& messages, const Block& b
             if (stops(item) != is_stop) continue;
             const Fit fit = fit_of(tables, item, room);
             if (fit == Fit::Waits) {
-                places[i] = moves && !is_stop ? Place::Before : Place::Behind;
+                choices[i] = moves && !is_stop ? LineChoice::Before : LineChoice::Behind;
                 continue;
             }
             if (fit == Fit::Refused) {
@@ -147,10 +148,10 @@ Places places_of(const DialectTables& tables, Messages& messages, const Block& b
                                         '`' + what + "` and the rest of the block in one line");
             }
             count_words(tables, item, room);
-            places[i] = Place::Here;
+            choices[i] = LineChoice::Here;
         }
     }
-    return places;
+    return choices;
 }
 
 void check_takers(const DialectTables& tables, Messages& messages, const Block& block,

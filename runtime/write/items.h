@@ -53,17 +53,17 @@ struct Items {
 const std::vector<FormWord>* words_of(const DialectTables& tables, const Item& item);
 
 /// Held-back words stand for the codes and offsets that the block has in words of its own.
-void remove_said(const DialectTables& tables, const Deferred& deferred, Items& items);
+void remove_given(const DialectTables& tables, const Deferred& deferred, Items& items);
 
-enum class Place : std::uint8_t { Here, Before, Behind };  // the line of the block
-using Places = std::array<Place, Items::kMost>;
+enum class LineChoice : std::uint8_t { Here, Before, Behind };  // the line of the block
+using LineChoices = std::array<LineChoice, Items::kMost>;
 
 /// Where the words of a block stand: what its line has no room for stands in lines of its own, a
 /// stop or an end behind it, anything else in front of a motion, since it acts before that.
 ///
 /// source       F 1.3, S 1.5
-Places places_of(const DialectTables& tables, Messages& messages, const Block& block,
-                 const Items& items);
+LineChoices line_choices_of(const DialectTables& tables, Messages& messages, const Block& block,
+                            const Items& items);
 
 /// A number that belongs to one code of the line must not be read as another's: in `G54 G30 P3` the
 /// control would find an additional work offset, and the second reference point.

@@ -17,11 +17,11 @@ void Lines::begin(std::int64_t greatest_number) {
                                                            : numbers.start;
 }
 
-void Lines::open(int skip, bool has_number, std::string& out) {
+void Lines::open(int skip_level, bool has_number, std::string& out) {
     start_ = out.size();
-    if (skip >= 0) {
+    if (skip_level >= 0) {
         out += '/';
-        if (skip != tables_.notation.default_skip) out += static_cast<char>('0' + skip);
+        if (skip_level != tables_.notation.default_skip) out += static_cast<char>('0' + skip_level);
         out += ' ';
     }
     const BlockNumbers& numbers = tables_.block_numbers;

@@ -29,8 +29,8 @@ class Lines {
     void bring_number(std::int32_t number) { given_number_ = number; }
     bool brings_number() const { return given_number_ >= 0; }
 
-    /// skip  level; below 0: the line is no optional one
-    void open(int skip, bool has_number, std::string& out);
+    /// skip_level  level; below 0: the line is no optional one
+    void open(int skip_level, bool has_number, std::string& out);
     /// The sign that the control wants behind the words of a block.
     void end_block(std::string& out) const;
     void close(std::string& out);

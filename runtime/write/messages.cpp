@@ -6,14 +6,14 @@
 
 namespace kadr::write {
 
-SourceRange Messages::place(SourceId source) const {
+SourceRange Messages::location(SourceId source) const {
     return source.index < statements_.size() ? statements_[source.index] : SourceRange{};
 }
 
 /// The word of the statement that sets the address: `Z+=10`, `Z=h`, `Z5`. The statement, if no such
 /// word stands in it.
-SourceRange Messages::word_place(const Block& block, std::string_view address) const {
-    SourceRange statement = place(block);
+SourceRange Messages::word_location(const Block& block, std::string_view address) const {
+    SourceRange statement = location(block);
     if (sources_ == nullptr || !statement.file.is_valid()) return statement;
     const std::string_view text = sources_->text(statement);
     const auto is_part_of_name = [](char c) {
@@ -76,7 +76,8 @@ void Messages::position_unknown(const Block& block, std::string_view name, SlotM
         names += kAxisNames[axis];
         words += ' ' + std::string(kAxisNames[axis]) + "…";
     }
-    DiagnosticBuilder builder = sink_.report(diag::WriterPositionUnknown, word_place(block, name));
+    DiagnosticBuilder builder =
+        sink_.report(diag::WriterPositionUnknown, word_location(block, name));
     builder.arg(name).arg(names);
     if (name == "F" && !block.has(Slot::Feed))
         builder.note("the feed that acts is worked out again for this block");
@@ -85,7 +86,7 @@ void Messages::position_unknown(const Block& block, std::string_view name, SlotM
 
 void Messages::cannot_express(const Block& block, const std::string& what) {
     if (!fails_first_time(block, what)) return;
-    sink_.report(diag::CannotExpress, place(block)).arg(tables_.name).arg(what);
+    sink_.report(diag::CannotExpress, location(block)).arg(tables_.name).arg(what);
 }
 
 void Messages::number_fault(const Block& block, NumberFault fault, double value,
@@ -95,17 +96,19 @@ void Messages::number_fault(const Block& block, NumberFault fault, double value,
     switch (fault) {
         case NumberFault::None: break;
         case NumberFault::NotFinite:
-            sink_.report(diag::ValueNotFinite, word_place(block, name)).arg(name);
+            sink_.report(diag::ValueNotFinite, word_location(block, name)).arg(name);
             break;
         case NumberFault::TooLarge:
-            sink_.report(diag::ValueTooLarge, word_place(block, name)).arg(quantity).arg(name);
+            sink_.report(diag::ValueTooLarge, word_location(block, name)).arg(quantity).arg(name);
             break;
         case NumberFault::Negative:
-            sink_.report(diag::ValueNegative, word_place(block, name)).arg(name).arg(quantity);
+            sink_.report(diag::ValueNegative, word_location(block, name)).arg(name).arg(quantity);
             break;
         case NumberFault::Point:
         case NumberFault::NotReadBack:
-            sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(quantity).arg(name);
+            sink_.report(diag::ValueNotReadBack, word_location(block, name))
+                .arg(quantity)
+                .arg(name);
             break;
     }
 }

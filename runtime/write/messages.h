@@ -24,16 +24,16 @@ class Messages {
     bool failed() const { return failed_; }
 
     /// The statement of the block; nothing if it has none.
-    SourceRange place(const Block& block) const { return place(block.source); }
-    SourceRange place(SourceId source) const;
+    SourceRange location(const Block& block) const { return location(block.source); }
+    SourceRange location(SourceId source) const;
 
     DiagnosticBuilder report(const DiagnosticRow& row, const Block& block) {
-        return sink_.report(row, place(block));
+        return sink_.report(row, location(block));
     }
     /// … at the word of the statement that sets the address.
     DiagnosticBuilder report_word(const DiagnosticRow& row, const Block& block,
                                   std::string_view address) {
-        return sink_.report(row, word_place(block, address));
+        return sink_.report(row, word_location(block, address));
     }
 
     /// Whether the statement has not been told this yet: a loop reports once.
@@ -57,7 +57,7 @@ class Messages {
     void line_too_long(std::size_t length);
 
   private:
-    SourceRange word_place(const Block& block, std::string_view address) const;
+    SourceRange word_location(const Block& block, std::string_view address) const;
 
     const DialectTables& tables_;
     const TextUnits& units_;

@@ -4,14 +4,14 @@ namespace kadr::write {
 
 namespace {
 
-void keep(Standing& mine, const Standing& other) {
+void keep(NumberInForce& mine, const NumberInForce& other) {
     mine.is_known = mine.is_known && other.is_known && mine.value == other.value;
 }
 
 }  // namespace
 
 void WrittenPosition::join(const WrittenPosition& other) {
-    told |= other.told;
+    written |= other.written;
     reframed |= other.reframed;
     known &= other.known;
     for (std::size_t i = 0; i < kAxes; ++i) {
@@ -39,8 +39,8 @@ void TextFrame::forget() {
     rotation = mirror = scale = tilted = Activity::Unknown;
     factors = {1, 1, 1};
     turned = kTargetSlots;
-    for (Standing& s : shift) s.is_known = false;
-    for (Standing& s : origin) s.is_known = false;
+    for (NumberInForce& s : shift) s.is_known = false;
+    for (NumberInForce& s : origin) s.is_known = false;
 }
 
 void WriterModal::join(const WriterModal& other) {

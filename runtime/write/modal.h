@@ -28,17 +28,17 @@ struct WrittenPosition {
     std::array<double, kAxes> meant{};
     std::array<double, kAxes> text{};
     SlotMask known = 0;     // the axes whose coordinates are known, not only their changes
-    SlotMask told = 0;      // … and of these the ones that no word of the text has named yet
+    SlotMask written = 0;   // … and of these the ones that no word of the text has named yet
     SlotMask reframed = 0;  // axes that no word has named since the frame changed …
     // … and the coordinates that words named last, in the frame before: meant, and in the text.
     std::array<std::array<double, 2>, kAxes> named{};
 
     /// A word of the text names the axis.
     void name(SlotMask axis) {
-        told &= ~axis;
+        written &= ~axis;
         reframed &= ~axis;
     }
-    void forget() { known = told = reframed = 0; }
+    void forget() { known = written = reframed = 0; }
     /// Keeps what is so in both.
     void join(const WrittenPosition& other);
 };
@@ -47,7 +47,7 @@ struct WrittenPosition {
 enum class Activity : std::uint8_t { No, Yes, Unknown };
 
 /// A number that stays in force and need not be repeated.
-struct Standing {
+struct NumberInForce {
     bool is_known = false;
     double value = 0;
 };
@@ -62,9 +62,9 @@ constexpr GroupMask bit(Group group) { return GroupMask{1} << index_of(group); }
 /// block.
 inline constexpr GroupMask kRestated =
     bit(Group::Plane) | bit(Group::RadiusComp) | bit(Group::PathMode) | bit(Group::CompStart) |
-    bit(Group::CompCorner) | bit(Group::CompCheck) | bit(Group::Compressor) | bit(Group::Turning) |
-    bit(Group::OrientAngles) | bit(Group::OrientSystem) | bit(Group::Spinning) |
-    bit(Group::CompKind) | bit(Group::CompOrientation);
+    bit(Group::CompCorner) | bit(Group::CompCheck) | bit(Group::Compressor) |
+    bit(Group::OrientInterpolation) | bit(Group::OrientAngles) | bit(Group::OrientSystem) |
+    bit(Group::Spinning) | bit(Group::CompKind) | bit(Group::CompOrientation);
 
 /// Additional turns of a helix, as the interpreter takes them.
 inline constexpr double kMostTurns = 999;
@@ -87,8 +87,8 @@ struct TextFrame {
     TurnMiss tilt;            // of the tilted plane
     std::array<double, 3> factors = {1, 1, 1};  // of the scale, X Y Z
     SlotMask turned = 0;                        // axes on which a rotation or mirroring acts
-    std::array<Standing, 3> shift{};            // arguments of a function that remembers them
-    std::array<Standing, 3> origin{};           // programmable shift as the program means it, mm
+    std::array<NumberInForce, 3> shift{};       // arguments of a function that remembers them
+    std::array<NumberInForce, 3> origin{};      // programmable shift as the program means it, mm
 
     void join(const TextFrame& other);
     void forget();
@@ -96,7 +96,7 @@ struct TextFrame {
 
 /// The cutting edge, and with it the tool's length.
 struct TextEdge {
-    Standing number;             // of the one that the text has selected
+    NumberInForce number;        // of the one that the text has selected
     bool is_lost = false;        // one acted, and nobody knows which one does now
     bool is_length_due = false;  // it acts again; its axis has not moved since
     double waiting = 0;          // the one that a block without tool length has put aside; 0: none
@@ -108,7 +108,7 @@ struct TextEdge {
 struct FeedWord {
     bool every_block = false;    // not modal in this feed mode
     bool arc_by_radius = false;  // of arcs it is feed/radius in this feed mode
-    bool is_lead = false;        // of the block that is being written it is the pitch of a thread
+    bool is_pitch = false;       // of the block that is being written it is the pitch of a thread
 };
 
 /// Words that a tool change holds back until their axis moves or their function comes.
@@ -122,14 +122,14 @@ struct WriterModal {
     ModalFunctions text{};   // as the control has it
     GroupMask doubtful = 0;  // of kRestated, where a block that may be left out says otherwise
     TextUnits units;
-    Standing feed;  // in the text's units
-    Standing speed;
+    NumberInForce feed;  // in the text's units
+    NumberInForce speed;
     double meant_feed = 0;  // of the blocks; holds if has_meant_feed
     bool has_meant_feed = false;
     bool feed_is_other = false;  // F in the text is not meant_feed: a pitch, a helix by its arc
     double meant_speed = 0;      // holds if has_meant_speed
     bool has_meant_speed = false;
-    Standing tool;  // the last one that was called
+    NumberInForce tool;  // the last one that was called
     TextEdge edge;
     WrittenPosition position;
     TextFrame frame;

@@ -13,14 +13,14 @@ void place_machine_target(const TextView& text, Messages& messages, const Block&
                           std::size_t axis, Targets& targets) {
     const SlotMask mask = bit(static_cast<Slot>(axis));
     const bool by_itself = ((block.incremental | block.absolute) & mask) != 0;
-    const bool is_way = text.is_distance(block, axis);
+    const bool is_distance = text.is_distance(block, axis);
     // FANUC ignores it under G91, SINUMERIK travels or not as SD42440 says.
     const bool is_machine = block.find(Function::MachineCoordinates) != nullptr;
-    if (is_way && is_machine && (by_itself || text.tables.notation.has_modes))
+    if (is_distance && is_machine && (by_itself || text.tables.notation.has_modes))
         return messages.cannot_express(block, "a distance in machine coordinates");
     if (by_itself && text.tables.notation.has_modes) {
-        (is_way ? targets.wrapped_incremental : targets.wrapped_absolute) |= mask;
-    } else if (is_way && (by_itself || text.tables.has_incremental_letters)) {
+        (is_distance ? targets.wrapped_incremental : targets.wrapped_absolute) |= mask;
+    } else if (is_distance && (by_itself || text.tables.has_incremental_letters)) {
         messages.cannot_express(block, "a distance in machine coordinates");
     }
 }
@@ -91,7 +91,7 @@ void drop_unchanged(const TextView& text, const Block& block, const WrittenPosit
     SlotMask unchanged = 0;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const SlotMask mask = bit(static_cast<Slot>(axis));
-        if ((targets.written & start.known & ~start.told & mask) == 0) continue;
+        if ((targets.written & start.known & ~start.written & mask) == 0) continue;
         if (std::fabs(start.text[axis] - text.modal.position.text[axis]) < kSame) unchanged |= mask;
     }
     if (unchanged != targets.written) targets.written &= ~unchanged;
@@ -106,20 +106,20 @@ void place_axes_feed(const TextView& text, Messages& messages, const Block& bloc
     if (text.leads_tip() || text.modal.meant_of(Group::FeedMode) == Function::FeedInverseTime)
         return;
     if (!block.has(Slot::Feed) && !text.modal.has_meant_feed) return;  // that has its message
-    double way = 0;                                                    // squares, mm
+    double length = 0;                                                 // squares, mm
     double parallel = 0;                                               // of U, V, W
     double turn = 0;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (!block.has(static_cast<Slot>(axis))) continue;
-        const std::optional<double> distance = text.meant_way(block, start, axis);
+        const std::optional<double> distance = text.meant_distance(block, start, axis);
         if (!distance)
             return messages.position_unknown(block, "F", text.unknown_ends(block, start));
         const bool turns = is_rotary(static_cast<Axis>(axis));
         const double unit = turns && text.modal.units.inch_feed ? kMmPerInch : 1;
-        (turns ? turn : axis < 3 ? way : parallel) += *distance * *distance * unit * unit;
+        (turns ? turn : axis < 3 ? length : parallel) += *distance * *distance * unit * unit;
     }
-    const double all = std::sqrt(way + parallel + turn);
-    const double counted = std::sqrt(way > kSame * kSame ? way : parallel);
+    const double all = std::sqrt(length + parallel + turn);
+    const double counted = std::sqrt(length > kSame * kSame ? length : parallel);
     if (counted < kSame || all - counted < kSame)
         return;  // where rotary axes are alone, F is theirs
     targets.feed_factor = block.feed_of_all_axes ? counted / all : all / counted;

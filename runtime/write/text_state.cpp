@@ -31,7 +31,7 @@ void TextState::begin(bool is_inch) {
     const auto& shifts = tables_.forms_of[static_cast<std::size_t>(Function::Shift)];
     const bool is_kept =
         std::ranges::any_of(shifts, [&](FormId id) { return tables_.forms[id].remembers; });
-    for (Standing& s : modal_.frame.shift) s = {!is_kept, 0};
+    for (NumberInForce& s : modal_.frame.shift) s = {!is_kept, 0};
     modal_.frame.origin = modal_.frame.shift;
     has_ended_ = false;
 }
@@ -60,7 +60,7 @@ void TextState::take_position(const Block& block) {
             position.named[axis] = {position.meant[axis], position.text[axis]};
         position.meant[axis] = position.text[axis] = block.at(static_cast<Slot>(axis));
         position.known |= bit(static_cast<Slot>(axis));
-        position.told |= bit(static_cast<Slot>(axis));
+        position.written |= bit(static_cast<Slot>(axis));
         position.reframed |= bit(static_cast<Slot>(axis));
     }
 }
@@ -84,7 +84,7 @@ void TextState::mean_all(const Block& block) {
     if (rules_.length_axis == LengthAxis::Plane && plane != Function::None &&
         plane != modal_.meant_of(Group::Plane)) {
         for (const std::size_t axis : {tool_axis, view_.plane_axes()[2]})
-            modal_.position.told |= modal_.position.known & bit(static_cast<Slot>(axis));
+            modal_.position.written |= modal_.position.known & bit(static_cast<Slot>(axis));
     }
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
@@ -104,8 +104,8 @@ void TextState::mean_all(const Block& block) {
 
 void TextState::refuse_frame() { modal_.frame.is_refused = true; }
 
-void TextState::end_lead(const Standing& feed, bool is_other) {
-    feed_word_.is_lead = false;
+void TextState::end_lead(const NumberInForce& feed, bool is_other) {
+    feed_word_.is_pitch = false;
     modal_.meant_feed = feed.value;
     modal_.has_meant_feed = feed.is_known;
     if (is_other) modal_.feed_is_other = true;
@@ -125,7 +125,7 @@ void TextState::say(const Form& form) {
 
 void TextState::say(Function function, const Form& form) {
     const Group group = info(function).group;
-    if (group == Group::Once) return;
+    if (group == Group::NonModal) return;
     modal_.text[index_of(group)] = function;
     modal_.doubtful &= ~bit(group);
     if (group == Group::Units) {
@@ -161,7 +161,7 @@ void TextState::doubt_feed() { modal_.feed.is_known = false; }
 
 void TextState::doubt_speed() { modal_.speed.is_known = false; }
 
-void TextState::begin_lead(bool is_lead) { feed_word_.is_lead = is_lead; }
+void TextState::begin_lead(bool is_pitch) { feed_word_.is_pitch = is_pitch; }
 
 void TextState::say_shift(std::size_t argument, double value) {
     modal_.frame.shift[argument % modal_.frame.shift.size()] = {true, value};
@@ -249,7 +249,7 @@ void TextState::follow_back(const Block& block, const Invocation& cycle) {
     position.meant[across] = block.argument(cycle, *back.level);
     position.text[across] = round_to(position.meant[across] * scale, view_.decimals(slot)) / scale;
     position.known |= mask;
-    position.told |= mask;
+    position.written |= mask;
     position.reframed &= ~mask;
 }
 
@@ -257,7 +257,7 @@ void TextState::follow_back(const Block& block, const Invocation& cycle) {
 
 double TextState::call_waiting_edge() { return std::exchange(modal_.edge.waiting, 0); }
 
-void TextState::edge_is_said(const WrittenPosition& position) {
+void TextState::edge_is_given(const WrittenPosition& position) {
     modal_.position = position;
     modal_.edge.is_length_due = true;
 }
@@ -273,12 +273,14 @@ void TextState::hold_length(const Block& block, const Deferred* deferred, double
     change_length(block);
 }
 
-void TextState::length_is_said(Function function) {
+void TextState::length_is_given(Function function) {
     assume(function);
     modal_.edge.is_end_due = false;
 }
 
-Standing TextState::drop_edge() { return std::exchange(modal_.edge.number, Standing{true, 0}); }
+NumberInForce TextState::drop_edge() {
+    return std::exchange(modal_.edge.number, NumberInForce{true, 0});
+}
 
 void TextState::let_wait(double edge) { modal_.edge.waiting = edge; }
 

@@ -55,9 +55,9 @@ class TextState {
     void say_turn(const Block& block, const Invocation& invocation, double angle_deg, int places);
 
     // F beside its word
-    void begin_lead(bool is_lead);
+    void begin_lead(bool is_pitch);
     /// Behind a thread: the feed of the program, which the pitch in F is not.
-    void end_lead(const Standing& feed, bool is_other);
+    void end_lead(const NumberInForce& feed, bool is_other);
     /// The feed of a block that was written in parts, each with a time of its own.
     void mean_shared_feed(double feed);
     void doubt_feed();
@@ -82,15 +82,15 @@ class TextState {
     // Cutting edges and held-back words
     /// The edge that waits acts again; 0 if none does.
     double call_waiting_edge();
-    void edge_is_said(const WrittenPosition& position);
+    void edge_is_given(const WrittenPosition& position);
     void length_acts();
     /// A change of the length, which words of the block say that moves the axis next.
     ///
     /// deferred  what stands for the length with the number; null: it ends
     void hold_length(const Block& block, const Deferred* deferred, double number);
-    void length_is_said(Function function);
+    void length_is_given(Function function);
     /// Edge 0 acts; returns the one before.
-    Standing drop_edge();
+    NumberInForce drop_edge();
     void let_wait(double edge);
     void set_offset(std::size_t pending, double tool);
     void drop_pending(std::size_t pending);

@@ -23,8 +23,8 @@ double TextView::to_text(Slot slot, double value) const {
 
 int TextView::decimals(Slot slot) const {
     const Address& address = address_of(slot);
-    if (slot == Slot::Feed && feed_word.is_lead)
-        return text_decimals(lead_format(address.format), address.dimension, modal.units);
+    if (slot == Slot::Feed && feed_word.is_pitch)
+        return text_decimals(pitch_format(address.format), address.dimension, modal.units);
     return text_decimals(address.format, address.dimension, modal.units);
 }
 
@@ -41,7 +41,7 @@ Activity TextView::activity_of(Function function) const {
 
 /// Where nobody knows, it is taken for none: a program does not begin in somebody's shift.
 Activity TextView::is_shifted() const {
-    const bool is_one = std::ranges::any_of(modal.frame.origin, [](const Standing& shift) {
+    const bool is_one = std::ranges::any_of(modal.frame.origin, [](const NumberInForce& shift) {
         return shift.is_known && shift.value != 0;
     });
     return is_one ? Activity::Yes : Activity::No;
@@ -117,13 +117,14 @@ double TextView::end_increment() const {
 }
 
 /// How far an axis goes in a block, frames included; none where nobody knows where it stands.
-std::optional<double> TextView::meant_way(const Block& block, const WrittenPosition& start,
-                                          std::size_t axis) const {
-    const bool is_way = is_distance(block, axis);
-    if (!is_way && (start.known >> axis & 1u) == 0) return std::nullopt;
-    const double way = block.at(static_cast<Slot>(axis)) - (is_way ? 0 : start.meant[axis]);
-    return axis < modal.frame.factors.size() ? way * on_part(axis) * modal.frame.factors[axis]
-                                             : way;
+std::optional<double> TextView::meant_distance(const Block& block, const WrittenPosition& start,
+                                               std::size_t axis) const {
+    const bool is_increment = is_distance(block, axis);
+    if (!is_increment && (start.known >> axis & 1u) == 0) return std::nullopt;
+    const double distance =
+        block.at(static_cast<Slot>(axis)) - (is_increment ? 0 : start.meant[axis]);
+    return axis < modal.frame.factors.size() ? distance * on_part(axis) * modal.frame.factors[axis]
+                                             : distance;
 }
 
 SlotMask TextView::unknown_ends(const Block& block, const WrittenPosition& start) const {
@@ -133,7 +134,7 @@ SlotMask TextView::unknown_ends(const Block& block, const WrittenPosition& start
     return axes;
 }
 
-bool TextView::is_standing(Slot slot, double value, const Standing& standing) const {
+bool TextView::is_standing(Slot slot, double value, const NumberInForce& standing) const {
     return standing.is_known && standing.value == round_to(to_text(slot, value), decimals(slot));
 }
 

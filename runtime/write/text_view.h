@@ -50,7 +50,7 @@ struct TextView {
     bool is_known(std::size_t axis) const { return (modal.position.known >> axis & 1u) != 0; }
     /// Known, and from a word of the text.
     bool is_named(std::size_t axis) const {
-        return is_known(axis) && (modal.position.told >> axis & 1u) == 0;
+        return is_known(axis) && (modal.position.written >> axis & 1u) == 0;
     }
     bool is_distance(const Block& block, std::size_t axis) const;
     bool needs_incremental(const Block& block) const;
@@ -59,14 +59,14 @@ struct TextView {
     /// The increment of start and end of an arc, in the text's units: the coarser one of the
     /// plane's axes.
     double end_increment() const;
-    std::optional<double> meant_way(const Block& block, const WrittenPosition& start,
-                                    std::size_t axis) const;
+    std::optional<double> meant_distance(const Block& block, const WrittenPosition& start,
+                                         std::size_t axis) const;
 
     /// Axes that the block brings to coordinates from where nobody knows.
     SlotMask unknown_ends(const Block& block, const WrittenPosition& start) const;
 
     /// Whether the number that would be written is in force already.
-    bool is_standing(Slot slot, double value, const Standing& standing) const;
+    bool is_standing(Slot slot, double value, const NumberInForce& standing) const;
     /// The form of a shift that stays, if a line with this code is one.
     const Form* kept_shift(AddressId address, double code) const;
 };

@@ -80,7 +80,7 @@ void Words::append_words(const Block& block, const std::vector<FormWord>& words,
         ++values;
         const auto parameter = static_cast<std::size_t>(word.parameter);
         const double value = block.argument(*invocation, parameter, word.fallback);
-        const Standing& kept = modal_.frame.shift[parameter % modal_.frame.shift.size()];
+        const NumberInForce& kept = modal_.frame.shift[parameter % modal_.frame.shift.size()];
         if (kept.is_known && kept.value == value) unchanged |= 1u << word.parameter;
         state_.say_shift(parameter, value);
     }
@@ -195,7 +195,7 @@ void Words::append_parameter(const Block& block, const FormWord& word, const Inv
     }
     const double scale = text_scale(word.dimension, modal_.units, false);
     const double number = (value * word.factor + word.offset) * scale;
-    const double said = value * scale;  // in the unit that messages name
+    const double programmed = value * scale;  // in the unit that messages name
     if (word.dimension == Dimension::Factor) {
         append_factor(block, number, std::abs(word.factor) == 1000, format, name, out);
         return;
@@ -205,17 +205,17 @@ void Words::append_parameter(const Block& block, const FormWord& word, const Inv
         pointed.point = PointRule::Always;
         const NumberFault fault = append_number(out, number, pointed, word.dimension, modal_.units);
         if (fault != NumberFault::None)
-            messages_.number_fault(block, fault, said, word.dimension, name);
+            messages_.number_fault(block, fault, programmed, word.dimension, name);
         return;
     }
     const bool is_of_frame = invocation != nullptr && word.dimension == Dimension::Length &&
                              has_fact(invocation->function, Fact::SetsFrame);
-    const NumberFormat own = word.is_lead  ? lead_format(format)
+    const NumberFormat own = word.is_pitch ? pitch_format(format)
                              : is_of_frame ? frame_format(format)
                                            : format;
     const NumberFault fault = append_number(out, number, own, word.dimension, modal_.units);
     if (fault != NumberFault::None)
-        messages_.number_fault(block, fault, said, word.dimension, name);
+        messages_.number_fault(block, fault, programmed, word.dimension, name);
     const int places = text_decimals(own, word.dimension, modal_.units);
     check_rounding(block, number, places, word.dimension, name);
     if (word.dimension == Dimension::Angle && invocation != nullptr)
@@ -249,10 +249,10 @@ void Words::append_whole(const Block& block, const FormWord& word, double value,
     }
     const Dimension dimension = word.in_increments ? Dimension::Number : Dimension::Count;
     const NumberFault fault = append_number(out, number, format, dimension, modal_.units);
-    const double said =
+    const double programmed =
         word.in_increments ? value * text_scale(word.dimension, modal_.units, false) : value;
     if (fault != NumberFault::None)
-        messages_.number_fault(block, fault, said, word.dimension, name);
+        messages_.number_fault(block, fault, programmed, word.dimension, name);
 }
 
 /// A ratio is as exact as it is meant, whatever the decimals of its letter; in thousandths it is a
@@ -271,9 +271,9 @@ void Words::append_factor(const Block& block, double number, bool in_thousandths
         messages_.report(diag::FactorTooFine, block).arg(number / 1000).arg(name);
         return;
     }
-    const double said = in_thousandths ? number / 1000 : number;
+    const double programmed = in_thousandths ? number / 1000 : number;
     if (fault != NumberFault::None)
-        messages_.number_fault(block, fault, said, Dimension::Factor, name);
+        messages_.number_fault(block, fault, programmed, Dimension::Factor, name);
 }
 
 void Words::append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out) {
@@ -300,16 +300,16 @@ void Words::append_slot(const Block& block, Slot slot, const Targets& targets, s
     } else if (address.name.size() > 1) {
         out += '=';
     }
-    const bool is_lead = slot == Slot::Feed && text_.feed_word.is_lead;
+    const bool is_pitch = slot == Slot::Feed && text_.feed_word.is_pitch;
     const NumberFault fault =
-        is_lead ? append_number(out, number, lead_format(address.format), address.dimension,
-                                modal_.units)
-                : append_number(out, number, address.format, address.dimension, modal_.units);
+        is_pitch ? append_number(out, number, pitch_format(address.format), address.dimension,
+                                 modal_.units)
+                 : append_number(out, number, address.format, address.dimension, modal_.units);
     if (is_absolute || is_incremental) out += ')';
     if (fault != NumberFault::None)
         messages_.number_fault(block, fault, number, address.dimension, address.name);
     check_rounding(block, number,
-                   text_decimals(is_lead ? lead_format(address.format) : address.format,
+                   text_decimals(is_pitch ? pitch_format(address.format) : address.format,
                                  address.dimension, modal_.units),
                    address.dimension, address.name);
     if (slot == Slot::Feed)

@@ -275,11 +275,11 @@ TEST_F(Files, GrowUpToTheLimit) {
     EXPECT_FALSE(fs::exists(file("out.jsonl")));
     // What was not walked any more has not left its path.
     save("parts/slow.mpf", "T1 M6\nG94 S100 M3\nG1 X100 F1\nM30\n");
-    const std::string said = kadr({"run", file("parts/slow.mpf"), "-d", "sinumerik", "--setpoints",
+    const std::string text = kadr({"run", file("parts/slow.mpf"), "-d", "sinumerik", "--setpoints",
                                    file("out.csv"), "--max-output", "1MB"})
                                  .err;
-    EXPECT_NE(said.find("K9034"), std::string::npos) << said;
-    EXPECT_EQ(said.find("K6320"), std::string::npos) << said;
+    EXPECT_NE(text.find("K9034"), std::string::npos) << text;
+    EXPECT_EQ(text.find("K6320"), std::string::npos) << text;
     save("parts/part.kadr", "program p() { for (int i = 0; i < 100000; i++) { G0 X=i; } }\n");
     EXPECT_EQ(kadr({"expand", file("parts/part.kadr"), "--max-output", "1kB"}).status, 1);
 }
@@ -298,10 +298,10 @@ TEST_F(Files, OfDefinitionsAreCheckedByThemselves) {
         EXPECT_NE(moves.find("`UGUD` holds definitions"), std::string::npos) << moves;
     }
     for (const char* name : {"UGUD.DEF", "main.mpf"}) {
-        const std::string said = check("DEF NCK REAL QQ\nDEF NCK FOO WW\nM17\n", name);
-        EXPECT_NE(said.find("UGUD.DEF:2:9: alarm[12080]"), std::string::npos) << said;
-        EXPECT_EQ(said.find("15180"), std::string::npos) << said;
-        EXPECT_EQ(said.find("`QQ`"), std::string::npos) << said;
+        const std::string words = check("DEF NCK REAL QQ\nDEF NCK FOO WW\nM17\n", name);
+        EXPECT_NE(words.find("UGUD.DEF:2:9: alarm[12080]"), std::string::npos) << words;
+        EXPECT_EQ(words.find("15180"), std::string::npos) << words;
+        EXPECT_EQ(words.find("`QQ`"), std::string::npos) << words;
     }
 }
 

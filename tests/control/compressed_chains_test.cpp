@@ -23,7 +23,7 @@
 
 namespace kadr::interp {
 
-using macro::Program;
+using macro::NcProgram;
 namespace {
 
 using path::Vec3;
@@ -75,11 +75,11 @@ Chain random_chain(Random& random) {
     chain.sharpest = radius / sharper;
     Vec3 at = Vec3::Zero();
     double turn = random.between(0, 2 * std::numbers::pi);
-    double way = 0;
+    double distance = 0;
     chain.points = {at};
     for (int i = 0; i < lines; ++i) {
         const double share = static_cast<double>(i) / lines;
-        const double bend = (1 + growth * share) * (1 + swing * std::sin(wave * way)) / radius;
+        const double bend = (1 + growth * share) * (1 + swing * std::sin(wave * distance)) / radius;
         // The sagitta of a chord of the length L is L²/8r.
         const double length = std::min(
             std::sqrt(8 * chord_error / (is_even ? 1 / radius : std::max(bend, 1e-3))), 10.0);
@@ -89,7 +89,7 @@ Chain random_chain(Random& random) {
             turn += bend * step;
             at += step * Vec3(std::cos(turn), std::sin(turn), rise);
         }
-        way += length;
+        distance += length;
         if (rounded(at) != chain.points.back()) chain.points.push_back(rounded(at));
     }
     return chain;
@@ -125,7 +125,7 @@ Walked walked(const nc::Dialect& dialect, const machine::Machine& machine,
               const std::string& text) {
     DiagnosticList messages;
     nc::testing::OneText source(text);
-    Program program(dialect, source, "chain", {}, messages);
+    NcProgram program(dialect, source, "chain", {}, messages);
     Interpreter interpreter(dialect, machine, program, &program, nullptr, {}, messages);
     program.follow(interpreter);
     motion::Planner planner(interpreter, machine, {}, messages);
@@ -144,10 +144,10 @@ Walked walked(const nc::Dialect& dialect, const machine::Machine& machine,
 }
 
 double distance(const Vec3& point, const Vec3& from, const Vec3& to) {
-    const Vec3 way = to - from;
-    const double square = way.squaredNorm();
-    const double share = square > 0 ? std::clamp((point - from).dot(way) / square, 0.0, 1.0) : 0;
-    return (point - from - share * way).norm();
+    const Vec3 delta = to - from;
+    const double square = delta.squaredNorm();
+    const double share = square > 0 ? std::clamp((point - from).dot(delta) / square, 0.0, 1.0) : 0;
+    return (point - from - share * delta).norm();
 }
 
 /// The farthest of the places from the lines. Both run the same way: each place is looked for

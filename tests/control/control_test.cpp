@@ -64,8 +64,8 @@ namespace kadr::interp {
 
 using macro::ControlVariable;
 using macro::LineWatch;
-using macro::Printer;
-using macro::Program;
+using macro::NcProgram;
+using macro::PrintTarget;
 using macro::ProgramFiles;
 using macro::ProgramOptions;
 using macro::VariableChange;
@@ -190,14 +190,14 @@ std::string kind_of(const path::Command& command) {
 
 /// How the tool turns in a motion under a transformation.
 std::string turning_of(const path::Command& command) {
-    switch (command.motion().turning) {
-        case path::Turning::None: return "";
-        case path::Turning::Straight: return "ptp";
-        case path::Turning::Joints:
-        case path::Turning::Axes: return "axes";
-        case path::Turning::Cone: return "cone";
-        case path::Turning::Surface: return "surface";
-        case path::Turning::Point: return "point";
+    switch (command.motion().orient_kind) {
+        case path::OrientKind::None: return "";
+        case path::OrientKind::Straight: return "ptp";
+        case path::OrientKind::Joints:
+        case path::OrientKind::Axes: return "axes";
+        case path::OrientKind::Cone: return "cone";
+        case path::OrientKind::Surface: return "surface";
+        case path::OrientKind::Point: return "point";
     }
     return "";
 }
@@ -213,8 +213,8 @@ bool is_direction(const path::Vec3& direction, const std::string& told) {
 }
 
 /// "X10 Y5 ccw I0 J5 F200": what is told.
-bool is_at(const path::Command& command, const std::string& place) {
-    std::istringstream words(place);
+bool is_at(const path::Command& command, const std::string& text) {
+    std::istringstream words(text);
     for (std::string word; words >> word;) {
         if (std::islower(static_cast<unsigned char>(word[0])) != 0) {
             if (word != kind_of(command) && word != turning_of(command)) return false;
@@ -253,7 +253,7 @@ std::string place_of(const path::Command& command) {
             std::string(kAxisNames[i]) + format_shortest(round_to(command.motion().to[i], 6)) + ' ';
     }
     out += kind_of(command);
-    if (command.motion().turning != path::Turning::None) {
+    if (command.motion().orient_kind != path::OrientKind::None) {
         out += ' ' + turning_of(command) + " O";
         for (std::size_t i = 0; i < 3; ++i) {
             const double part = command.motion().direction[static_cast<Eigen::Index>(i)];
@@ -331,7 +331,7 @@ struct Outcome {
 };
 
 /// Keeps what a program prints.
-class KeptLines final : public Printer {
+class KeptLines final : public PrintTarget {
   public:
     explicit KeptLines(std::vector<std::string>& lines) : lines_(lines) {}
     void line(std::string_view text) override { lines_.emplace_back(text); }
@@ -378,7 +378,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     Outcome outcome;
     KeptLines printer(outcome.printed);
     options.printer = &printer;
-    Program program(dialect, source, "test", options, messages);
+    NcProgram program(dialect, source, "test", options, messages);
     InterpreterOptions interpreting;
     interpreting.date = 20261122;
     interpreting.time_of_day = 13 * 3600 + 5 * 60 + 9;
@@ -412,10 +412,10 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
 }
 
 /// "5:3" in the program itself, "O9100.NC:2:1" in another file.
-std::string place_name(const TextLocation& place) {
+std::string place_name(const TextLocation& location) {
     const std::string file =
-        place.file == "test" ? "" : fs::path(place.file).filename().string() + ':';
-    return file + std::to_string(place.line) + ':' + std::to_string(place.column);
+        location.file == "test" ? "" : fs::path(location.file).filename().string() + ':';
+    return file + std::to_string(location.line) + ':' + std::to_string(location.column);
 }
 
 void check_alarm(const Expected& expected, const Outcome& outcome) {
@@ -482,7 +482,7 @@ TEST(ControlText, JumpsBackAsFarAsTextIsKept) {
         PiecedText source(text, false);
         ProgramOptions options;
         options.kept_text = kept;
-        Program program(dialect_named("fanuc"), source, "test", options, messages);
+        NcProgram program(dialect_named("fanuc"), source, "test", options, messages);
         std::vector<nc::Block> blocks(8);
         while (program.pull(blocks) > 0) continue;
         if (kept > text.size()) {
@@ -537,7 +537,7 @@ TEST(ControlText, AProgramThatIsCalledOftenIsReadOnce) {
     CountedFile file;
     ProgramOptions options;
     options.files = &file;
-    Program program(dialect_named("fanuc"), source, "test", options, messages);
+    NcProgram program(dialect_named("fanuc"), source, "test", options, messages);
     std::vector<nc::Block> blocks(8);
     while (program.pull(blocks) > 0) continue;
     EXPECT_TRUE(messages.all().empty());

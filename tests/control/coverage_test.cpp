@@ -18,7 +18,7 @@
 
 namespace kadr::interp {
 
-using macro::Program;
+using macro::NcProgram;
 using macro::ProgramOptions;
 namespace {
 
@@ -73,7 +73,7 @@ void use(const nc::Dialect& dialect, const std::string& text) {
         ProgramOptions options;
         options.max_turns = 1000;
         options.max_repeated = 1000;
-        Program program(dialect, source, "text", options, messages);
+        NcProgram program(dialect, source, "text", options, messages);
         const machine::Machine machine = mill();
         Interpreter interpreter(dialect, machine, program, &program, nullptr, {}, messages);
         program.follow(interpreter);

@@ -19,7 +19,7 @@
 
 namespace kadr::interp {
 
-using macro::Program;
+using macro::NcProgram;
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ const fs::path kRows = fs::path(KADR_ROOT) / "tests/control/foreign";
 std::string fix_of(const nc::Dialect& dialect, const std::string& line) {
     DiagnosticList messages;
     WholeText source("F100\n" + line + "\nM30\n");
-    Program program(dialect, source, "test", {}, messages);
+    NcProgram program(dialect, source, "test", {}, messages);
     machine::Machine machine = mill();
     machine.tool_change_time = 4;
     Interpreter interpreter(dialect, machine, program, &program, nullptr, {}, messages);

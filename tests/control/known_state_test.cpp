@@ -105,7 +105,7 @@ Evaluated evaluated(const sema::Code& code, const nc::Dialect& dialect, Diagnost
 /// for.
 class OneByOne final : public Stream<nc::Block> {
   public:
-    OneByOne(macro::Program& program, std::function<void(std::uint32_t)> behind)
+    OneByOne(macro::NcProgram& program, std::function<void(std::uint32_t)> behind)
         : program_(program), behind_(std::move(behind)) {}
     std::size_t pull(std::span<nc::Block> out) override {
         if (line_ > 0) behind_(line_);
@@ -115,7 +115,7 @@ class OneByOne final : public Stream<nc::Block> {
     }
 
   private:
-    macro::Program& program_;
+    macro::NcProgram& program_;
     std::function<void(std::uint32_t)> behind_;
     std::uint32_t line_ = 0;
 };
@@ -213,7 +213,7 @@ std::string misreading(const Known& behind, const interp::Interpreter& interpret
     const std::vector<interp::StateItem> items = interpreter.state();
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask axis = nc::SlotMask{1} << i;
-        if ((text.position.known & ~text.position.told & axis) == 0) continue;
+        if ((text.position.known & ~text.position.written & axis) == 0) continue;
         if ((now.axes >> i & 1u) != 0 && std::abs(text.position.text[i] - now.work[i]) > kWritten)
             return "of the text " + pair(kAxisNames[i], text.position.text[i], now.work[i]);
     }
@@ -239,9 +239,9 @@ std::string misreading(const Known& behind, const interp::Interpreter& interpret
 std::string machine_of(const std::string& text, bool is_for_lathe) {
     static const std::regex kSaid("machine: ([\\w-]+)");
     std::smatch said;
-    const bool is_said = std::regex_search(text, said, kSaid);
-    if (is_said && said[1] == "five-axis") return "trunnion-ac";
-    if (is_said && fs::exists(KADR_ROOT "/runtime/machines/" + said[1].str() + ".xml"))
+    const bool is_given = std::regex_search(text, said, kSaid);
+    if (is_given && said[1] == "five-axis") return "trunnion-ac";
+    if (is_given && fs::exists(KADR_ROOT "/runtime/machines/" + said[1].str() + ".xml"))
         return said[1];
     return is_for_lathe ? "lathe" : "";
 }
@@ -258,7 +258,7 @@ constexpr std::uint16_t kAllLevels = 0x3ff;
 /// skip_levels  of the blocks that the operator leaves out
 void execute(const Evaluated& evaluated, std::uint16_t skip_levels, driver::Session& session,
              const nc::Dialect& dialect, const machine::Machine& machine, Compared& out) {
-    DiagnosticList said;
+    DiagnosticList messages;
     struct Text final : nc::TextSource {
         explicit Text(std::string_view all) : rest(all) {}
         std::string_view next() override { return std::exchange(rest, {}); }
@@ -267,7 +267,7 @@ void execute(const Evaluated& evaluated, std::uint16_t skip_levels, driver::Sess
     driver::LibraryCycles cycles(session, dialect);
     macro::ProgramOptions reading;
     reading.skip_levels = skip_levels;
-    macro::Program lines(dialect, source, "known", reading, said);
+    macro::NcProgram lines(dialect, source, "known", reading, messages);
     const interp::Interpreter* onlooker = nullptr;
     OneByOne blocks(lines, [&](std::uint32_t line) {
         const auto known = evaluated.known.find(line);
@@ -285,7 +285,7 @@ void execute(const Evaluated& evaluated, std::uint16_t skip_levels, driver::Sess
     interp::InterpreterOptions stepping;
     stepping.in_step = true;
     stepping.skip_levels = skip_levels;
-    interp::Interpreter interpreter(dialect, machine, blocks, &lines, &cycles, stepping, said);
+    interp::Interpreter interpreter(dialect, machine, blocks, &lines, &cycles, stepping, messages);
     onlooker = &interpreter;
     lines.follow(interpreter);
     std::vector<path::Command> batch(64);

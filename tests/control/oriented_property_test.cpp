@@ -59,7 +59,7 @@ Done run(const nc::Dialect& dialect, const std::vector<Block>& blocks) {
 Done run(const nc::Dialect& dialect, const std::string& text) {
     DiagnosticList messages;
     nc::testing::OneText source(text);
-    macro::Program program(dialect, source, "test", {}, messages);
+    macro::NcProgram program(dialect, source, "test", {}, messages);
     interp::Interpreter interpreter(dialect, wide_trunnion(), program, &program, nullptr, {},
                                     messages);
     program.follow(interpreter);
@@ -72,10 +72,10 @@ void assert_alike(const Done& meant, const Done& found) {
     for (std::size_t i = 0; i < meant.motions.size(); ++i) {
         const Command& a = meant.motions[i];
         const Command& b = found.motions[i];
-        RC_ASSERT(a.op() == b.op() && a.motion().turning == b.motion().turning);
+        RC_ASSERT(a.op() == b.op() && a.motion().orient_kind == b.motion().orient_kind);
         RC_ASSERT((a.motion().direction - b.motion().direction).norm() < 1e-5);
-        RC_ASSERT((a.motion().turn().axis * a.motion().turn().angle -
-                   b.motion().turn().axis * b.motion().turn().angle)
+        RC_ASSERT((a.motion().orientation().axis * a.motion().orientation().angle -
+                   b.motion().orientation().axis * b.motion().orientation().angle)
                       .norm() < 1e-4);
         for (std::size_t k = 0; k < kAxes; ++k)
             RC_ASSERT(std::abs(a.motion().to[k] - b.motion().to[k]) < 2e-3);
@@ -178,8 +178,8 @@ std::vector<Block> any_oriented(bool is_axioma) {
         const int choice = whole(0, 9);
         if (choice < 3) {
             blocks.push_back(any_mode(is_axioma));
-            const Function said = blocks.back().functions[0].function;
-            if (nc::info(said).group == nc::Group::Turning) turning = said;
+            const Function function = blocks.back().functions[0].function;
+            if (nc::info(function).group == nc::Group::OrientInterpolation) turning = function;
         } else if (choice == 3) {
             blocks.push_back(of(Function::TcpOff));
             blocks.push_back(any_move());

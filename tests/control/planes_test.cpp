@@ -15,7 +15,7 @@
 
 namespace kadr::interp {
 
-using macro::Program;
+using macro::NcProgram;
 namespace {
 
 /// `x y z` are the axes of the plane and its normal, `i j k` their centre words, `p` the plane.
@@ -23,8 +23,8 @@ std::string in_plane(std::string_view program, int turns) {
     static constexpr std::string_view kAxes = "XYZ";
     static constexpr std::string_view kCenters = "IJK";
     // Turned once: x is Z, y is X, z is Y.
-    const auto turned = [&](std::string_view names, std::size_t place) {
-        return names[(place + 3 - static_cast<std::size_t>(turns)) % 3];
+    const auto turned = [&](std::string_view names, std::size_t index) {
+        return names[(index + 3 - static_cast<std::size_t>(turns)) % 3];
     };
     std::string out;
     for (const char c : program) {
@@ -50,7 +50,7 @@ struct Planes : testing::Test {
         machine.work_offsets.clear();
         WholeText source(text);
         DiagnosticList heard;
-        Program program(*dialect, source, "test", {}, heard);
+        NcProgram program(*dialect, source, "test", {}, heard);
         Interpreter interpreter(*dialect, machine, program, &program, &cycles, {}, heard);
         program.follow(interpreter);
         std::vector<path::Command> all;

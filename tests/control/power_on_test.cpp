@@ -17,7 +17,7 @@
 
 namespace kadr::interp {
 
-using macro::Program;
+using macro::NcProgram;
 namespace {
 
 /// SINUMERIK with another default of one group; nothing: as it is delivered.
@@ -44,7 +44,7 @@ std::string commands_of(const nc::Dialect& dialect, const std::string& text) {
     machine.tools[0].radius = 5;
     DiagnosticList messages;
     WholeText source(text);
-    Program program(dialect, source, "test", {}, messages);
+    NcProgram program(dialect, source, "test", {}, messages);
     InterpreterOptions options;
     options.max_blocks = 1000;
     Interpreter interpreter(dialect, machine, program, &program, nullptr, options, messages);
@@ -57,7 +57,8 @@ std::string commands_of(const nc::Dialect& dialect, const std::string& text) {
             batch[i].line = 0;  // which line says it does not matter
             listing.append(batch[i], "", out);
             if (!batch[i].is_motion()) continue;
-            out += "turning " + std::to_string(static_cast<int>(batch[i].motion().turning)) + '\n';
+            out +=
+                "turning " + std::to_string(static_cast<int>(batch[i].motion().orient_kind)) + '\n';
         }
     for (const Diagnostic& message : messages.all()) out += std::string(message.row->code) + '\n';
     return out;

@@ -79,7 +79,7 @@ inline Ran run_text(const nc::Dialect& dialect, const std::string& text) {
     RC_LOG() << "---- " << dialect.name() << '\n' << text;
     DiagnosticList messages;
     nc::testing::OneText source(text);
-    macro::Program program(dialect, source, "test", {}, messages);
+    macro::NcProgram program(dialect, source, "test", {}, messages);
     Ran ran;
     Recorder blocks(program, ran.blocks);
     interp::Interpreter interpreter(dialect, wide_mill(), blocks, &program, nullptr, {}, messages);

@@ -54,8 +54,8 @@ constexpr Tolerance kComputed{1e-6, 1e-4};
 std::string expanded(const std::string& target, const std::string& program) {
     RC_LOG() << "---- kadr\n" << program;
     static Sources sources;
-    std::string said;
-    driver::Messages messages(sources, {}, [&](std::string_view text) { said += text; });
+    std::string words;
+    driver::Messages messages(sources, {}, [&](std::string_view text) { words += text; });
     driver::Options options;
     options.dialect = target;
     driver::Session session(options, driver::share_below(KADR_ROOT), sources, messages);
@@ -68,7 +68,7 @@ std::string expanded(const std::string& target, const std::string& program) {
         for (std::string_view piece = text.next(); !piece.empty(); piece = text.next())
             out += piece;
     }
-    if (messages.errors() > 0) RC_FAIL(said);
+    if (messages.errors() > 0) RC_FAIL(words);
     return out;
 }
 

@@ -414,18 +414,19 @@ class Evaluation {
     /// `causes`: what the programmed axes go to.
     void add(Step step, Expression* const (&causes)[3]) {
         if (fault_ != nullptr) return;
-        double way = 0;
+        double distance = 0;
         std::size_t longest = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            if (std::abs(step.to[i] - at_[i]) <= way) continue;
-            way = std::abs(step.to[i] - at_[i]);
+            if (std::abs(step.to[i] - at_[i]) <= distance) continue;
+            distance = std::abs(step.to[i] - at_[i]);
             longest = i;
         }
         const bool is_turn = step.kind == Step::Kind::Arc;
-        if (!is_turn && way > 0.5 * kShortMove && way < 1.5 * kShortMove) blame(*causes[longest]);
+        if (!is_turn && distance > 0.5 * kShortMove && distance < 1.5 * kShortMove)
+            blame(*causes[longest]);
         if (step.kind != Step::Kind::Rapid) step.feed = feed_;
         std::copy(std::begin(step.to), std::end(step.to), at_);
-        if (is_turn || way > kShortMove) outcome_.steps.push_back(step);
+        if (is_turn || distance > kShortMove) outcome_.steps.push_back(step);
     }
 
     RandomProgram& program_;

@@ -187,9 +187,9 @@ TEST_P(Rows, EachRowHasItsTests) {
             EXPECT_FALSE(text.empty()) << "there is no " << test;
             for (const std::string& number : alarms) {
                 const bool is_case = test.starts_with("bad/");
-                const std::string said =
+                const std::string words =
                     is_case ? ' ' + number + ' ' : "expect: alarm " + number + ' ';
-                if (text.find(said) != std::string::npos) shown.insert(number);
+                if (text.find(words) != std::string::npos) shown.insert(number);
             }
         }
         if (!row.reason.empty()) continue;

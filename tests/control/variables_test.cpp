@@ -19,7 +19,7 @@
 
 namespace kadr::interp {
 
-using macro::Program;
+using macro::NcProgram;
 using macro::ProgramOptions;
 namespace {
 
@@ -36,15 +36,15 @@ std::string alarm_of(const nc::Dialect& dialect, const std::string& text) {
     WholeText source(text);
     ProgramOptions options;
     options.max_turns = 100;
-    Program program(dialect, source, "test", options, messages);
+    NcProgram program(dialect, source, "test", options, messages);
     Interpreter interpreter(dialect, machine, program, &program, nullptr, {}, messages);
     program.follow(interpreter);
     std::vector<path::Command> batch(8);
     while (interpreter.pull(batch) != 0) {
     }
     for (const Diagnostic& message : messages.all()) {
-        const bool is_said = message.row == &diag::ProgramAlarm;
-        if (message.severity == Severity::Alarm && !is_said) return std::string(message.row->code);
+        const bool is_given = message.row == &diag::ProgramAlarm;
+        if (message.severity == Severity::Alarm && !is_given) return std::string(message.row->code);
     }
     return "";
 }

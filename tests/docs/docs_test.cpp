@@ -237,13 +237,13 @@ TEST_F(Docs, TheInventedControlsWork) {
     int commands = 0;
     int texts = 0;
     int alarms = 0;
-    std::string said;
+    std::string text;
     for (const Fence& fence : fences("docs/dialects.md")) {
         if (fence.info.find(' ') != std::string::npos) {
             write_piece(fence);
         } else if (fence.info == "text") {
             ++texts;
-            EXPECT_EQ(said, fence.text) << "docs/dialects.md:" << fence.line;
+            EXPECT_EQ(text, fence.text) << "docs/dialects.md:" << fence.line;
         }
         if (fence.info != "sh") continue;
         std::istringstream in(fence.text);
@@ -257,7 +257,7 @@ TEST_F(Docs, TheInventedControlsWork) {
                 << "docs/dialects.md:" << fence.line << ' ' << line << '\n'
                 << result.err;
             alarms += result.err.find("alarm[E12]: BAD CODE") != std::string::npos ? 1 : 0;
-            said = result.out;
+            text = result.out;
         }
     }
     EXPECT_GE(commands, 25);
@@ -308,7 +308,7 @@ TEST_F(Docs, TheVocabularyIsInThePageOnDialects) {
 
 TEST_F(Docs, ThePageOnDebuggingShowsWhatIsSaid) {
     int texts = 0;
-    std::string said;
+    std::string text;
     for (const Fence& fence : fences("docs/debugging.md")) {
         if (fence.info.starts_with("iso ")) {
             ASSERT_TRUE(kadr::write_file_whole(fence.info.substr(4), fence.text));
@@ -317,10 +317,10 @@ TEST_F(Docs, ThePageOnDebuggingShowsWhatIsSaid) {
             words[0] = KADR_BINARY;
             const ProcessResult result = run_process(words, "");
             EXPECT_EQ(result.status, 0) << fence.text << result.err;
-            said = result.out + result.err;
+            text = result.out + result.err;
         } else {
             ++texts;
-            EXPECT_EQ(said, fence.text) << "docs/debugging.md:" << fence.line;
+            EXPECT_EQ(text, fence.text) << "docs/debugging.md:" << fence.line;
         }
     }
     EXPECT_EQ(texts, 3);
@@ -382,9 +382,9 @@ TEST_F(Docs, EveryAttributeOfTheSchemaIsInThePageOnDialects) {
         std::smatch found;
         if (!std::regex_match(line, found, row)) continue;
         ++rows;
-        const std::string said = "<xs:documentation>" + found[2].str() + "</xs:documentation>";
-        const std::size_t place = schema.find("<xs:attribute name=\"" + found[1].str() + '"');
-        EXPECT_NE(schema.find(said, place), schema.npos) << line;
+        const std::string text = "<xs:documentation>" + found[2].str() + "</xs:documentation>";
+        const std::size_t index = schema.find("<xs:attribute name=\"" + found[1].str() + '"');
+        EXPECT_NE(schema.find(text, index), schema.npos) << line;
     }
     EXPECT_GT(rows, 30);
 }
@@ -396,7 +396,7 @@ int texts_of_page(const std::string& page) {
     fs::create_symlink(KADR_ROOT "/examples", "examples", is_there_already);
     int texts = 0;
     bool was_command = false;
-    std::string said;
+    std::string text;
     for (const Fence& fence : fences(page)) {
         const std::vector<std::string> info = words_of(fence.info);
         if (info.size() == 2) {
@@ -404,7 +404,7 @@ int texts_of_page(const std::string& page) {
         }
         if (was_command && fence.info == "text") {
             ++texts;
-            EXPECT_EQ(said, fence.text) << page << ':' << fence.line;
+            EXPECT_EQ(text, fence.text) << page << ':' << fence.line;
         }
         was_command = fence.info == "sh";
         std::istringstream in(was_command ? fence.text : "");
@@ -414,7 +414,7 @@ int texts_of_page(const std::string& page) {
             const ProcessResult result = run_process(words);
             EXPECT_EQ(result.status, 0) << page << ": " << line << '\n' << result.err;
             EXPECT_EQ(result.err, "") << page << ": " << line;
-            said = result.out;
+            text = result.out;
         }
     }
     return texts;

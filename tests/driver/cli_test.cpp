@@ -242,10 +242,10 @@ TEST_F(CommandLine, AStandingSpindleIsWarnedOfAnewEachTimeThatItWasStopped) {
         save("stands.kadr", std::string("program p() { tool(2);\n") + row.body + "\nM30; }\n");
         const ProcessResult result = kadr({"check", file("stands.kadr"), "-d", "sinumerik"});
         std::vector<int> lines;
-        const std::string place = file("stands.kadr") + ":";
+        const std::string text = file("stands.kadr") + ":";
         for (std::size_t at = result.err.find("warning["); at != std::string::npos;
              at = result.err.find("warning[", at + 1)) {
-            const std::size_t begin = result.err.rfind(place, at) + place.size();
+            const std::size_t begin = result.err.rfind(text, at) + text.size();
             lines.push_back(std::stoi(result.err.substr(begin)));
         }
         EXPECT_EQ(lines, row.lines) << result.err;

@@ -36,10 +36,10 @@ TEST_F(Compare, OtherCoordinatesAreNoDistance) {
     const auto result =
         kadr({"compare", file("le.kadr"), "-d", "sinumerik", "-d", "fanuc", "-m", "trunnion-bc"});
     EXPECT_EQ(result.status, 0) << result.err;
-    const std::string said = "the same motion within 0.003 mm: 3 stretches, ";
-    const std::size_t at = result.out.find(said);
+    const std::string text = "the same motion within 0.003 mm: 3 stretches, ";
+    const std::size_t at = result.out.find(text);
     ASSERT_NE(at, std::string::npos) << result.out;
-    EXPECT_LE(std::stod(result.out.substr(at + said.size())), 3) << result.out;
+    EXPECT_LE(std::stod(result.out.substr(at + text.size())), 3) << result.out;
 }
 
 /// A retract takes the tool's length off on one control (D0) and not on the other: no axis is

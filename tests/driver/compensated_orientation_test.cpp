@@ -23,17 +23,17 @@ using Vec3 = Eigen::Vector3d;
 /// What a block of the contour says of the tool; a number as % stands for the number of the block.
 struct Turning {
     const char* words;  // that choose it
-    std::vector<std::string> said;
+    std::vector<std::string> lines;
 };
 
 const std::string kVectors[] = {" A3=0.1 C3=1", " A3=0.15 B3=0.1 C3=1", " B3=0.2 C3=1",
                                 " A3=-0.1 B3=0.1 C3=1", " B3=0.05 C3=1"};
 
 std::vector<std::string> vectors_with(const std::vector<std::string>& more) {
-    std::vector<std::string> said;
+    std::vector<std::string> text;
     for (std::size_t i = 0; i < std::size(kVectors); ++i)
-        said.push_back(kVectors[i] + more[i % more.size()]);
-    return said;
+        text.push_back(kVectors[i] + more[i % more.size()]);
+    return text;
 }
 
 std::map<std::string, Turning> turnings() {
@@ -71,7 +71,7 @@ std::string program(const Turning& turning, const std::string& compensation, boo
     const std::string words(turning.words);
     // Without compensation only a tool that is led by the surface asks how that lies.
     const bool says_face = on_faces && (words == "ORIPATH" || !compensation.empty());
-    const bool has_face = turning.said[1].find("A4=") != std::string::npos;
+    const bool has_face = turning.lines[1].find("A4=") != std::string::npos;
     const std::string face = says_face && !has_face ? " A4=0.05 B4=0.02 C4=1" : "";
     const std::string side = compensation.empty() ? "" : " G41";
     const char* const places[] = {" X0 Y0 Z0", " X0 Y40", " X40 Y40", " X40 Y0 CR=25", " X10 Y0"};
@@ -81,7 +81,7 @@ std::string program(const Turning& turning, const std::string& compensation, boo
                        "S6000 M3 F3000\nTRAORI\nG54\nG0 X-30 Y-30 Z5 A3=0.05 C3=1\n" +
                        words + "\n" + compensation + "\n";
     for (std::size_t i = 0; i < std::size(places); ++i)
-        text += motions[i] + places[i] + turning.said[i] + face + "\n";
+        text += motions[i] + places[i] + turning.lines[i] + face + "\n";
     return text + "G1 G40 X-30 Y-40 Z5\nTRAFOOF\nM30\n";
 }
 
@@ -144,10 +144,10 @@ TEST_F(ATurningTool, StandsAtTheEndsOfBlocksAsProgrammedBesideAContour) {
 /// FANUC's compensation of the cutter's side, with rotary axes and with vectors that are said.
 TEST_F(ATurningTool, StandsAsProgrammedBesideFanucsSide) {
     const auto part = [](const char* code, const char* begin,
-                         const std::vector<std::string>& said) {
+                         const std::vector<std::string>& text) {
         return std::string("%\nO0001\nG10 L12 P1 R5.\nG17 G40 G90 G94 G54\nT1 M6\nS6000 M3\n") +
-               begin + "\nG01 " + code + " X0. Y0. Z0. F3000." + said[0] + "\nY40." + said[1] +
-               "\nX40." + said[2] + "\nY0." + said[3] + "\nG40 X60. Y-30." + said[4] +
+               begin + "\nG01 " + code + " X0. Y0. Z0. F3000." + text[0] + "\nY40." + text[1] +
+               "\nX40." + text[2] + "\nY0." + text[3] + "\nG40 X60. Y-30." + text[4] +
                "\nG49\nM30\n%\n";
     };
     const std::vector<std::string> axes = {" B4. C10.", " B8. C15.", " B2. C-20.", " B7.", " B0."};
@@ -158,9 +158,9 @@ TEST_F(ATurningTool, StandsAsProgrammedBesideFanucsSide) {
     for (const bool says_vectors : {false, true}) {
         SCOPED_TRACE(says_vectors);
         const char* const begin = says_vectors ? by_vectors : by_axes;
-        const auto& said = says_vectors ? vectors : axes;
-        const Turned wanted = run(part("", begin, said), "fanuc", "head-cb");
-        expect_same_ends(run(part("G41.2 D1", begin, said), "fanuc", "head-cb"), wanted);
+        const auto& text = says_vectors ? vectors : axes;
+        const Turned wanted = run(part("", begin, text), "fanuc", "head-cb");
+        expect_same_ends(run(part("G41.2 D1", begin, text), "fanuc", "head-cb"), wanted);
     }
 }
 

@@ -67,13 +67,13 @@ TEST_F(Curves, TheToolMovesAlongIt) {
     EXPECT_NEAR(rows.back().at("X"), 30 + x, 1e-6);
     EXPECT_NEAR(rows.back().at("Y"), y, 1e-6);
     // From tick to tick the way is the speed times the tick: 20 mm at 100 mm/s in the end.
-    double way = 0;
+    double distance = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         if (rows[i - 1].at("X") < 30) continue;
-        way += std::hypot(rows[i].at("X") - rows[i - 1].at("X"),
-                          rows[i].at("Y") - rows[i - 1].at("Y"));
+        distance += std::hypot(rows[i].at("X") - rows[i - 1].at("X"),
+                               rows[i].at("Y") - rows[i - 1].at("Y"));
     }
-    EXPECT_NEAR(way, 20, 0.3);  // the tick that crosses the boundary counts for the line
+    EXPECT_NEAR(distance, 20, 0.3);  // the tick that crosses the boundary counts for the line
 }
 
 TEST_F(Curves, FramesPlanesAndMirrorsAct) {

@@ -325,9 +325,9 @@ std::vector<std::string> tool_motions(const std::string& commands) {
     std::istringstream lines(commands);
     for (std::string line; std::getline(lines, line);) {
         const std::size_t tool = line.find("\"tool\":[");
-        const std::size_t place = line.find("\"to\":");
-        if (tool == std::string::npos || place == std::string::npos) continue;
-        found.push_back(line.substr(place, line.find(']', tool) + 1 - place));
+        const std::size_t index = line.find("\"to\":");
+        if (tool == std::string::npos || index == std::string::npos) continue;
+        found.push_back(line.substr(index, line.find(']', tool) + 1 - index));
     }
     return found;
 }

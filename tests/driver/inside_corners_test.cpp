@@ -64,10 +64,10 @@ struct Cutter {
     /// Of its side over a flat wall, mm; below it negative.
     double above(const Contour& contour, const Wall& wall) const {
         const Vec3 normal = contour.normal(wall);
-        const double lean = normal.dot(tool);
-        const double lowest = std::min(0.0, (contour.depth + kAbove) * lean);
+        const double inclination = normal.dot(tool);
+        const double lowest = std::min(0.0, (contour.depth + kAbove) * inclination);
         return (tip - wall.from).dot(normal) + lowest -
-               contour.radius * std::sqrt(std::max(0.0, 1 - lean * lean));
+               contour.radius * std::sqrt(std::max(0.0, 1 - inclination * inclination));
     }
     /// Of its side from the nearest point of a line, mm.
     double beside(const Contour& contour, const Wall& wall) const {
@@ -131,8 +131,8 @@ Contour random_contour(unsigned seed, Turns turns) {
         return Vec3(between(-most, most), between(-most, most), 1).normalized();
     };
     const Vec3 corner = leaning(0.15);
-    const auto along = [&](const Vec3& way) {
-        return Vec3(corner + between(-0.3, 0.3) * way).normalized();
+    const auto along = [&](const Vec3& delta) {
+        return Vec3(corner + between(-0.3, 0.3) * delta).normalized();
     };
     Vec3 first = corner;
     Vec3 last = corner;

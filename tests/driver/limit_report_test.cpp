@@ -46,8 +46,8 @@ TEST_F(LimitReports, TheTableAddsUp) {
         ++count;
         EXPECT_TRUE(line.starts_with("part.mpf:")) << line;
         std::istringstream fields(line);
-        std::string place, reason, lost;
-        std::getline(fields, place, ',');
+        std::string text, reason, lost;
+        std::getline(fields, text, ',');
         std::getline(fields, reason, ',');
         std::getline(fields, lost, ',');
         if (reason == "corner") corners += std::stod(lost);

@@ -97,10 +97,10 @@ TEST_F(MessageSink, WarningsAreSilencedWhereTheyStand) {
     messages.report(diag::UnknownName, {file, 0, 6}).arg("a");
     EXPECT_EQ(messages.errors(), 1u);
     // A line that a statement wrote is silenced at the statement.
-    TextLocation place{"part.nc", 7, 1, 1, "X5"};
-    messages.report(diag::UnusedVariable, place).arg("e").note({file, 0, 6}, "written here");
+    TextLocation location{"part.nc", 7, 1, 1, "X5"};
+    messages.report(diag::UnusedVariable, location).arg("e").note({file, 0, 6}, "written here");
     EXPECT_EQ(messages.warnings(), 2u);
-    messages.report(diag::UnusedVariable, place).arg("e").note({file, 40, 41}, "written here");
+    messages.report(diag::UnusedVariable, location).arg("e").note({file, 40, 41}, "written here");
     EXPECT_EQ(messages.warnings(), 3u);
 }
 

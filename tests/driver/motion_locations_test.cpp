@@ -24,66 +24,66 @@ class MotionPlaces : public kadr::test::ScratchFolder {
     }
 };
 
-void expect_in(const std::string& said, const std::string& part) {
-    EXPECT_NE(said.find(part), std::string::npos) << "not found: " << part << "\nin: " << said;
+void expect_in(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << "not found: " << part << "\nin: " << text;
 }
 
 TEST_F(MotionPlaces, AThreadInASubprogramAndTheCallOfSeveralThatWasTooFast) {
     save("CUT.SPF", "PROC CUT(REAL STEP)\nN10 G33 Z=-STEP K=STEP\nRET\n");
-    const std::string said = programmed_in("threads.mpf",
+    const std::string text = programmed_in("threads.mpf",
                                            "T1 D1 M6\nS12000 M3\nG0 X0 Y0 Z0\nEXTERN CUT(REAL)\n"
                                            "N50 CUT(1)\nN60 CUT(1.5)\nN70 CUT(50)\nM30\n",
                                            {"-d", "sinumerik"});
-    expect_in(said, "CUT.SPF:2:5: alarm[22270]: ");
-    expect_in(said,
+    expect_in(text, "CUT.SPF:2:5: alarm[22270]: ");
+    expect_in(text,
               "\n   2 | N10 G33 Z=-STEP K=STEP\n"
               "     |     ^~~\n");
-    expect_in(said, "threads.mpf:7:5: note: called here\n");
-    EXPECT_EQ(said.find("threads.mpf:5:"), std::string::npos) << said;
-    EXPECT_EQ(said.find("threads.mpf:6:"), std::string::npos) << said;
-    expect_in(said, "fix: a slower spindle cuts the same thread\n");
+    expect_in(text, "threads.mpf:7:5: note: called here\n");
+    EXPECT_EQ(text.find("threads.mpf:5:"), std::string::npos) << text;
+    EXPECT_EQ(text.find("threads.mpf:6:"), std::string::npos) << text;
+    expect_in(text, "fix: a slower spindle cuts the same thread\n");
 }
 
 TEST_F(MotionPlaces, AProgramOfTheSameTextThatIsCalledAgain) {
     // The first call of 100 mm is through at about 6 s, the second one stands at 15 s: 600 mm/min.
-    const std::string said = programmed_in(
+    const std::string text = programmed_in(
         "calls.nc",
         "%\nO1\nT1 M6\nN10 G0 X0 Y0 S1000 M3\nF600.\nN20 M98 P22\nN30 M98 P22\nM30\nO22\n"
         "N40 G91 G1 X100.\nG90\nM99\n%\n",
         {"-d", "fanuc", "--feed-override", "100%,20s:0%"});
-    expect_in(said, "calls.nc:10:5: alarm[K6210]: ");
-    expect_in(said, "  10 | N40 G91 G1 X100.\n     |     ^~~\n");
-    expect_in(said, "calls.nc:7:5: note: called here\n");
-    EXPECT_EQ(said.find("calls.nc:6:5: note"), std::string::npos) << said;
-    expect_in(said, "fix: let an override above 0 % follow at a later time\n");
+    expect_in(text, "calls.nc:10:5: alarm[K6210]: ");
+    expect_in(text, "  10 | N40 G91 G1 X100.\n     |     ^~~\n");
+    expect_in(text, "calls.nc:7:5: note: called here\n");
+    EXPECT_EQ(text.find("calls.nc:6:5: note"), std::string::npos) << text;
+    expect_in(text, "fix: let an override above 0 % follow at a later time\n");
 }
 
 TEST_F(MotionPlaces, ACycleIsItsCall) {
-    const std::string said = programmed_in("holes.mpf",
+    const std::string text = programmed_in("holes.mpf",
                                            "N10 T1 D1 M6\nN20 S1000 M3 F100\nN30 G0 X0 Y0 Z10\n"
                                            "N40 CYCLE81(10,0,2,-20)\nN50 M30\n",
                                            {"-d", "sinumerik", "--hold", "N40+5s"});
-    expect_in(said, "holes.mpf:4:5: alarm[K6210]: ");
-    expect_in(said, "   4 | N40 CYCLE81(10,0,2,-20)\n     |     ^~~~~~~~~~~~~~~~~~~\n");
-    expect_in(said, "fix: let cycle start follow at a later time\n");
+    expect_in(text, "holes.mpf:4:5: alarm[K6210]: ");
+    expect_in(text, "   4 | N40 CYCLE81(10,0,2,-20)\n     |     ^~~~~~~~~~~~~~~~~~~\n");
+    expect_in(text, "fix: let cycle start follow at a later time\n");
 }
 
 TEST_F(MotionPlaces, ALimitUnderATransformationAtTheWordOfTheAxis) {
-    const std::string said = programmed_in(
+    const std::string text = programmed_in(
         "lean.mpf", "T1 D1 M6\nS1000 M3 F1000\nTRAORI\nN40 G1 X0 Y0 Z600 A3=0.1 B3=0 C3=0.9\nM30\n",
         {"-d", "sinumerik", "-m", "trunnion-ac"});
-    expect_in(said, "lean.mpf:4:14: alarm[K6101]: axis Z reaches ");
-    expect_in(said,
+    expect_in(text, "lean.mpf:4:14: alarm[K6101]: axis Z reaches ");
+    expect_in(text,
               "   4 | N40 G1 X0 Y0 Z600 A3=0.1 B3=0 C3=0.9\n"
               "     |              ^~~~\n");
 }
 
 TEST_F(MotionPlaces, TheScannerIsSwitchedOffElsewhere) {
-    const std::string said =
+    const std::string text =
         programmed_in("mark.mpf", "G0 X100 Y50\nM66\nG1 X110 F60000\nN40 M67\nM30\n",
                       {"-d", "sinumerik", "-m", "scanner"});
-    expect_in(said, "mark.mpf:4:5: alarm[K6229]: ");
-    expect_in(said, "   4 | N40 M67\n     |     ^~~\n");
+    expect_in(text, "mark.mpf:4:5: alarm[K6229]: ");
+    expect_in(text, "   4 | N40 M67\n     |     ^~~\n");
 }
 
 /// Lines that are read in batches long before the motion comes to them, of a text that cannot be

@@ -83,9 +83,9 @@ TEST(OperatorEvents, Holds) {
 
 TEST(OperatorEvents, CoursesOfASwitch) {
     const auto said = [](const char* text) {
-        const auto course = override_sequence(text, OperatorAct::FeedOverride, 2);
-        if (!course) return std::string("none");
-        return std::to_string(course->at_start).substr(0, 4) + ": " + shown(course->events);
+        const auto sequence = override_sequence(text, OperatorAct::FeedOverride, 2);
+        if (!sequence) return std::string("none");
+        return std::to_string(sequence->at_start).substr(0, 4) + ": " + shown(sequence->events);
     };
     EXPECT_EQ(said("80"), "0.80: ");
     EXPECT_EQ(said("80 %"), "0.80: ");

@@ -65,7 +65,7 @@ class Orient : public kadr::test::ScratchFolder {
     }
     /// Tip and tool at the ticks of the last run.
     std::vector<Way> ticks() {
-        return kadr::test::ways_of(kadr::read_file(file("all.csv")).value_or(""));
+        return kadr::test::sample_distances_of(kadr::read_file(file("all.csv")).value_or(""));
     }
 };
 

@@ -73,10 +73,10 @@ TEST_F(Outputs, KeepPermissionsAndLinks) {
 
 TEST_F(Outputs, UnwritablePlacesAreReportedBeforeWork) {
     fs::create_directories(file("folder"));
-    for (const std::string& place : {file("missing/a.nc"), file("folder")}) {
-        SCOPED_TRACE(place);
+    for (const std::string& text : {file("missing/a.nc"), file("folder")}) {
+        SCOPED_TRACE(text);
         DiagnosticList sink;
-        EXPECT_EQ(Output::open(place, sink), nullptr);
+        EXPECT_EQ(Output::open(text, sink), nullptr);
         ASSERT_EQ(sink.all().size(), 1u);
         EXPECT_EQ(sink.all()[0].row, &diag::FileUnwritable);
     }

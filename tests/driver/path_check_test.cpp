@@ -87,7 +87,7 @@ TEST_F(PathCheckTest, WrongMotionIsAnErrorAndLeavesNoFile) {
 
 TEST_F(PathCheckTest, AToolThatLeansAnotherWayIsOne) {
     const Ran ran = run(kTurned, "trunnion-ac", [](motion::Segment& segment) {
-        if (segment.line == 8) segment.turn.rate *= 1.01;
+        if (segment.line == 8) segment.orientation.rate *= 1.01;
     });
     EXPECT_EQ(ran.status, driver::Status::Failed);
     EXPECT_FALSE(has_file());

@@ -78,8 +78,9 @@ TEST_F(Plot, ToolsAreDrawnAlongThePathInEveryView) {
     EXPECT_GE(layout.shown.upper.y(), 60);
     // X, Y and Z go to the right below, to the right above, and up; all in one scale.
     const View& view = layout.views[3];
-    const auto step = [&](const Vec3& way) {
-        return std::pair(view.x(way) - view.x(Vec3::Zero()), view.y(Vec3::Zero()) - view.y(way));
+    const auto step = [&](const Vec3& delta) {
+        return std::pair(view.x(delta) - view.x(Vec3::Zero()),
+                         view.y(Vec3::Zero()) - view.y(delta));
     };
     const auto [x_right, x_up] = step(Vec3::UnitX());
     const auto [y_right, y_up] = step(Vec3::UnitY());
@@ -237,7 +238,7 @@ TEST_F(Plot, NamesOfTheMarksStayInsideTheFrame) {
     // From the upper right corner of the drawing to its lower left one.
     rapid({100, 60, 0});
     line({0, 0, 0}, 100);
-    const Frame frame = lay_out(scene_).views[0].frame;
+    const PlotFrame frame = lay_out(scene_).views[0].frame;
     const std::string svg = plot_svg(scene_, {}, PlotColor::Feed);
     for (const std::string name : {"start", "end"}) {
         SCOPED_TRACE(name);

@@ -130,16 +130,16 @@ TEST_F(RowExamples, WrongOnesCauseTheirMessage) {
         const auto wrong = is_ours && is_about_source(*row) ? example_of(row->wrong) : std::nullopt;
         if (!wrong) continue;
         ++count;
-        std::string said;
+        std::string text;
         const bool is_caused =
             std::any_of(wrong->controls.begin(), wrong->controls.end(), [&](const auto& control) {
                 for (const Message& message : messages(wrong->text, control)) {
                     if (message.code == row->code) return true;
-                    said += control + ": " + message.code + ' ' + message.words + '\n';
+                    text += control + ": " + message.code + ' ' + message.words + '\n';
                 }
                 return false;
             });
-        EXPECT_TRUE(is_caused) << row->code << ": " << wrong->text << "\nsays\n" << said;
+        EXPECT_TRUE(is_caused) << row->code << ": " << wrong->text << "\nsays\n" << text;
     }
     EXPECT_GT(count, 80);
 }

@@ -112,7 +112,8 @@ TEST_F(SameOrientation, ThreeLanguagesLeadTipAndToolAlike) {
             const auto result = kadr(
                 {"run", file(text), "-d", control, "-m", machine, "--setpoints", file("all.csv")});
             ASSERT_EQ(result.status, 0) << result.err;
-            const auto all = kadr::test::ways_of(kadr::read_file(file("all.csv")).value_or(""));
+            const auto all =
+                kadr::test::sample_distances_of(kadr::read_file(file("all.csv")).value_or(""));
             const auto now = below(50, all);
             ASSERT_GT(now.size(), 1000u);
             if (first.empty()) first = now;

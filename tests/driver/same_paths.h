@@ -21,7 +21,7 @@ struct Way {
 };
 
 /// Of the setpoints in a CSV.
-inline std::vector<Way> ways_of(const std::string& csv) {
+inline std::vector<Way> sample_distances_of(const std::string& csv) {
     std::vector<Way> found;
     for (const Row& row : rows_of(csv))
         found.push_back({{row.at("tip_x"), row.at("tip_y"), row.at("tip_z")},

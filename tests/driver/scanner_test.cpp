@@ -68,21 +68,21 @@ struct Player {
                 close();
                 list += number(3);
                 // 8 m/s, in whole steps of 10 us
-                const double way = std::hypot(number(1) - x, number(2) - y);
-                EXPECT_NEAR(number(3), std::ceil(way / 8 * 100 - 1e-3) * 10, 1e-6) << line;
+                const double distance = std::hypot(number(1) - x, number(2) - y);
+                EXPECT_NEAR(number(3), std::ceil(distance / 8 * 100 - 1e-3) * 10, 1e-6) << line;
                 before = words[0];
             } else if (words[0] == "mark_abs" || words[0] == "micro_abs") {
                 const double to_x = number(1) - x, to_y = number(2) - y;
-                const double way = std::hypot(to_x, to_y);
+                const double distance = std::hypot(to_x, to_y);
                 if (before == "mark_abs") {
-                    const double cosine = (dx * to_x + dy * to_y) / way;
+                    const double cosine = (dx * to_x + dy * to_y) / distance;
                     list += std::ceil((1 - cosine) / 2 * polygon / 10 - 1e-6) * 10;
                 } else if (before != "micro_abs") {
                     close();
                 }
                 list += number(3);
-                dx = to_x / way;
-                dy = to_y / way;
+                dx = to_x / distance;
+                dy = to_y / distance;
                 ++vectors;
                 marks += words[0] == "mark_abs" ? 1 : 0;
                 before = words[0];

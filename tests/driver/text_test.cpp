@@ -51,16 +51,16 @@ TEST(LineMap, FindsTheStatementOfALineInFlight) {
 
 TEST(LibraryCycles, UnknownCycleIsReported) {
     Sources sources;
-    std::string said;
-    Messages messages(sources, {}, [&said](std::string_view text) { said += text; });
+    std::string words;
+    Messages messages(sources, {}, [&words](std::string_view text) { words += text; });
     Session session({}, share_below(KADR_ROOT), sources, messages);
     const nc::Dialect* dialect = session.dialect("iso", {});
-    ASSERT_NE(dialect, nullptr) << said;
+    ASSERT_NE(dialect, nullptr) << words;
     LibraryCycles cycles(session, *dialect);
     interp::CycleCall call;
     call.name = "dril";
     EXPECT_EQ(cycles.expand(call), nullptr);
-    EXPECT_NE(said.find("K9009"), std::string::npos) << said;
+    EXPECT_NE(words.find("K9009"), std::string::npos) << words;
 }
 
 }  // namespace

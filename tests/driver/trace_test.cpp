@@ -519,24 +519,24 @@ TEST_F(TraceTest, PlacesThatAreNoneAreRefused) {
 /// What is said when the answers at the stops are these.
 std::string conversation(const std::string& program, const std::vector<std::string>& places,
                          std::vector<std::string> answers) {
-    std::string said;
+    std::string words;
     Sources sources;
-    driver::Messages messages(sources, {}, [&said](std::string_view text) { said += text; });
+    driver::Messages messages(sources, {}, [&words](std::string_view text) { words += text; });
     driver::Options options;
     options.dialect = "sinumerik";
     driver::Session session(options, driver::find_share(), sources, messages);
     driver::RunJob job;
     job.source = program;
     job.breaks = places;
-    job.onlooker.say = [&said](std::string_view text) { said += text; };
+    job.onlooker.say = [&words](std::string_view text) { words += text; };
     std::size_t next = 0;
     job.onlooker.ask = [&]() -> std::optional<std::string> {
         if (next == answers.size()) return std::nullopt;
-        said += "> " + answers[next] + '\n';
+        words += "> " + answers[next] + '\n';
         return answers[next++];
     };
     EXPECT_EQ(driver::run(session, job), driver::Status::Done);
-    return said;
+    return words;
 }
 
 TEST_F(TraceTest, AConversationAtABreakPoint) {
@@ -577,19 +577,19 @@ TEST_F(TraceTest, AConversationAtABreakPoint) {
 
 TEST_F(TraceTest, AFunctionIsEnteredOnceACall) {
     // Twice by the loop; three blocks each.
-    const std::string said =
+    const std::string text =
         conversation(file("a.kadr"), {"row"}, {":c", ":calls", ":c", ":c", ":c"});
     std::size_t stops = 0;
-    for (std::size_t at = said.find("stopped before"); at != std::string::npos;
-         at = said.find("stopped before", at + 1))
+    for (std::size_t at = text.find("stopped before"); at != std::string::npos;
+         at = text.find("stopped before", at + 1))
         ++stops;
-    EXPECT_EQ(stops, 2u) << said;
-    EXPECT_NE(said.find("in row, called at " + file("a.kadr") + ":10"), std::string::npos) << said;
+    EXPECT_EQ(stops, 2u) << text;
+    EXPECT_NE(text.find("in row, called at " + file("a.kadr") + ":10"), std::string::npos) << text;
 }
 
 TEST(BreakPoints, Places) {
     using driver::BreakPoint;
-    driver::Arrival at;
+    driver::StopArrival at;
     at.number = 120;
     at.has_number = true;
     at.label = "Again";

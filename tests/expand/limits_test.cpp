@@ -9,7 +9,7 @@
 namespace kadr::testing {
 namespace {
 
-RunOptions with_limits(expand::Limits limits) {
+RunOptions with_limits(expand::RunLimits limits) {
     RunOptions options;
     options.expand.limits = limits;
     return options;
@@ -49,7 +49,7 @@ TEST(Limits, ChainsOfAnyLength) {
 }
 
 TEST(Limits, TimeActsInLoopsThatMakeNoBlocks) {
-    expand::Limits limits;
+    expand::RunLimits limits;
     limits.seconds = 0.02;
     const Outcome outcome =
         run("program p() { int n = 0; while (true) n = 1 - n; }", with_limits(limits));
@@ -67,7 +67,7 @@ TEST(Limits, WhoStopsALoopIsHeardInItsNextTurn) {
 }
 
 TEST(Limits, LoopTurns) {
-    expand::Limits limits;
+    expand::RunLimits limits;
     limits.loop_turns = 100;
     EXPECT_EQ(run("program p() { int i = 0; while (true) i = 1 - i; }", with_limits(limits))
                   .all_messages(),
@@ -83,7 +83,7 @@ TEST(Limits, LoopTurns) {
 }
 
 TEST(Limits, Blocks) {
-    expand::Limits limits;
+    expand::RunLimits limits;
     limits.blocks = 10;
     const Outcome outcome = run("program p() {\n    while (true) X1;\n}", with_limits(limits));
     EXPECT_EQ(outcome.all_messages(), "2:18 K3403 the program has made 10 blocks");
@@ -91,7 +91,7 @@ TEST(Limits, Blocks) {
 }
 
 TEST(Limits, Elements) {
-    expand::Limits limits;
+    expand::RunLimits limits;
     limits.array_elements = 100;
     EXPECT_EQ(run("program p() { int[] a; while (true) a.append(1); }", with_limits(limits))
                   .all_messages(),
@@ -110,7 +110,7 @@ TEST(Limits, Elements) {
 // Arrays that hold hardly anything, and texts that are put together in braces, take memory as well:
 // a copy of itself in itself doubles in each turn.
 TEST(Limits, Memory) {
-    expand::Limits limits;
+    expand::RunLimits limits;
     limits.heap_bytes = std::uint64_t{1} << 20;
     const char* doubling = "struct s { s[] a; } program p() { s x; while (true) x.a.append(x); }";
     EXPECT_EQ(run(doubling, with_limits(limits)).all_messages(),
@@ -131,7 +131,7 @@ TEST(Limits, Memory) {
 
 // A turn that does much is one turn: the clock is looked at while it works, too.
 TEST(Limits, TimeInTurnsThatDoMuch) {
-    expand::Limits limits;
+    expand::RunLimits limits;
     limits.seconds = 0.2;
     for (const char* body :
          {"while (true) t = \"{t}\";", "while (true) { int[] b = a; X=b.count; }",

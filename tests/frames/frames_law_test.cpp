@@ -52,7 +52,7 @@ class Both {
                 return;
         }
     }
-    bool has_fault() const { return steps_.frame().fault != FrameFault::None; }
+    bool has_fault() const { return steps_.frame().fault != FrameFormFault::None; }
     const std::string& said() const { return said_; }
 
     /// How far a point is from where the other has it.

@@ -105,8 +105,8 @@ bool are_equal_arcs(const json& a, const json& b) {
     // The rounding of the ends turns the chord, and the centre with it, the more the shorter it is.
     double chord = 0;
     for (const char* axis : {"X", "Y", "Z"}) {
-        const double way = a["to"].value(axis, 0.0) - a["from"].value(axis, 0.0);
-        chord = std::hypot(chord, way);
+        const double distance = a["to"].value(axis, 0.0) - a["from"].value(axis, 0.0);
+        chord = std::hypot(chord, distance);
     }
     const double turned = std::max(10.0, 4 * radius(a) / chord);
     return apart <= turned * kRounding && std::fabs(radius(a) - radius(b)) <= kRounding;
@@ -344,9 +344,9 @@ TEST_P(SameMotion, OnControlsMadeByTheDocument) {
             std::find(missing.begin(), missing.end(), GetParam().name()) != missing.end();
         EXPECT_EQ(result.status != 0, is_missing) << result.err;
         if (result.status != 0) {
-            const bool is_said = result.err.find("K4201") != std::string::npos ||
-                                 result.err.find("K3271") != std::string::npos;
-            EXPECT_TRUE(is_said) << result.err;
+            const bool is_given = result.err.find("K4201") != std::string::npos ||
+                                  result.err.find("K3271") != std::string::npos;
+            EXPECT_TRUE(is_given) << result.err;
             continue;
         }
         if (has_spline) continue;

@@ -63,7 +63,7 @@ class Words {
         return set(slot, value);
     }
     Words& skip(int level) {
-        block_.skip = static_cast<std::int8_t>(level);
+        block_.skip_level = static_cast<std::int8_t>(level);
         return *this;
     }
     Words& text(std::string_view text) {

@@ -42,7 +42,7 @@ const std::vector<Control> kControls = {
     {"fanuc", "G17 G21 G90 G94 G40 G49 G80\nT1 M6\nM3 S1000 F500.\n", kSquares},
 };
 
-std::string place(const Vec2& at, char x = 'X', char y = 'Y') {
+std::string point(const Vec2& at, char x = 'X', char y = 'Y') {
     char text[80];
     std::snprintf(text, sizeof text, "%c%.6f %c%.6f", x, at.x(), y, at.y());
     return text;
@@ -56,16 +56,16 @@ std::string text_of(const Contour& contour, const Control& control, double dista
     };
     const Element& last = contour.back();
     std::string text = control.start;
-    text += "G0 " + place(beside(contour[0].from, path::start_direction(contour[0]))) + '\n';
+    text += "G0 " + point(beside(contour[0].from, path::start_direction(contour[0]))) + '\n';
     text += std::string(distance > 0 ? "G41" : "G42") + (is_fanuc ? " D1" : "") + " G1 " +
-            place(contour[0].from) + '\n';
+            point(contour[0].from) + '\n';
     for (const Element& element : contour) {
         text += !element.is_arc() ? "G1 " : element.sweep > 0 ? "G3 " : "G2 ";
-        text += place(element.to);
-        if (element.is_arc()) text += ' ' + place(element.center - element.from, 'I', 'J');
+        text += point(element.to);
+        if (element.is_arc()) text += ' ' + point(element.center - element.from, 'I', 'J');
         text += '\n';
     }
-    return text + "G40 G1 " + place(beside(last.to, path::end_direction(last))) + "\nM30\n";
+    return text + "G40 G1 " + point(beside(last.to, path::end_direction(last))) + "\nM30\n";
 }
 
 /// What the control makes of the contour's words, which it takes to its increment: a run of the
@@ -225,9 +225,9 @@ bool disc_fits(const Contour& contour, double radius) {
         if (turn > 0) continue;  // the corner lies inside
         for (int k = 0; k <= 100; ++k) {
             const double angle = turn * k / 100;
-            const Vec2 way(along.x() * std::cos(angle) - along.y() * std::sin(angle),
-                           along.x() * std::sin(angle) + along.y() * std::cos(angle));
-            if (!is_free(beside(contour[i].to, way))) return false;
+            const Vec2 delta(along.x() * std::cos(angle) - along.y() * std::sin(angle),
+                             along.x() * std::sin(angle) + along.y() * std::cos(angle));
+            if (!is_free(beside(contour[i].to, delta))) return false;
         }
     }
     return true;

@@ -107,11 +107,11 @@ TEST(Compensation3d, InACornerThatClosesBothLinesAreTouched) {
     // Before and behind the turn the axis is five millimetres from both walls.
     for (std::size_t i = 0; i + 1 < motion.size(); ++i) {
         if (!motion[i].motion().contact) continue;
-        const Vec3 place = tip(motion[i]);
+        const Vec3 point = tip(motion[i]);
         const Vec3 tool = motion[i].motion().direction;
         for (const Vec3& wall : {Vec3::UnitX().eval(), Vec3::UnitY().eval()}) {
             const Vec3 across = wall.cross(tool).normalized();
-            EXPECT_NEAR(std::abs((place - Vec3(40, 0, 0)).dot(across)), 5, 1e-9);
+            EXPECT_NEAR(std::abs((point - Vec3(40, 0, 0)).dot(across)), 5, 1e-9);
         }
     }
 }

@@ -473,17 +473,17 @@ TEST(VaryingThreads, SayPitchAndChangeAlongTheWay) {
     const auto threads = of(ran, Op::Thread);
     ASSERT_EQ(threads.size(), 2u);
     EXPECT_EQ(threads[0].motion().feed, 1.5);
-    EXPECT_EQ(threads[0].motion().thread().lead_change, 0.1);
+    EXPECT_EQ(threads[0].motion().thread().pitch_change, 0.1);
     // Along the taper of 8 and 6 a turn is as much longer as the way is; X is the longer one.
     EXPECT_EQ(threads[1].motion().feed, 3.75);
-    EXPECT_EQ(threads[1].motion().thread().lead_change, -0.125);
+    EXPECT_EQ(threads[1].motion().thread().pitch_change, -0.125);
     EXPECT_EQ(threads[1].motion().feed_mode, path::FeedMode::PerRevolution);
     // An even thread behind it is even.
     const auto even =
         of(run({line().x(0).y(0).z(0).f(500), grows, through(Function::Thread).z(-30).k(2)}),
            Op::Thread);
     ASSERT_EQ(even.size(), 2u);
-    EXPECT_EQ(even[1].motion().thread().lead_change, 0);
+    EXPECT_EQ(even[1].motion().thread().pitch_change, 0);
 }
 
 TEST(VaryingThreads, WhatIsWrong) {

@@ -84,8 +84,8 @@ TEST(SurfaceCompensation, ANormalMayTurnAlongTheBlock) {
     const Vec3 normals[] = {Vec3(-0.2, 0, 1).normalized(), Vec3(0.2, 0, 1).normalized(),
                             Vec3(0.4, 0, 1).normalized()};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 place(i == 0 ? 0 : i == 1 ? 40 : 60, 0, 0);
-        EXPECT_LT((tip(motion[1 + i]) - place - aside(5, 2, normals[i], tool)).norm(), 1e-9) << i;
+        const Vec3 point(i == 0 ? 0 : i == 1 ? 40 : 60, 0, 0);
+        EXPECT_LT((tip(motion[1 + i]) - point - aside(5, 2, normals[i], tool)).norm(), 1e-9) << i;
     }
     for (const std::size_t i : {2u, 3u}) {
         ASSERT_TRUE(motion[i].motion().contact);
@@ -143,10 +143,10 @@ TEST(SurfaceCompensation, AToolThatStandsIsToldByPlaneOrFrame) {
         return tip(motions(ran).at(2));
     };
     const double s = std::sqrt(0.75);
-    const Vec3 place = 40 * Vec3(s, 0, -0.5);
-    EXPECT_LT((milled_so("CUT3DFS") - place - 5 * Vec3(0.5, 0, s) + 5 * Vec3::UnitZ()).norm(),
+    const Vec3 point = 40 * Vec3(s, 0, -0.5);
+    EXPECT_LT((milled_so("CUT3DFS") - point - 5 * Vec3(0.5, 0, s) + 5 * Vec3::UnitZ()).norm(),
               1e-9);
-    EXPECT_LT((milled_so("CUT3DFF") - place).norm(), 1e-9);
+    EXPECT_LT((milled_so("CUT3DFF") - point).norm(), 1e-9);
 }
 
 /// Without a transformation a way that is no line is splines.

@@ -14,8 +14,9 @@ using path::Vec3;
 inline machine::Machine trunnion() {
     machine::Machine machine = mill();
     machine::Chain chain;
-    chain.joints[machine::kR1] = {true, Axis::C, machine::Side::Table, Vec3::UnitZ(), {5, 3, 0}, 1};
-    chain.joints[machine::kR2] = {true,          Axis::A,     machine::Side::Table,
+    chain.joints[machine::kR1] = {true,          Axis::C,   machine::ChainSide::Table,
+                                  Vec3::UnitZ(), {5, 3, 0}, 1};
+    chain.joints[machine::kR2] = {true,          Axis::A,     machine::ChainSide::Table,
                                   Vec3::UnitX(), {0, 2, -50}, 1};
     for (const Axis axis : {Axis::A, Axis::C}) {
         machine::MachineAxis rotary;

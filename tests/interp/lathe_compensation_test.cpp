@@ -146,21 +146,21 @@ Part random_part(std::mt19937& random, double radius) {
 std::vector<Vec2> places_on(const Command& command, const Vec2& from) {
     constexpr int kPlaces = 40;
     const Vec2 to{command.motion().to[2], command.motion().to[0]};
-    std::vector<Vec2> places;
+    std::vector<Vec2> points;
     for (int i = 0; i <= kPlaces; ++i) {
         const double t = static_cast<double>(i) / kPlaces;
         if (command.op() != Op::Arc) {
-            places.push_back(from + t * (to - from));
+            points.push_back(from + t * (to - from));
             continue;
         }
         const Vec2 center{command.motion().arc().center[2], command.motion().arc().center[0]};
         const bool is_left = command.motion().arc().normal.y() > 0;
         const double angle = t * command.motion().arc().sweep * (is_left ? 1 : -1);
         const Vec2 arm = from - center;
-        places.push_back(center + Vec2{arm.x() * std::cos(angle) - arm.y() * std::sin(angle),
+        points.push_back(center + Vec2{arm.x() * std::cos(angle) - arm.y() * std::sin(angle),
                                        arm.x() * std::sin(angle) + arm.y() * std::cos(angle)});
     }
-    return places;
+    return points;
 }
 
 TEST(LatheCompensation, TheNoseTouchesTheContourAndNeverCutsIntoIt) {
@@ -202,11 +202,11 @@ TEST(LatheCompensation, TheNoseTouchesTheContourAndNeverCutsIntoIt) {
         std::vector<bool> is_touched(part.elements.size());
         for (const Command* command : motions) {
             const bool is_on_contour = number > 1 && number + 1 < static_cast<int>(motions.size());
-            for (const Vec2& place : places_on(*command, from)) {
+            for (const Vec2& point : places_on(*command, from)) {
                 if (number == 0) break;
                 double least = 1e9;
                 for (std::size_t i = 0; i < part.elements.size(); ++i) {
-                    const double apart = distance_to(part.elements[i], place + center);
+                    const double apart = distance_to(part.elements[i], point + center);
                     least = std::min(least, apart);
                     if (apart <= radius + kTolerance) is_touched[i] = true;
                 }

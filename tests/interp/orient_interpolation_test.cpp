@@ -15,7 +15,7 @@ namespace kadr::interp {
 namespace {
 
 using nlohmann::json;
-using path::Turning;
+using path::OrientKind;
 
 constexpr double kOracle = 1e-7;
 
@@ -23,12 +23,12 @@ constexpr double kOracle = 1e-7;
 machine::Machine free_head(bool has_spin = false) {
     machine::Machine machine = trunnion();
     machine::Chain chain;
-    chain.joints[machine::kR1] = {true,          Axis::C,     machine::Side::Head,
+    chain.joints[machine::kR1] = {true,          Axis::C,     machine::ChainSide::Head,
                                   Vec3::UnitZ(), {0, 0, 200}, 1};
-    chain.joints[machine::kR2] = {true,          Axis::A,     machine::Side::Head,
+    chain.joints[machine::kR2] = {true,          Axis::A,     machine::ChainSide::Head,
                                   Vec3::UnitX(), {0, 0, 120}, 1};
     if (has_spin) {
-        chain.joints[machine::kPsi] = {true,          Axis::B,   machine::Side::Head,
+        chain.joints[machine::kPsi] = {true,          Axis::B,   machine::ChainSide::Head,
                                        Vec3::UnitZ(), {0, 0, 0}, 1};
         machine::MachineAxis spin = machine.axes.back();
         spin.name = "B";
@@ -87,25 +87,27 @@ std::string words(const json& vector, char number) {
 
 /// Direction of the tool at a fraction of a command that follows another one.
 Vec3 tool_at(const path::Command& before, const path::Command& command, double fraction) {
-    path::Turn turn{command.motion().turning,      1,
-                    command.motion().turn().from,  command.motion().turn().axis,
-                    command.motion().turn().angle, command.motion().turn().lean};
-    if (command.motion().turning == Turning::Cone) turn.start = before.motion().direction;
+    path::OrientLaw orientation{
+        command.motion().orient_kind,         1,
+        command.motion().orientation().from,  command.motion().orientation().axis,
+        command.motion().orientation().angle, command.motion().orientation().lead_tilt};
+    if (command.motion().orient_kind == OrientKind::Cone)
+        orientation.start = before.motion().direction;
     const Vec3 from(before.motion().to.data()), to(command.motion().to.data());
     const path::Curve line =
         from == to ? path::Curve(path::Point{from}) : path::Curve(path::make_line(from, to));
     const double length = path::length(line);
-    if (command.motion().turning == Turning::Surface) turn.rate /= length;
-    if (command.motion().turning == Turning::Point) turn.axis /= length;
-    turn.length = command.motion().turning == Turning::Cone ? 1 : length;
-    return path::direction_at(turn, line, fraction * turn.length);
+    if (command.motion().orient_kind == OrientKind::Surface) orientation.rate /= length;
+    if (command.motion().orient_kind == OrientKind::Point) orientation.axis /= length;
+    orientation.length = command.motion().orient_kind == OrientKind::Cone ? 1 : length;
+    return path::direction_at(orientation, line, fraction * orientation.length);
 }
 
 void expect_course(const std::string& text, const json& fractions, const json& vectors,
                    const std::string& what) {
     const auto all = courses(text);
     ASSERT_EQ(all.size(), 2u) << what;
-    EXPECT_EQ(all[1].motion().turning, Turning::Cone);
+    EXPECT_EQ(all[1].motion().orient_kind, OrientKind::Cone);
     for (std::size_t i = 0; i < fractions.size(); ++i) {
         const Vec3 tool = tool_at(all[0], all[1], fractions[i].get<double>());
         EXPECT_LT((tool - vec(vectors[i])).norm(), kOracle) << what << " " << fractions[i];
@@ -157,7 +159,7 @@ TEST(ToolCourses, TangentialConesGoOnInTheDirectionOfTheLastTurn) {
     // A great circle about Y arrives along X turned down; the cone goes on from there.
     const auto all = courses("G1 X10 A3=1 C3=1 F1000\nORICONTO\nX20 A3=1 B3=1 C3=1");
     ASSERT_EQ(all.size(), 2u);
-    const Vec3 arriving = all[0].motion().turn().axis.cross(all[0].motion().direction);
+    const Vec3 arriving = all[0].motion().orientation().axis.cross(all[0].motion().direction);
     const Vec3 leaving = (tool_at(all[0], all[1], 1e-6) - all[0].motion().direction).normalized();
     EXPECT_LT((leaving - arriving).norm(), 1e-5);
     EXPECT_LT((all[1].motion().direction - Vec3(1, 1, 1).normalized()).norm(), 1e-9);
@@ -168,12 +170,12 @@ TEST(ToolCourses, LeansFollowTheOracleInBothReadings) {
     for (const json& one : cases("LEAD_TILT")) {
         const json& in = one["input"];
         for (const auto about : {path::TiltAbout::Normal, path::TiltAbout::Tangent}) {
-            const path::Lean lean{rad_from_deg(in["LEAD"].get<double>()),
-                                  rad_from_deg(in["TILT"].get<double>()), about};
+            const path::LeadTiltAngles lead_tilt{rad_from_deg(in["LEAD"].get<double>()),
+                                                 rad_from_deg(in["TILT"].get<double>()), about};
             const char* const name = about == path::TiltAbout::Normal ? "vector_tilt_about_normal"
                                                                       : "vector_tilt_about_tangent";
             const Vec3 tool = path::leaning(vec(in["normal"]).normalized(),
-                                            vec(in["tangent"]).normalized(), lean);
+                                            vec(in["tangent"]).normalized(), lead_tilt);
             EXPECT_LT((tool - vec(one["expect"][name])).norm(), kOracle) << one["id"];
         }
     }
@@ -187,9 +189,9 @@ TEST(ToolCourses, TheToolLeansAlongTheWholeWay) {
     const Vec3 leant(std::sin(lead), -std::sin(tilt) * std::cos(lead),
                      std::cos(tilt) * std::cos(lead));
     EXPECT_EQ(all[0].motion().to[0], 0);
-    EXPECT_EQ(all[0].motion().turning, Turning::Cone);
+    EXPECT_EQ(all[0].motion().orient_kind, OrientKind::Cone);
     EXPECT_LT((all[0].motion().direction - leant).norm(), 1e-12);
-    EXPECT_EQ(all[1].motion().turning, Turning::Surface);
+    EXPECT_EQ(all[1].motion().orient_kind, OrientKind::Surface);
     for (const double f : {0.0, 0.3, 1.0})
         EXPECT_LT((tool_at(all[0], all[1], f) - leant).norm(), 1e-12);
     // The normal turns about X: the lean turns with it, in proportion to the way.
@@ -205,7 +207,7 @@ TEST(ToolCourses, TheToolFollowsTheTangentOfAnArc) {
     const auto all = courses("ORIPATH\nG1 X50 LEAD=20 F1000\nG3 X60 Y10 CR=10");
     ASSERT_EQ(all.size(), 3u);
     EXPECT_EQ(all[2].op(), path::Op::Arc);
-    EXPECT_EQ(all[2].motion().turning, Turning::Surface);
+    EXPECT_EQ(all[2].motion().orient_kind, OrientKind::Surface);
     const double lead = rad_from_deg(20);
     EXPECT_LT((all[2].motion().direction - Vec3(0, std::sin(lead), std::cos(lead))).norm(), 1e-9);
 }
@@ -214,9 +216,9 @@ TEST(ToolCourses, AxiomaLeansAtTheEndOfTheBlockOnly) {
     const auto all = courses("G1 X50 LEAD=20 F1000\nG3 X60 Y10 CR=10 LEAD=20", false, "axioma");
     ASSERT_EQ(all.size(), 2u);
     const double lead = rad_from_deg(20);
-    EXPECT_EQ(all[0].motion().turning, Turning::Cone);
+    EXPECT_EQ(all[0].motion().orient_kind, OrientKind::Cone);
     EXPECT_LT((all[0].motion().direction - Vec3(std::sin(lead), 0, std::cos(lead))).norm(), 1e-9);
-    EXPECT_EQ(all[1].motion().turning, Turning::Cone);
+    EXPECT_EQ(all[1].motion().orient_kind, OrientKind::Cone);
     EXPECT_LT((all[1].motion().direction - Vec3(0, std::sin(lead), std::cos(lead))).norm(), 1e-9);
 }
 
@@ -281,7 +283,7 @@ TEST(ToolCourses, AxiomaGoesTheWaysThatItsParameterAdmits) {
         const auto all = motions(ran);
         ASSERT_EQ(all.size(), 2u);
         EXPECT_NEAR(all[1].motion().to[index(Axis::C)], -160, 1e-6);
-        EXPECT_EQ(all[1].motion().turning, Turning::Axes);
+        EXPECT_EQ(all[1].motion().orient_kind, OrientKind::Axes);
     }
 }
 
@@ -300,7 +302,7 @@ TEST(ToolCourses, ASecondPointLeadsTheTool) {
     const auto all =
         courses("ORICURVE\nG1 X0 Y0 Z0 XH=0 YH=0 ZH=100 F1000\nX50 XH=50 YH=40 ZH=80\nX100 XH=90");
     ASSERT_EQ(all.size(), 3u);
-    EXPECT_EQ(all[1].motion().turning, Turning::Point);
+    EXPECT_EQ(all[1].motion().orient_kind, OrientKind::Point);
     for (const double f : {0.0, 0.3, 0.7, 1.0}) {
         const Vec3 tip(50 * f, 0, 0);
         const Vec3 point = Vec3(0, 0, 100) + f * Vec3(50, 40, -20);
@@ -343,7 +345,7 @@ TEST(ToolCourses, ThetaCountsFromWhatItsModeSays) {
     EXPECT_LT((across_of(fixed.at(0)) - wanted.col(0)).norm(), 1e-9);
     // From the plane of the great circle: at 0 along the way on which the tool turns.
     const auto plane = courses("ORIROTR\nG1 X10 A3=1 B3=2 C3=3 THETA=30 F1000", true);
-    const Vec3 along = plane.at(0).motion().turn().axis.cross(tool);
+    const Vec3 along = plane.at(0).motion().orientation().axis.cross(tool);
     EXPECT_LT((across_of(plane.at(0)) - Eigen::AngleAxisd(theta, tool) * along).norm(), 1e-9);
     // From the direction of travel.
     const auto path = courses("ORIROTC\nG1 X10 A3=0 B3=1 C3=1 THETA=30 F1000", true);
@@ -364,7 +366,7 @@ TEST(ToolCourses, TheRotaryAxesCanBeSentHome) {
     ASSERT_EQ(all.size(), 3u);
     EXPECT_NEAR(all[1].motion().to[index(Axis::C)], 20, 1e-9);
     EXPECT_NEAR(all[1].motion().to[index(Axis::A)], 30, 1e-9);
-    EXPECT_EQ(all[1].motion().turning, Turning::Axes);
+    EXPECT_EQ(all[1].motion().orient_kind, OrientKind::Axes);
     EXPECT_EQ(all[1].motion().to[0], 10);
     EXPECT_EQ(all[2].motion().to[index(Axis::C)], 0);
     EXPECT_EQ(all[2].motion().to[index(Axis::A)], 0);

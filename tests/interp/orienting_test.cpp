@@ -8,7 +8,7 @@
 namespace kadr::interp {
 namespace {
 
-using path::Turning;
+using path::OrientKind;
 using path::Vec3;
 
 /// Motions of a text without messages.
@@ -26,19 +26,19 @@ TEST(Orienting, VectorBecomesRotaryPositionsOnTheGreatCircle) {
         EXPECT_LT((tool_of(command) - wanted).norm(), 1e-12);
         EXPECT_LT((command.motion().direction - wanted).norm(), 1e-12);
     }
-    EXPECT_EQ(all[0].motion().turning, Turning::Cone);
-    EXPECT_LT((all[0].motion().turn().axis - Vec3(2, 1, 0).normalized()).norm(), 1e-12);
-    EXPECT_NEAR(all[0].motion().turn().angle, std::acos(4 / std::sqrt(21.0)), 1e-12);
+    EXPECT_EQ(all[0].motion().orient_kind, OrientKind::Cone);
+    EXPECT_LT((all[0].motion().orientation().axis - Vec3(2, 1, 0).normalized()).norm(), 1e-12);
+    EXPECT_NEAR(all[0].motion().orientation().angle, std::acos(4 / std::sqrt(21.0)), 1e-12);
     // Words of one block; and a vector that says nothing new turns nothing.
-    EXPECT_EQ(all[1].motion().turning, Turning::Axes);
+    EXPECT_EQ(all[1].motion().orient_kind, OrientKind::Axes);
     EXPECT_EQ(all[1].motion().to[index(Axis::A)], all[0].motion().to[index(Axis::A)]);
-    EXPECT_EQ(all[2].motion().turning, Turning::Axes);
+    EXPECT_EQ(all[2].motion().orient_kind, OrientKind::Axes);
 }
 
 TEST(Orienting, AxesGoInProportionUnderOriaxes) {
     const auto all = motions("ORIAXES\nG1 X10 A3=1 B3=-2 C3=4 F100\nX20 A=30 C=45");
     ASSERT_EQ(all.size(), 2u);
-    EXPECT_EQ(all[0].motion().turning, Turning::Axes);
+    EXPECT_EQ(all[0].motion().orient_kind, OrientKind::Axes);
     EXPECT_LT((tool_of(all[0]) - Vec3(1, -2, 4).normalized()).norm(), 1e-12);
     EXPECT_EQ(all[1].motion().to[index(Axis::A)], 30);
     EXPECT_EQ(all[1].motion().to[index(Axis::C)], 45);
@@ -146,9 +146,10 @@ TEST(Orienting, NutatingHeadDoesNotReachBelowTheHorizontal) {
     machine::Machine machine = trunnion();
     machine::Chain chain;
     const double s = std::sqrt(0.5);
-    chain.joints[machine::kR1] = {true,          Axis::C,     machine::Side::Head,
+    chain.joints[machine::kR1] = {true,          Axis::C,     machine::ChainSide::Head,
                                   Vec3::UnitZ(), {0, 0, 250}, 1};
-    chain.joints[machine::kR2] = {true, Axis::A, machine::Side::Head, {0, s, s}, {0, 0, 120}, 1};
+    chain.joints[machine::kR2] = {true,      Axis::A,     machine::ChainSide::Head,
+                                  {0, s, s}, {0, 0, 120}, 1};
     machine.kinematics->chain = machine::prepare(chain).value();
     const Ran ran = read("sinumerik", "S1000 M3\nTRAORI\nG1 X10 A3=1 C3=-1 F100", machine);
     EXPECT_EQ(alarms(ran), "14112");

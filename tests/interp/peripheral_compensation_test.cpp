@@ -21,7 +21,7 @@ machine::Machine with_tool(bool is_mixed = false) {
     machine.work_offsets = {};
     if (is_mixed) {
         machine::Chain chain = machine.kinematics->chain;
-        chain.joints[machine::kR2].side = machine::Side::Head;
+        chain.joints[machine::kR2].side = machine::ChainSide::Head;
         machine.kinematics->chain = machine::prepare(chain).value();
     }
     return machine;
@@ -55,7 +55,7 @@ void expect_same(const std::vector<path::Command>& one, const std::vector<path::
         EXPECT_LT((tip(a) - tip(b)).norm(), 1e-6) << i;
         EXPECT_LT((a.motion().direction - b.motion().direction).norm(), 1e-9) << i;
         EXPECT_EQ(!a.motion().contact, !b.motion().contact) << i;
-        EXPECT_EQ(a.motion().turning, b.motion().turning) << i;
+        EXPECT_EQ(a.motion().orient_kind, b.motion().orient_kind) << i;
     }
 }
 
@@ -94,7 +94,7 @@ TEST(SideCompensation, EndsWithItsCode) {
     const auto motion = fanuc(
         "G43.4 H01\nG00 X-10. Y-20. Z20.\nG01 G41.2 D01 X0. Y0. F500.\nX40.\nG40 X60.\nG49\n"
         "G41 D01 X0. Y0.\nX40.\nG40 X60.");
-    EXPECT_EQ(motion.back().motion().turning, path::Turning::None);
+    EXPECT_EQ(motion.back().motion().orient_kind, path::OrientKind::None);
     EXPECT_LT((tip(motion.back()) - Vec3(60, 0, 20)).norm(), 1e-9);
 }
 

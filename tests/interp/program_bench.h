@@ -19,7 +19,7 @@ inline Ran run_program(std::string_view dialect_name, std::string text,
         return ran;
     }
     Text source(std::move(text));
-    macro::Program program(*dialect, source, "test", {}, messages);
+    macro::NcProgram program(*dialect, source, "test", {}, messages);
     Interpreter interpreter(*dialect, machine, program, &program, nullptr, {}, messages);
     program.follow(interpreter);
     std::vector<path::Command> batch(7);

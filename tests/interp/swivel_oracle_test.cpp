@@ -26,7 +26,7 @@ machine::Machine machine_of_case(const std::string& name, double length) {
         if (axis.axis == Axis::A) axis.axis = Axis::B, axis.name = "B";
         for (const json& item : machines) {
             if (!axis.is_rotary || item["name"] != name) continue;
-            const machine::Limits limits =
+            const machine::AxisRange limits =
                 machine::test::limits(item[axis.axis == Axis::C ? "R1" : "R2"]["limits"]);
             axis.lower = limits.lower;
             axis.upper = limits.upper;

@@ -21,21 +21,22 @@ struct Ways {
     std::string alarms;
 };
 
-Ways ways_of(const std::string& control, const std::string& begin, const std::string& contour) {
+Ways sample_distances_of(const std::string& control, const std::string& begin,
+                         const std::string& contour) {
     const Ran ran = read(control, begin + "\n" + contour, trunnion());
     return {motions(ran), alarms(ran)};
 }
 
 /// How a frame lies: of places one along each axis.
 Mat3 lie_of(const std::string& control, const std::string& begin, const char* end) {
-    const Ways ways =
-        ways_of(control, begin, std::string("G0 X0 Y0 Z0\nX1.\nX0 Y1.\nY0 Z1.\n") + end);
-    EXPECT_EQ(ways.commands.size(), 4u) << ways.alarms;
+    const Ways distances = sample_distances_of(
+        control, begin, std::string("G0 X0 Y0 Z0\nX1.\nX0 Y1.\nY0 Z1.\n") + end);
+    EXPECT_EQ(distances.commands.size(), 4u) << distances.alarms;
     Mat3 lie = Mat3::Identity();
-    if (ways.commands.size() != 4) return lie;
+    if (distances.commands.size() != 4) return lie;
     for (std::size_t i = 1; i < 4; ++i)
         lie.col(static_cast<Eigen::Index>(i - 1)) =
-            linear(ways.commands[i].motion().to) - linear(ways.commands[0].motion().to);
+            linear(distances.commands[i].motion().to) - linear(distances.commands[0].motion().to);
     return lie;
 }
 
@@ -91,8 +92,8 @@ TEST(TiltedCompensation, LiesAsTheFrameDoes) {
                 SCOPED_TRACE(std::string(frame) + " " + plane + "\n" + contour);
                 if (std::string(plane) != "G17" && std::string(contour).find('G') != 0) continue;
                 const std::string text = std::string("G0 X-30 Y-30 Z5\n") + contour + "\nM30";
-                const Ways flat = ways_of("sinumerik", begin, text);
-                const Ways turned = ways_of("sinumerik", tilted, text);
+                const Ways flat = sample_distances_of("sinumerik", begin, text);
+                const Ways turned = sample_distances_of("sinumerik", tilted, text);
                 if (std::string(frame).find("ATRANS") == std::string::npos)
                     expect_tilted(flat, turned, lie);
                 else EXPECT_EQ(turned.alarms, flat.alarms);
@@ -112,7 +113,8 @@ TEST(TiltedCompensation, LiesInTheTiltedPlaneOfFanuc) {
           "G41 D1 G01 X0 Y0 F500.\nX40.\nG38 X50. Y10.\nY40.\nG40 X100. Y100."}) {
         SCOPED_TRACE(contour);
         const std::string text = std::string("G00 X-30. Y-30. Z5.\n") + contour + "\nM30\n%";
-        expect_tilted(ways_of("fanuc", begin, text), ways_of("fanuc", tilted, text), lie);
+        expect_tilted(sample_distances_of("fanuc", begin, text),
+                      sample_distances_of("fanuc", tilted, text), lie);
     }
 }
 
@@ -120,23 +122,25 @@ TEST(TiltedCompensation, LiesInTheTiltedPlaneOfFanuc) {
 /// plane is none.
 TEST(TiltedCompensation, StaysInTheBasicPlane) {
     const std::string begin = "S1000 M3 T1 D1 M6\nROT X60\nG0 X-20 Y-20 Z0";
-    const Ways ways = ways_of("sinumerik", begin, "G41 G1 X0 Y0 F500\nX40\nY40\nG40 X80 Y80\nM30");
-    EXPECT_EQ(ways.alarms, "");
-    ASSERT_EQ(ways.commands.size(), 5u);
+    const Ways distances =
+        sample_distances_of("sinumerik", begin, "G41 G1 X0 Y0 F500\nX40\nY40\nG40 X80 Y80\nM30");
+    EXPECT_EQ(distances.alarms, "");
+    ASSERT_EQ(distances.commands.size(), 5u);
     const double rise = std::sin(rad_from_deg(60));
-    EXPECT_LT((linear(ways.commands[1].motion().to) - Vec3(0, 5, 0)).norm(), 1e-9);
-    EXPECT_LT((linear(ways.commands[2].motion().to) - Vec3(35, 5, 0)).norm(), 1e-9);
-    EXPECT_LT((linear(ways.commands[3].motion().to) - Vec3(35, 20, 40 * rise)).norm(), 1e-9);
-    const Ways arc =
-        ways_of("sinumerik", begin, "G41 G1 X0 Y0 F500\nX40\nG3 X60 Y20 CR=20\nG40 X90\nM30");
+    EXPECT_LT((linear(distances.commands[1].motion().to) - Vec3(0, 5, 0)).norm(), 1e-9);
+    EXPECT_LT((linear(distances.commands[2].motion().to) - Vec3(35, 5, 0)).norm(), 1e-9);
+    EXPECT_LT((linear(distances.commands[3].motion().to) - Vec3(35, 20, 40 * rise)).norm(), 1e-9);
+    const Ways arc = sample_distances_of("sinumerik", begin,
+                                         "G41 G1 X0 Y0 F500\nX40\nG3 X60 Y20 CR=20\nG40 X90\nM30");
     EXPECT_NE(arc.alarms, "");
 }
 
 /// The plane may not begin to lie otherwise while the cutter is beside a contour (10757).
 TEST(TiltedCompensation, EndsBeforeThePlaneTurns) {
-    const Ways ways = ways_of("sinumerik", "S1000 M3 T1 D1 M6\nCUT2DF\nROT X20",
-                              "G41 G1 X0 Y0 F500\nX40\nAROT Y5\nY40\nX60\nG40 X90\nM30");
-    EXPECT_NE(ways.alarms.find("10757"), std::string::npos) << ways.alarms;
+    const Ways distances =
+        sample_distances_of("sinumerik", "S1000 M3 T1 D1 M6\nCUT2DF\nROT X20",
+                            "G41 G1 X0 Y0 F500\nX40\nAROT Y5\nY40\nX60\nG40 X90\nM30");
+    EXPECT_NE(distances.alarms.find("10757"), std::string::npos) << distances.alarms;
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::vector<Stand> stands(const machine::Machine& machine, const Ran& ran, doubl
                     rad_from_deg(command.motion().to[index(chain.joints[k].axis)]);
         }
         const Vec3 to(command.motion().to[0], command.motion().to[1], command.motion().to[2]);
-        if (command.motion().turning != path::Turning::None) {
+        if (command.motion().orient_kind != path::OrientKind::None) {
             found.push_back({to, machine::tool_vector(chain, joints), command.line});
             continue;
         }
@@ -196,16 +196,16 @@ TEST_P(OnStockMachines, TheTipStandsOnTheWorkpieceWhereItIsAskedTo) {
                             machine);
         const std::vector<Stand> all = stands(machine, ran, length);
         ASSERT_GE(all.size(), 2u) << is_fanuc << alarms(ran);
-        const Vec3 place = kPartZero + Vec3(10, 20, 30);
-        EXPECT_LT((all[0].tip - place).norm(), 1e-9);
-        EXPECT_LT((all[1].tip - place).norm(), 1e-9) << is_fanuc;
+        const Vec3 point = kPartZero + Vec3(10, 20, 30);
+        EXPECT_LT((all[0].tip - point).norm(), 1e-9);
+        EXPECT_LT((all[1].tip - point).norm(), 1e-9) << is_fanuc;
         EXPECT_GT((all[1].tool - Vec3::UnitZ()).norm(), 0.3);
         if (!is_fanuc) continue;
         // X of the plane is a way in the plane.
         const Vec3 in_plane = machine::euler_zxz(Vec3(10, 20, 0) * rad_from_deg(1)).transpose() *
                               (all[2].tip - kPartZero);
         const Vec3 before =
-            machine::euler_zxz(Vec3(10, 20, 0) * rad_from_deg(1)).transpose() * (place - kPartZero);
+            machine::euler_zxz(Vec3(10, 20, 0) * rad_from_deg(1)).transpose() * (point - kPartZero);
         EXPECT_LT((in_plane - Vec3(1, before[1], before[2])).norm(), 1e-8);
     }
 }
@@ -411,12 +411,12 @@ TEST(TiltingSinumerik, TheCycleSwitchesATransformationOffAsItsWordDoes) {
             ASSERT_EQ(found[i].op(), wanted[i].op()) << i;
             if (!found[i].is_motion()) continue;
             EXPECT_EQ(found[i].motion().to, wanted[i].motion().to) << i;
-            EXPECT_EQ(found[i].motion().turning, wanted[i].motion().turning) << i;
+            EXPECT_EQ(found[i].motion().orient_kind, wanted[i].motion().orient_kind) << i;
         }
         const auto last =
             std::ranges::find_if(found.rbegin(), found.rend(), &path::Command::is_motion);
         ASSERT_NE(last, found.rend()) << tens;
-        EXPECT_EQ(last->motion().turning, path::Turning::None) << tens;
+        EXPECT_EQ(last->motion().orient_kind, path::OrientKind::None) << tens;
     }
 }
 
@@ -522,19 +522,19 @@ TEST(TiltingSinumerik, TorotAndToframeLayAnAxisAlongTheTool) {
         return stands(machine, ran, length);
     };
     const Vec3 tool = Vec3(1, 0.5, 2).normalized();
-    const Vec3 place = kPartZero + Vec3(10, 20, 30);
+    const Vec3 point = kPartZero + Vec3(10, 20, 30);
     // The origin stays: a distance is a distance.
     for (const char* word : {"TOROT", "TOROTZ"}) {
         const auto all = run(word, "G0 Z=IC(100)\nTOROTOF\nG0 X10 Y20 Z30");
         ASSERT_EQ(all.size(), 3u);
-        EXPECT_LT((all[1].tip - place - 100 * tool).norm(), 1e-9) << word;
-        EXPECT_LT((all[2].tip - place).norm(), 1e-9) << word;
+        EXPECT_LT((all[1].tip - point - 100 * tool).norm(), 1e-9) << word;
+        EXPECT_LT((all[2].tip - point).norm(), 1e-9) << word;
     }
-    EXPECT_LT((run("TOROTX", "G0 X=IC(100)")[1].tip - place - 100 * tool).norm(), 1e-9);
-    EXPECT_LT((run("TOROTY", "G0 Y=IC(100)")[1].tip - place - 100 * tool).norm(), 1e-9);
-    EXPECT_LT((run("TOFRAME", "G0 X0 Y0 Z100")[1].tip - place - 100 * tool).norm(), 1e-9);
-    EXPECT_LT((run("TOFRAMEX", "G0 X100 Y0 Z0")[1].tip - place - 100 * tool).norm(), 1e-9);
-    EXPECT_LT((run("TRANS X3\nAROT Z20\nTOROT", "G0 Z=IC(100)")[1].tip - place - 100 * tool).norm(),
+    EXPECT_LT((run("TOROTX", "G0 X=IC(100)")[1].tip - point - 100 * tool).norm(), 1e-9);
+    EXPECT_LT((run("TOROTY", "G0 Y=IC(100)")[1].tip - point - 100 * tool).norm(), 1e-9);
+    EXPECT_LT((run("TOFRAME", "G0 X0 Y0 Z100")[1].tip - point - 100 * tool).norm(), 1e-9);
+    EXPECT_LT((run("TOFRAMEX", "G0 X100 Y0 Z0")[1].tip - point - 100 * tool).norm(), 1e-9);
+    EXPECT_LT((run("TRANS X3\nAROT Z20\nTOROT", "G0 Z=IC(100)")[1].tip - point - 100 * tool).norm(),
               1e-9);
 }
 

@@ -7,7 +7,7 @@
 namespace kadr::interp {
 namespace {
 
-using path::Turning;
+using path::OrientKind;
 
 constexpr double kLength = 80;  // mm, of tool 1
 
@@ -28,7 +28,7 @@ std::vector<path::Command> fanuc(const std::string& text) {
     return motions(ran);
 }
 
-Vec3 place_of(const path::Command& command) {
+Vec3 point_of(const path::Command& command) {
     return {command.motion().to[0], command.motion().to[1], command.motion().to[2]};
 }
 
@@ -39,7 +39,7 @@ Vec3 axes_of(const path::Command& command, double length) {
                                           Vec3::Zero(),
                                           {rad_from_deg(command.motion().to[index(Axis::C)]),
                                            rad_from_deg(command.motion().to[index(Axis::A)]), 0}};
-    return machine::inverse_linear(chain, place_of(command), position,
+    return machine::inverse_linear(chain, point_of(command), position,
                                    machine::tip_of_length(chain, length));
 }
 
@@ -58,11 +58,11 @@ TEST(ToolCentre, SameWaysAsOnTheOtherControl) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const path::Command& one = wanted[i];
         const path::Command& two = vectors[i + 1];
-        EXPECT_LT((place_of(one) - place_of(two)).norm(), 1e-9) << i;
+        EXPECT_LT((point_of(one) - point_of(two)).norm(), 1e-9) << i;
         EXPECT_LT((one.motion().direction - two.motion().direction).norm(), 1e-12) << i;
-        EXPECT_EQ(one.motion().turning, two.motion().turning) << i;
-        EXPECT_LT((one.motion().turn().axis * one.motion().turn().angle -
-                   two.motion().turn().axis * two.motion().turn().angle)
+        EXPECT_EQ(one.motion().orient_kind, two.motion().orient_kind) << i;
+        EXPECT_LT((one.motion().orientation().axis * one.motion().orientation().angle -
+                   two.motion().orientation().axis * two.motion().orientation().angle)
                       .norm(),
                   1e-12);
         EXPECT_NEAR(one.motion().to[index(Axis::A)], two.motion().to[index(Axis::A)], 1e-9) << i;
@@ -77,16 +77,16 @@ TEST(ToolCentre, TheControlPointGoesAlongTheToolByItsLength) {
     EXPECT_LT((axes_of(all[1], kLength) - Vec3(30, 20, 10 + kLength)).norm(), 1e-9);
     // The workpiece lies as the table stands, so that X of the program is that of the machine.
     EXPECT_LT((axes_of(all[2], kLength) - Vec3(40, 20, 10 + kLength)).norm(), 1e-9);
-    EXPECT_EQ(all[3].motion().turning, Turning::None);
-    EXPECT_LT((place_of(all[3]) - Vec3(40, 20, 10)).norm(), 1e-9);
+    EXPECT_EQ(all[3].motion().orient_kind, OrientKind::None);
+    EXPECT_LT((point_of(all[3]) - Vec3(40, 20, 10)).norm(), 1e-9);
 }
 
 TEST(ToolCentre, TheTipStaysWhileTheTableTurns) {
     const auto all = fanuc("G00 X30. Y20. Z10. A25. C70.\nG43.4 H01\nG01 A40. C-10. F500.");
     ASSERT_EQ(all.size(), 3u);
-    EXPECT_LT((place_of(all[2]) - place_of(all[1])).norm(), 1e-9);
+    EXPECT_LT((point_of(all[2]) - point_of(all[1])).norm(), 1e-9);
     EXPECT_EQ(all[2].motion().to[index(Axis::A)], 40);
-    EXPECT_EQ(all[2].motion().turning, Turning::Axes);
+    EXPECT_EQ(all[2].motion().orient_kind, OrientKind::Axes);
     EXPECT_GT((axes_of(all[2], kLength) - axes_of(all[1], kLength)).norm(), 1);
 }
 
@@ -105,7 +105,7 @@ TEST(ToolCentre, VectorsTurnWithTheWorkpiece) {
     const machine::Mat3 table = machine::rotation_of(chain, {rad_from_deg(90), 0, 0});
     const Vec3 wanted = table * Vec3(1, 0, 1).normalized();
     EXPECT_LT((all[2].motion().direction - wanted).norm(), 1e-12);
-    EXPECT_EQ(all[2].motion().turning, Turning::Axes)
+    EXPECT_EQ(all[2].motion().orient_kind, OrientKind::Axes)
         << "without tool posture control the axes go evenly";
 }
 
@@ -120,9 +120,9 @@ TEST(ToolCentre, LeadLeansTheVectorTowardsTheWay) {
 TEST(ToolCentre, PostureControlLeadsRotaryWordsAlongTheGreatCircle) {
     const auto all = fanuc("G43.4 H01 P1\nG01 A20. C40. F500.\nX10. A30. C60.");
     ASSERT_EQ(all.size(), 3u);
-    EXPECT_EQ(all[2].motion().turning, Turning::Cone);
-    EXPECT_NEAR(all[2].motion().turn().axis.dot(all[1].motion().direction), 0, 1e-12);
-    EXPECT_NEAR(all[2].motion().turn().axis.dot(all[2].motion().direction), 0, 1e-12);
+    EXPECT_EQ(all[2].motion().orient_kind, OrientKind::Cone);
+    EXPECT_NEAR(all[2].motion().orientation().axis.dot(all[1].motion().direction), 0, 1e-12);
+    EXPECT_NEAR(all[2].motion().orientation().axis.dot(all[2].motion().direction), 0, 1e-12);
     EXPECT_EQ(all[2].motion().to[index(Axis::C)], 60);
 }
 

@@ -163,12 +163,12 @@ TEST(ChainProperty, DigitsAreKeptAtThePole) {
         SCOPED_TRACE(name);
         const Chain chain = test::chain_of(name);
         const Vec3& n1 = chain.joints[kR1].direction;
-        for (double lean = 1e-3; lean > 2e-9; lean /= 3) {
+        for (double inclination = 1e-3; inclination > 2e-9; inclination /= 3) {
             const Vec3 direction =
-                (n1 + lean * n1.unitOrthogonal() * random.between(1, 2)).normalized();
+                (n1 + inclination * n1.unitOrthogonal() * random.between(1, 2)).normalized();
             const auto solutions = solve(chain, direction);
             ASSERT_TRUE(solutions);
-            ASSERT_EQ(solutions->count, 2u) << lean;
+            ASSERT_EQ(solutions->count, 2u) << inclination;
             for (const Solution& solution : *solutions) {
                 EXPECT_FALSE(solution.is_pole);
                 EXPECT_LT((tool_vector(chain, solution.rotary) - direction).norm(), 1e-14);
@@ -340,7 +340,8 @@ TEST(ChainProperty, BothWaysThroughThePole) {
             const double pole = chain.tilt.nearest;
             const bool is_above = query.start[kR2] > pole;
             const auto keep_off = [&](double by) {
-                return is_above ? Limits{pole + by, pole + kPi} : Limits{pole - kPi, pole - by};
+                return is_above ? AxisRange{pole + by, pole + kPi}
+                                : AxisRange{pole - kPi, pole - by};
             };
             query.limits[kR2] = keep_off(0);
             const auto turned = choose_path(chain, query);

@@ -55,7 +55,7 @@ void expect_solution(const Chain& chain, const Solution& solution, const json& e
 }
 
 /// Of R2 of a machine of the oracles.
-Limits second_limits(const json& name) {
+AxisRange second_limits(const json& name) {
     const json machines = test::oracle("kinematics.json")["machines"];
     for (const json& machine : machines)
         if (machine["name"] == name) return test::limits(machine["R2"]["limits"]);
@@ -75,7 +75,7 @@ TEST(Kinematics, InverseOracle) {
             }
             const json& expected = expect["solutions_in_(-180,180]"];
             ASSERT_EQ(solutions->count, expected.size());
-            const Limits second = second_limits(input["machine"]);
+            const AxisRange second = second_limits(input["machine"]);
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 expect_solution(chain, (*solutions)[i], expected[i], input);
                 const double tilt = (*solutions)[i].rotary[kR2];
@@ -176,7 +176,7 @@ TEST(Kinematics, ZeroPointOracle) {
 }
 
 TEST(Kinematics, ChainsThatAreNone) {
-    const auto chain_with = [](Side first, const Vec3& n1, Side second, const Vec3& n2) {
+    const auto chain_with = [](ChainSide first, const Vec3& n1, ChainSide second, const Vec3& n2) {
         Chain chain;
         chain.joints[kR1] = {true, Axis::C, first, n1, Vec3::Zero(), 1};
         chain.joints[kR2] = {true, Axis::B, second, n2, Vec3::Zero(), 1};
@@ -185,14 +185,14 @@ TEST(Kinematics, ChainsThatAreNone) {
     const Vec3 x = Vec3::UnitX();
     const Vec3 z = Vec3::UnitZ();
     EXPECT_EQ(prepare(Chain{}).error(), ChainFault::NoJoint);
-    EXPECT_EQ(prepare(chain_with(Side::Head, z, Side::Table, x)).error(),
+    EXPECT_EQ(prepare(chain_with(ChainSide::Head, z, ChainSide::Table, x)).error(),
               ChainFault::TableBehindHead);
-    EXPECT_EQ(prepare(chain_with(Side::Head, x, Side::Head, -x)).error(),
+    EXPECT_EQ(prepare(chain_with(ChainSide::Head, x, ChainSide::Head, -x)).error(),
               ChainFault::ParallelJoints);
-    EXPECT_EQ(prepare(chain_with(Side::Head, x, Side::Head, z)).error(),
+    EXPECT_EQ(prepare(chain_with(ChainSide::Head, x, ChainSide::Head, z)).error(),
               ChainFault::SecondAlongTool);
-    Chain spun = chain_with(Side::Head, z, Side::Head, x);
-    spun.joints[kPsi] = {true, Axis::A, Side::Head, x, Vec3::Zero(), 1};
+    Chain spun = chain_with(ChainSide::Head, z, ChainSide::Head, x);
+    spun.joints[kPsi] = {true, Axis::A, ChainSide::Head, x, Vec3::Zero(), 1};
     EXPECT_EQ(prepare(spun).error(), ChainFault::SpinNotAlongTool);
     spun.joints[kPsi].direction = z;
     EXPECT_TRUE(prepare(spun));
@@ -202,7 +202,7 @@ TEST(Kinematics, ChainsThatAreNone) {
 
 TEST(Kinematics, OneRotaryAxisReachesItsConeOnly) {
     Chain chain;
-    chain.joints[kR1] = {true, Axis::A, Side::Table, Vec3::UnitX(), Vec3::Zero(), 1};
+    chain.joints[kR1] = {true, Axis::A, ChainSide::Table, Vec3::UnitX(), Vec3::Zero(), 1};
     chain = prepare(chain).value();
     // w = Rot(x, 30°) z = (0, −sin 30°, cos 30°)
     const auto found = solve(chain, Vec3(0, -0.5, std::sqrt(0.75)));

@@ -51,11 +51,11 @@ TEST(LoadKinematics, PointsAndSigns) {
     const Chain& chain = kinematics.chain;
     EXPECT_TRUE(chain.compensates_parallel);
     EXPECT_EQ(chain.joints[kR1].axis, Axis::C);
-    EXPECT_EQ(chain.joints[kR1].side, Side::Table);
+    EXPECT_EQ(chain.joints[kR1].side, ChainSide::Table);
     EXPECT_EQ(chain.joints[kR1].sign, 1);
     EXPECT_LT((chain.joints[kR1].point - 25.4 * Vec3(1, 2, -3.5)).norm(), 1e-12);
     EXPECT_EQ(chain.joints[kR1].direction, Vec3::UnitZ());
-    EXPECT_EQ(chain.joints[kR2].side, Side::Head);
+    EXPECT_EQ(chain.joints[kR2].side, ChainSide::Head);
     EXPECT_EQ(chain.joints[kR2].sign, -1);
     EXPECT_LT((chain.joints[kR2].direction - Vec3(0, 1, 1).normalized()).norm(), 1e-15);
     EXPECT_LT((chain.joints[kR2].point - Vec3(0, 0, 200)).norm(), 1e-12);
@@ -143,8 +143,8 @@ TEST(LoadKinematics, Mistakes) {
         }) {
         std::string text = std::string("<kinematics") + mistake.inside + "</kinematics>";
         for (const auto& [word, piece] : {std::pair("CC", c), std::pair("AA", a)}) {
-            const std::size_t place = text.find(word);
-            if (place != std::string::npos) text.replace(place, 2, piece);
+            const std::size_t index = text.find(word);
+            if (index != std::string::npos) text.replace(index, 2, piece);
         }
         SCOPED_TRACE(text);
         Loaded loaded;

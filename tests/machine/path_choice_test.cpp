@@ -78,7 +78,9 @@ PathQuery query_deg(const Chain& chain, double r1, double r2, double to_r1, doub
     return query;
 }
 
-Limits limits_deg(double lower, double upper) { return {rad_from_deg(lower), rad_from_deg(upper)}; }
+AxisRange limits_deg(double lower, double upper) {
+    return {rad_from_deg(lower), rad_from_deg(upper)};
+}
 
 struct Expected {
     double r1;
@@ -154,7 +156,7 @@ TEST(PathChoice, RefusalsSayWhatAndWhere) {
     query.limits[kR2] = limits_deg(-100, 100);
     const auto refused = choose_path(chain, query);
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().fault, PathFault::NoCandidate);
+    EXPECT_EQ(refused.error().fault, PathChoiceFault::NoCandidate);
     const auto& [first, second] = refused.error().configurations;
     EXPECT_EQ(first.fault, CandidateFault::OnlyLongTravel);
     EXPECT_EQ(first.joint, kR1);
@@ -175,7 +177,7 @@ TEST(PathChoice, RefusalsSayWhatAndWhere) {
     const Chain nutating = test::chain_of("T_nutating45");
     const auto below = choose_path(nutating, query_for(nutating, Vec3(0, 0.6, -0.8)));
     ASSERT_FALSE(below);
-    EXPECT_EQ(below.error().fault, PathFault::Unreachable);
+    EXPECT_EQ(below.error().fault, PathChoiceFault::Unreachable);
     EXPECT_EQ(below.error().reach, ReachFault::OutsideReach);
 }
 
@@ -245,9 +247,9 @@ TEST(PathChoice, BesideThePoleTheNearerConfigurationIsTaken) {
 TEST(PathChoice, GapsOnTheWayAreRefusedOrPassed) {
     for (const double gap : {1e-5, 1e-3, 0.03}) {
         Chain chain;
-        chain.joints[kR1] = {true,         Axis::C, Side::Table, Vec3(gap, 0, 1).normalized(),
+        chain.joints[kR1] = {true,         Axis::C, ChainSide::Table, Vec3(gap, 0, 1).normalized(),
                              Vec3::Zero(), 1};
-        chain.joints[kR2] = {true, Axis::A, Side::Table, Vec3::UnitX(), Vec3::Zero(), 1};
+        chain.joints[kR2] = {true, Axis::A, ChainSide::Table, Vec3::UnitX(), Vec3::Zero(), 1};
         chain = prepare(chain).value();
         const Vec3 from = Vec3(gap + 0.3, 0.1, 1).normalized();
         const Vec3 to = Vec3(gap - 0.3, -0.1, 1).normalized();
@@ -261,7 +263,7 @@ TEST(PathChoice, GapsOnTheWayAreRefusedOrPassed) {
         query.pole_tolerance = 0;
         const auto refused = choose_path(chain, query);
         ASSERT_FALSE(refused.has_value()) << gap;
-        EXPECT_EQ(refused.error().fault, PathFault::NoCandidate);
+        EXPECT_EQ(refused.error().fault, PathChoiceFault::NoCandidate);
     }
 }
 
@@ -282,7 +284,7 @@ TEST(PathChoice, PoleApproachIsTheNearestPoint) {
 
 TEST(PathChoice, OneRotaryAxis) {
     Chain chain;
-    chain.joints[kR1] = {true, Axis::A, Side::Table, Vec3::UnitX(), Vec3::Zero(), 1};
+    chain.joints[kR1] = {true, Axis::A, ChainSide::Table, Vec3::UnitX(), Vec3::Zero(), 1};
     chain = prepare(chain).value();
     PathQuery query = query_deg(chain, 350, 0, 20, 0);
     query.limits[kR1] = limits_deg(-360, 720);

@@ -14,7 +14,7 @@ namespace {
 
 struct Loaded {
     std::optional<Machine> machine;
-    std::vector<std::string> said;  // "K6242 dwel"
+    std::vector<std::string> lines;  // "K6242 dwel"
 };
 
 /// A machine with an axis and this pipeline.
@@ -33,7 +33,7 @@ Loaded load(const std::string& pipeline, const std::string& beside = "") {
     loaded.machine = load_machine(path, {}, sources, diagnostics);
     std::remove(path.c_str());
     for (const Diagnostic& diagnostic : diagnostics.all())
-        loaded.said.push_back(std::string(diagnostic.row->code) + ' ' + diagnostic.message());
+        loaded.lines.push_back(std::string(diagnostic.row->code) + ' ' + diagnostic.message());
     return loaded;
 }
 
@@ -56,7 +56,7 @@ TEST(Pipeline, SaysWhoServesWhatAndInWhichStages) {
         "<translate period=\"0.5 s\" batch=\"7\" queue=\"2\"/><interpolate period=\"10 ms\" "
         "queue=\"9\"/><output period=\"0.1 s\" file=\"{program}.npy\" columns=\"t axes iso\"/>"
         "</pipeline>");
-    ASSERT_TRUE(loaded.machine) << loaded.said.front();
+    ASSERT_TRUE(loaded.machine) << loaded.lines.front();
     const Pipeline& pipeline = loaded.machine->pipeline;
     EXPECT_EQ(pipeline.ahead, 300u);
     ASSERT_EQ(pipeline.modules.size(), 2u);
@@ -99,8 +99,8 @@ TEST(Pipeline, MistakesAreSaid) {
         SCOPED_TRACE(row.text);
         const Loaded loaded = load("<pipeline>" + std::string(row.text) + "</pipeline>");
         EXPECT_FALSE(loaded.machine);
-        ASSERT_EQ(loaded.said.size(), 1u);
-        EXPECT_TRUE(loaded.said.front().starts_with(row.says)) << loaded.said.front();
+        ASSERT_EQ(loaded.lines.size(), 1u);
+        EXPECT_TRUE(loaded.lines.front().starts_with(row.says)) << loaded.lines.front();
     }
     EXPECT_FALSE(load("<pipeline ahead=\"0\"/>").machine);
     EXPECT_FALSE(load("<pipeline/><pipeline/>").machine);
@@ -110,7 +110,7 @@ TEST(Pipeline, AScannerMayServeWays) {
     const Loaded loaded =
         load("<pipeline><serve command=\"line\" by=\"scanner\"/></pipeline>",
              "<scanner on=\"66\" off=\"67\" field=\"100 mm\" jump_speed=\"8 m/s\"/>");
-    EXPECT_TRUE(loaded.machine) << loaded.said.front();
+    EXPECT_TRUE(loaded.machine) << loaded.lines.front();
 }
 
 }  // namespace

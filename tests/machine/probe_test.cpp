@@ -59,7 +59,7 @@ TEST(Probe, FirstTouch) {
         const ProbeScene& scene;
         Vec3 from, to;
         double radius;
-        double way;  // mm; kNever: none
+        double distance;  // mm; kNever: none
     };
     for (const Row& row : {
              Row{"down onto a face", face, {0, 0, 10}, {0, 0, -10}, 3, 7},
@@ -91,9 +91,9 @@ TEST(Probe, FirstTouch) {
          }) {
         SCOPED_TRACE(row.name);
         const auto part = first_touch(row.scene, row.from, row.to, row.radius);
-        ASSERT_EQ(part.has_value(), row.way != kNever);
+        ASSERT_EQ(part.has_value(), row.distance != kNever);
         if (part) {
-            EXPECT_NEAR(*part * (row.to - row.from).norm(), row.way, 1e-8);
+            EXPECT_NEAR(*part * (row.to - row.from).norm(), row.distance, 1e-8);
         }
     }
 }

@@ -40,7 +40,7 @@ inline Mat3 matrix(const json& rows) {
 }
 
 inline double rad(const json& angle_deg) { return rad_from_deg(angle_deg.get<double>()); }
-inline Limits limits(const json& pair_deg) { return {rad(pair_deg[0]), rad(pair_deg[1])}; }
+inline AxisRange limits(const json& pair_deg) { return {rad(pair_deg[0]), rad(pair_deg[1])}; }
 
 /// The way from the end of the zero tool to the tip: tools of the oracles are (dx, dy, length).
 inline Vec3 tip_of(const json& tool) {
@@ -60,14 +60,14 @@ inline Chain chain_of(const std::string& name, bool with_spin = false, bool with
             joint.is_present = k == kR1 || with_second;
             joint.axis = k == kR1 ? Axis::C : Axis::B;
             joint.direction = vec(given["axis"]);
-            joint.side = given["side"] == "W" ? Side::Table : Side::Head;
+            joint.side = given["side"] == "W" ? ChainSide::Table : ChainSide::Head;
             joint.sign = given["dir"].get<double>();
         }
         place_by_vectors(chain, {vec(machine["L1"]), vec(machine["L2"]), Vec3::Zero()});
         if (with_spin) {
             RotaryJoint& joint = chain.joints[kPsi];
             joint.is_present = true;
-            joint.side = Side::Head;
+            joint.side = ChainSide::Head;
             joint.direction = Vec3::UnitZ();
         }
         chain.compensates_parallel = true;

@@ -21,7 +21,7 @@ using Table = std::vector<ContourRow>;
 
 Table table_of(const PreparedContour& contour) {
     Table table(kRows, ContourRow{});
-    for (const auto& row : contour.rows) table[row.place] = row.cells;
+    for (const auto& row : contour.rows) table[row.index] = row.cells;
     return table;
 }
 

@@ -9,12 +9,12 @@ namespace kadr::macro {
 namespace {
 
 std::string left_of(PassedText& skipped) {
-    std::string said;
+    std::string text;
     while (const auto part = skipped.take_first()) {
-        said += std::to_string(part->begin.offset) + '-' + std::to_string(part->end) + " at " +
+        text += std::to_string(part->begin.offset) + '-' + std::to_string(part->end) + " at " +
                 std::to_string(part->begin.line) + "; ";
     }
-    return said;
+    return text;
 }
 
 LinePosition line(std::uint64_t number) { return {10 * (number - 1), number}; }

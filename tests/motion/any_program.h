@@ -50,10 +50,10 @@ inline Command any_arc(const Vec3& from) {
 
 /// A span that goes on in about one direction, bent and weighted at random.
 inline Command any_spline(const Vec3& from) {
-    const Vec3 way(any_number(5, 60), 0, 0);
-    const auto pole = [&](double share) { return Vec3(from + way * share + any_point(4)); };
+    const Vec3 delta(any_number(5, 60), 0, 0);
+    const auto pole = [&](double share) { return Vec3(from + delta * share + any_point(4)); };
     const double w1 = any_number(1, 3), w2 = any_number(1, 3);
-    return spline_to(from + way, pole(1.0 / 3), pole(2.0 / 3), any_number(500, 60000),
+    return spline_to(from + delta, pole(1.0 / 3), pole(2.0 / 3), any_number(500, 60000),
                      {1, w1, w2, 1});
 }
 

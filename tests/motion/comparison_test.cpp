@@ -90,7 +90,7 @@ TEST(Comparison, PartsWhereTheWaysPart) {
     std::vector<Command> other = square;
     other.back() = line_to({10, -10, 0}, kFeed);
     const Comparison turned = compared(square, other);
-    ASSERT_EQ(turned.parting, Parting::Way);
+    ASSERT_EQ(turned.parting, Parting::Path);
     EXPECT_NEAR(turned.parted.first.x(), 10, 0.01);
     EXPECT_NEAR(turned.parted.first.y(), 0, 0.2);
 }
@@ -166,7 +166,7 @@ TEST(Comparison, WaitsForTheSpindlesMarkAreOne) {
         return all;
     };
     const Comparison result = compared(with_thread(60), with_thread(60.001));
-    EXPECT_FALSE(result.parting) << static_cast<int>(result.parting.value_or(Parting::Way));
+    EXPECT_FALSE(result.parting) << static_cast<int>(result.parting.value_or(Parting::Path));
     // A dwell there is one still.
     std::vector<Command> dwells = with_thread(60);
     Command dwell(Op::Dwell);

@@ -30,12 +30,12 @@ machine::Machine smooth_machine() {
 std::vector<Vec3> points_of(const std::function<Vec3(double)>& curve, double spacing) {
     constexpr int kFine = 100'000;
     std::vector<Vec3> points;
-    double way = spacing;
+    double distance = spacing;
     for (int i = 0; i <= kFine; ++i) {
         const Vec3 at = curve(i / double{kFine}) - curve(0);
-        if (i > 0) way += (at - (curve((i - 1) / double{kFine}) - curve(0))).norm();
-        if (way < spacing && i < kFine) continue;
-        way = 0;
+        if (i > 0) distance += (at - (curve((i - 1) / double{kFine}) - curve(0))).norm();
+        if (distance < spacing && i < kFine) continue;
+        distance = 0;
         const Vec3 rounded = (at * 1000).array().round() / 1000;
         if (points.empty() || rounded != points.back()) points.push_back(rounded);
     }
@@ -77,7 +77,7 @@ std::vector<Shape> shapes() {
 /// What comes out of a compressor, as a planner would take it.
 std::vector<Command> compressed(const std::vector<Command>& commands) {
     const machine::Machine machine = machine_of();
-    Standing standing(machine);
+    AxesPosition standing(machine);
     Compressor compressor;
     std::vector<Command> out;
     const auto drain = [&] {
@@ -98,7 +98,7 @@ std::vector<Command> compressed(const std::vector<Command>& commands) {
 
 std::vector<path::Curve> curves_of(const std::vector<Command>& commands) {
     const machine::Machine machine = machine_of();
-    Standing standing(machine);
+    AxesPosition standing(machine);
     std::vector<path::Curve> curves;
     for (const Command& command : commands) {
         Segment segment = standing.still();
@@ -110,14 +110,15 @@ std::vector<path::Curve> curves_of(const std::vector<Command>& commands) {
     return curves;
 }
 
-double distance_to_polyline(const std::vector<Vec3>& points, const Vec3& place, std::size_t& near) {
+double distance_to_polyline(const std::vector<Vec3>& points, const Vec3& point, std::size_t& near) {
     // Looked for around the line where the place before was.
     double least = kUnlimited;
     const std::size_t from = near > 60 ? near - 60 : 0;
     for (std::size_t i = from; i + 1 < points.size() && i < from + 120; ++i) {
-        const Vec3 way = points[i + 1] - points[i];
-        const double along = std::clamp((place - points[i]).dot(way) / way.squaredNorm(), 0.0, 1.0);
-        const double apart = (place - points[i] - along * way).norm();
+        const Vec3 delta = points[i + 1] - points[i];
+        const double along =
+            std::clamp((point - points[i]).dot(delta) / delta.squaredNorm(), 0.0, 1.0);
+        const double apart = (point - points[i] - along * delta).norm();
         if (apart < least) {
             least = apart;
             near = i;

@@ -44,9 +44,9 @@ double distance_to(const path::Curve& curve, const Vec3& point) {
 }
 
 /// … from what belongs to a line of the text and to its neighbours.
-double distance_to(const std::vector<Segment>& way, const Vec3& point, std::uint32_t line) {
+double distance_to(const std::vector<Segment>& motion, const Vec3& point, std::uint32_t line) {
     double least = kUnlimited;
-    for (const Segment& segment : way) {
+    for (const Segment& segment : motion) {
         if (segment.line + 1 >= line && segment.line <= line + 1)
             least = std::min(least, distance_to(segment.curve, point));
     }
@@ -435,11 +435,11 @@ TEST(Rounding, RapidAndFeedHaveTheirOwnDistances) {
     struct Row {
         std::uint32_t line;
         Vec3 corner;
-        double way;
+        double distance;
     };
     for (const Row& row : {Row{1, {20, 0, 0}, 4}, Row{2, {20, 20, 0}, 1}, Row{3, {40, 20, 0}, 1}}) {
         EXPECT_NEAR(distance_to(round.segments, row.corner, row.line),
-                    31.0 / 180 * std::sqrt(2.0) * row.way, 1e-6);
+                    31.0 / 180 * std::sqrt(2.0) * row.distance, 1e-6);
     }
 }
 

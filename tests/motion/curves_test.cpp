@@ -144,7 +144,7 @@ Command thread_to(double z, double pitch, double change) {
     Command command = line_to(Vec3(0, 0, z), pitch);
     command.become(Op::Thread);
     command.motion().feed_mode = path::FeedMode::PerRevolution;
-    command.motion().thread().lead_change = change;
+    command.motion().thread().pitch_change = change;
     return command;
 }
 

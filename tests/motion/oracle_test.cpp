@@ -467,11 +467,11 @@ struct SpeedsOfRun {
     double at_place = 0;
     double apart = 1e9;  // mm, of the setpoint from the place
 };
-SpeedsOfRun speeds_of(const std::vector<Setpoint>& setpoints, const Vec3& place) {
+SpeedsOfRun speeds_of(const std::vector<Setpoint>& setpoints, const Vec3& point) {
     SpeedsOfRun speeds;
     for (const Setpoint& setpoint : setpoints) {
         speeds.greatest = std::max(speeds.greatest, setpoint.feed);
-        const double apart = (setpoint.tip - place).norm();
+        const double apart = (setpoint.tip - point).norm();
         if (apart > speeds.apart) continue;
         speeds.apart = apart;
         speeds.at_place = setpoint.feed;

@@ -110,7 +110,7 @@ std::vector<Command> workpiece() {
 struct Mistake {
     const char* name;
     std::function<void(std::vector<Setpoint>&)> make;
-    PathFault fault;
+    DeviationKind fault;
     std::uint32_t line;  // that it is found in; 0: any
     double distance;     // mm, about; 0: any
 };
@@ -130,9 +130,9 @@ TEST(PathCheck, FindsEveryMistake) {
     const std::vector<Command> program = workpiece();
     const std::vector<Setpoint> right = sample(machine, program);
     EXPECT_FALSE(deviation_of(machine, program, right).has_value());
-    const auto shift = [](Setpoint& setpoint, const Vec3& way) {
-        setpoint.tip += way;
-        for (std::size_t i = 0; i < 3; ++i) setpoint.axis[i] += way[static_cast<long>(i)];
+    const auto shift = [](Setpoint& setpoint, const Vec3& delta) {
+        setpoint.tip += delta;
+        for (std::size_t i = 0; i < 3; ++i) setpoint.axis[i] += delta[static_cast<long>(i)];
     };
     for (const Mistake& mistake : {
              Mistake{"one setpoint beside an arc",
@@ -140,15 +140,15 @@ TEST(PathCheck, FindsEveryMistake) {
                          const auto [from, to] = range_of(all, 12);
                          shift(all[(from + to) / 2], {0, 0, 0.01});
                      },
-                     PathFault::Tip, 12, 0.01},
+                     DeviationKind::Tip, 12, 0.01},
              Mistake{"a thousandth of a millimetre",
                      [&](auto& all) {
                          shift(all[range_of(all, 5).second - 9], {0, 0, 0.001});
                      },
-                     PathFault::Tip, 5, 0.001},
+                     DeviationKind::Tip, 5, 0.001},
              Mistake{"only the axes are wrong",
                      [&](auto& all) { all[range_of(all, 7).second - 9].axis[2] += 0.02; },
-                     PathFault::Tip, 7, 0.02},
+                     DeviationKind::Tip, 7, 0.02},
              Mistake{"a corner left out by a straight line",
                      [&](auto& all) {
                          // From the middle of one line to the middle of the next.
@@ -157,14 +157,14 @@ TEST(PathCheck, FindsEveryMistake) {
                          const std::size_t begin = (from + corner) / 2;
                          const std::size_t end = (next + to) / 2;
                          const Vec3 start = all[begin].tip;
-                         const Vec3 way = all[end].tip - start;
+                         const Vec3 delta = all[end].tip - start;
                          for (std::size_t i = begin; i < end; ++i) {
                              const double share =
                                  static_cast<double>(i - begin) / static_cast<double>(end - begin);
-                             shift(all[i], start + share * way - all[i].tip);
+                             shift(all[i], start + share * delta - all[i].tip);
                          }
                      },
-                     PathFault::Tip, 0, 0},
+                     DeviationKind::Tip, 0, 0},
              Mistake{"two lines are not gone at all",
                      [](auto& all) {
                          const auto [from, to] = range_of(all, 4);
@@ -172,15 +172,15 @@ TEST(PathCheck, FindsEveryMistake) {
                          all.erase(all.begin() + static_cast<long>(from),
                                    all.begin() + static_cast<long>(end));
                      },
-                     PathFault::Tip, 0, 0},
+                     DeviationKind::Tip, 0, 0},
              Mistake{"back along the line",
                      [](auto& all) {
                          const auto [from, to] = range_of(all, 13);
                          all[to - 20] = all[from + 20];
                      },
-                     PathFault::Tip, 13, 0},
+                     DeviationKind::Tip, 13, 0},
              Mistake{"an end that is not reached", [](auto& all) { all.resize(all.size() - 30); },
-                     PathFault::End, 13, 0},
+                     DeviationKind::End, 13, 0},
          }) {
         SCOPED_TRACE(mistake.name);
         std::vector<Setpoint> wrong = right;
@@ -268,13 +268,13 @@ TEST(PathCheck, HoldsDenseSplinesToTheirTolerance) {
         const std::vector<Command> program = dense_spline(200, wish);
         const std::vector<Setpoint> right = sample(machine, program);
         for (const double part : {0.1, 0.3, 0.5, 0.77}) {
-            const auto place = static_cast<std::size_t>(part * static_cast<double>(right.size()));
-            const Vec3 way = right[place + 1].tip - right[place - 1].tip;
-            const Vec3 aside = way.cross(Vec3::UnitX()).normalized();
+            const auto index = static_cast<std::size_t>(part * static_cast<double>(right.size()));
+            const Vec3 delta = right[index + 1].tip - right[index - 1].tip;
+            const Vec3 aside = delta.cross(Vec3::UnitX()).normalized();
             for (const double beyond : {-5e-7, 5e-7}) {
                 std::vector<Setpoint> moved = right;
                 for (std::size_t i = 0; i < 3; ++i)
-                    moved[place].axis[i] +=
+                    moved[index].axis[i] +=
                         (wish.size + 1e-6 + beyond) * aside[static_cast<long>(i)];
                 const auto found = deviation_of(machine, program, moved);
                 EXPECT_EQ(found.has_value(), beyond > 0) << part;
@@ -299,10 +299,10 @@ TEST(PathCheck, FindsDenseSpansThatAreLeftOut) {
         for (std::size_t k = 0; k < 3; ++k)
             cut[i].axis[k] = right[from - 1].axis[k] * (1 - share) + right[to].axis[k] * share;
     }
-    EXPECT_EQ(fault_of(cut), PathFault::Tip);
+    EXPECT_EQ(fault_of(cut), DeviationKind::Tip);
     std::vector<Setpoint> too_short = right;
     too_short.resize(range_of(right, 180).first);
-    EXPECT_EQ(fault_of(too_short), PathFault::End);
+    EXPECT_EQ(fault_of(too_short), DeviationKind::End);
 }
 
 // What a plain span says of a tip is what looking everywhere says; where it knows nothing it says
@@ -319,24 +319,24 @@ RC_GTEST_PROP(PathCheck, SaysOfPlainSpansWhatIsSure, ()) {
     if (!steady) return;
     const path::QuinticSpan span = path::make_quintic(Vec3::Zero(), end, shape);
     const auto position = [&](double u) -> Vec3 { return path::point_at(span, u).position; };
-    const PlainMotion way = plain_way(*steady);
-    RC_ASSERT((end_of(way) - end).norm() == 0);
+    const PlainMotion plain = plain_motion_of(*steady);
+    RC_ASSERT((end_of(plain) - end).norm() == 0);
     const double tolerance = *rc::gen::element(1e-6, 1e-3, 0.1);
     const double u = *rc::gen::inRange(0, 1001) * 0.001;
     const double from = std::max(0.0, u - *rc::gen::inRange(0, 300) * 0.001);
     const double aside = tolerance * *rc::gen::inRange(0, 3000) * 0.001;
     const Vec3 tip = position(u) + aside * Vec3(any(1), any(1), 1).normalized();
-    const PlainLook look = look_at(way, tip, tolerance, from);
+    const PlainLook look = look_at(plain, tip, tolerance, from);
     double least = (position(u) - tip).norm();
     for (int i = 0; i <= 20000; ++i) least = std::min(least, (position(i / 20000.0) - tip).norm());
-    if (look.side == PlainLook::Side::On) {
-        RC_ASSERT((position(look.place) - tip).norm() <= tolerance * (1 + 1e-9) + 1e-12);
-        RC_ASSERT(look.place >= from - 2 * tolerance / way.length && look.place <= 1);
+    if (look.side == PlainLook::LookResult::On) {
+        RC_ASSERT((position(look.parameter) - tip).norm() <= tolerance * (1 + 1e-9) + 1e-12);
+        RC_ASSERT(look.parameter >= from - 2 * tolerance / plain.length && look.parameter <= 1);
     }
-    if (look.side == PlainLook::Side::Beside) RC_ASSERT(least > tolerance * (1 - 1e-9));
-    if (aside == 0) RC_ASSERT(look.side == PlainLook::Side::On);
-    RC_ASSERT(travel_bound(way, u) >= position(u).norm() - 1e-12);
-    RC_ASSERT((path::position(curve_of(way), path::length(curve_of(way)) / 2) -
+    if (look.side == PlainLook::LookResult::Beside) RC_ASSERT(least > tolerance * (1 - 1e-9));
+    if (aside == 0) RC_ASSERT(look.side == PlainLook::LookResult::On);
+    RC_ASSERT(travel_bound(plain, u) >= position(u).norm() - 1e-12);
+    RC_ASSERT((path::position(curve_of(plain), path::length(curve_of(plain)) / 2) -
                path::position(path::Curve(span), span.length / 2))
                   .norm() < 1e-9);
 }
@@ -411,7 +411,7 @@ TEST(PathCheck, HoldsRotaryAxesToTheirPlaces) {
         wrong[(from + to) / 2].axis[3] += 1e-4;
         const auto found = deviation_of(machine, program, wrong);
         ASSERT_TRUE(found.has_value());
-        EXPECT_EQ(static_cast<int>(found->fault), static_cast<int>(PathFault::Followers));
+        EXPECT_EQ(static_cast<int>(found->fault), static_cast<int>(DeviationKind::Followers));
         EXPECT_EQ(found->motion.line, line);
     }
 }

@@ -617,7 +617,7 @@ TEST(PlannerMistakes, SpindleStands) {
 
 TEST(PlannerMistakes, PlaceComesFromTheCaller) {
     PlannerOptions options;
-    options.place_of = [](const CommandLocation& asked) {
+    options.locate_command = [](const CommandLocation& asked) {
         ShownLocation place;
         place.line.file = "part.mpf";
         place.line.line = asked.line + 100;

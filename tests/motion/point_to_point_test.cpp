@@ -18,7 +18,7 @@ using bench::least_time;
 using bench::Transfer;
 
 Vec3 end_of(const Transfer& transfer) {
-    return {transfer.way[0], transfer.way[1], transfer.way[2]};
+    return {transfer.delta[0], transfer.delta[1], transfer.delta[2]};
 }
 
 TEST(PointToPoint, TheFourCasesOfTheClosedForm) {
@@ -93,7 +93,7 @@ TEST(PointToPoint, ThereAndBackWithStopsIsTheSum) {
                                          rapid_to(end_of(transfer) / 7)};
         for (Command& command : commands) command.motion().exact_stop = true;
         Transfer seventh = transfer;
-        for (double& way : seventh.way) way /= 7;
+        for (double& distance : seventh.delta) distance /= 7;
         const double least =
             2 * bench::least_time_straight(transfer) + bench::least_time_straight(seventh);
         const Motion motion = run(bench::machine_for(transfer), commands);

@@ -14,7 +14,7 @@ namespace {
 using machine::kR1;
 using machine::kR2;
 using machine::test::json;
-using path::Turning;
+using path::OrientKind;
 
 /// The machine of a case with its limits, deg/s and deg/s²; without jerk, and with linear axes that
 /// are never what limits.
@@ -47,7 +47,7 @@ Command orient_to(const machine::Machine& machine, const Vec3& joints) {
         command.motion().to[index(axis)] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
         command.motion().moved |= bit(axis);
     }
-    command.motion().turning = Turning::Axes;
+    command.motion().orient_kind = OrientKind::Axes;
     command.motion().direction = machine::tool_vector(machine.kinematics->chain, joints);
     command.motion().exact_stop = true;
     return command;
@@ -55,10 +55,10 @@ Command orient_to(const machine::Machine& machine, const Vec3& joints) {
 
 Command along_great_circle(const machine::Machine& machine, const Vec3& from, const Vec3& joints) {
     Command command = orient_to(machine, joints);
-    command.motion().turning = Turning::Cone;
+    command.motion().orient_kind = OrientKind::Cone;
     const Vec3 across = from.cross(command.motion().direction);
-    command.motion().tool_turn.made().axis = across.normalized();
-    command.motion().tool_turn.made().angle =
+    command.motion().orient_details.made().axis = across.normalized();
+    command.motion().orient_details.made().angle =
         std::atan2(across.norm(), from.dot(command.motion().direction));
     return command;
 }

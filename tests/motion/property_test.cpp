@@ -276,10 +276,10 @@ RC_GTEST_PROP(MotionProperty, RoundingStaysInsideItsTolerance, ()) {
         for (int i = 0; i <= 2; ++i) {
             const Vec3 point = path::position(segment.curve, length * i / 2);
             double least = kUnlimited;
-            for (const Segment& way : sharp.segments) {
-                if (is_motion(way.kind) && way.line + 1 >= segment.line &&
-                    way.line <= segment.line + 1)
-                    least = std::min(least, miss(way, point));
+            for (const Segment& motion : sharp.segments) {
+                if (is_motion(motion.kind) && motion.line + 1 >= segment.line &&
+                    motion.line <= segment.line + 1)
+                    least = std::min(least, miss(motion, point));
             }
             RC_ASSERT(least <= tolerance);
         }

@@ -68,9 +68,9 @@ RC_GTEST_PROP(ProfileCut, PartsAreTheWhole, ()) {
     const int count = *rc::gen::inRange(1, 200);
     double left = length;
     for (int i = 1; i < count; ++i) {
-        const double way = left * any_number(0, 1) * 0.1;
-        parts.push_back(cut.next(way, false));
-        left -= way;
+        const double distance = left * any_number(0, 1) * 0.1;
+        parts.push_back(cut.next(distance, false));
+        left -= distance;
     }
     parts.push_back(cut.next(left, true));
     const Seams seams = seams_of(parts);
@@ -82,15 +82,15 @@ RC_GTEST_PROP(ProfileCut, PartsAreTheWhole, ()) {
     double from = 0;
     for (const Profile& part : parts) {
         // The phases of a part cover its length, and nothing more.
-        double way = 0;
+        double distance = 0;
         double at_speed = part.entry_speed;
         for_each_phase(part, [&](const Phase& phase) {
             const double t = phase.duration;
-            way += (at_speed + (phase.acceleration / 2 + phase.jerk / 6 * t) * t) * t;
+            distance += (at_speed + (phase.acceleration / 2 + phase.jerk / 6 * t) * t) * t;
             at_speed += (phase.acceleration + phase.jerk / 2 * t) * t;
             return true;
         });
-        RC_ASSERT(std::abs(way - part.length) <= 2e-8);
+        RC_ASSERT(std::abs(distance - part.length) <= 2e-8);
         RC_ASSERT(part.peak_speed <= whole->peak_speed);
         from += part.length;
     }

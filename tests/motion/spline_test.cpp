@@ -38,9 +38,10 @@ TEST(SplineMotion, FeedIsAlongTheCurve) {
     for (std::size_t i = 1; i < setpoints.size(); ++i) {
         if (setpoints[i].feed != setpoints[i - 1].feed) continue;
         const double chord = (setpoints[i].tip - setpoints[i - 1].tip).norm();
-        const double way = setpoints[i].feed * tick;
-        EXPECT_LE(chord, way + 3e-9);
-        EXPECT_GE(chord, way - 3e-9 - 2 * way * way * way);  // κ²/24 with κ below 7/mm
+        const double distance = setpoints[i].feed * tick;
+        EXPECT_LE(chord, distance + 3e-9);
+        EXPECT_GE(chord,
+                  distance - 3e-9 - 2 * distance * distance * distance);  // κ²/24 with κ below 7/mm
         ++compared;
     }
     EXPECT_GT(compared, 3000u);

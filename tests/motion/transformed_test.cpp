@@ -20,14 +20,14 @@ namespace kadr::motion::test {
 namespace {
 
 using machine::Chain;
-using machine::Side;
-using path::Turning;
+using machine::ChainSide;
+using path::OrientKind;
 
 constexpr double kMicrometre = 1e-3;
 
 struct Joint {
     Axis axis;
-    Side side;
+    ChainSide side;
     Vec3 direction;
     Vec3 point;
 };
@@ -58,21 +58,21 @@ machine::Machine five_axes(const Joint& first, const Joint& second, double jerk_
 }
 
 machine::Machine table_table(double jerk_time = 0) {
-    return five_axes({Axis::C, Side::Table, Vec3::UnitZ(), {12, -7, 3}},
-                     {Axis::A, Side::Table, Vec3::UnitX(), {3, 5, -60}}, jerk_time);
+    return five_axes({Axis::C, ChainSide::Table, Vec3::UnitZ(), {12, -7, 3}},
+                     {Axis::A, ChainSide::Table, Vec3::UnitX(), {3, 5, -60}}, jerk_time);
 }
 machine::Machine head_head() {
-    return five_axes({Axis::C, Side::Head, Vec3::UnitZ(), {0, 0, 200}},
-                     {Axis::B, Side::Head, Vec3::UnitY(), {0, 30, 150}});
+    return five_axes({Axis::C, ChainSide::Head, Vec3::UnitZ(), {0, 0, 200}},
+                     {Axis::B, ChainSide::Head, Vec3::UnitY(), {0, 30, 150}});
 }
 machine::Machine mixed() {
-    return five_axes({Axis::C, Side::Table, Vec3::UnitZ(), {10, 20, 0}},
-                     {Axis::B, Side::Head, Vec3::UnitY(), {0, 0, 180}});
+    return five_axes({Axis::C, ChainSide::Table, Vec3::UnitZ(), {10, 20, 0}},
+                     {Axis::B, ChainSide::Head, Vec3::UnitY(), {0, 0, 180}});
 }
 machine::Machine nutating() {
     const double s = std::sqrt(0.5);
-    return five_axes({Axis::C, Side::Head, Vec3::UnitZ(), {0, 0, 250}},
-                     {Axis::B, Side::Head, {0, s, s}, {0, 0, 120}});
+    return five_axes({Axis::C, ChainSide::Head, Vec3::UnitZ(), {0, 0, 250}},
+                     {Axis::B, ChainSide::Head, {0, s, s}, {0, 0, 120}});
 }
 
 std::vector<machine::Machine> every_class() {
@@ -91,22 +91,25 @@ class Program {
         : machine_(machine), chain_(machine.kinematics->chain) {}
 
     /// To a tip and a direction on the great circle, or with the rotary axes in proportion.
-    Program& go(const Vec3& tip, const Vec3& tool, double feed, Turning turning = Turning::Cone) {
+    Program& go(const Vec3& tip, const Vec3& tool, double feed,
+                OrientKind orient_kind = OrientKind::Cone) {
         machine::PathQuery query = machine::query_for(chain_, tool);
         query.start = joints_;
-        query.mode = turning == Turning::Cone ? machine::PathMode::Vector : machine::PathMode::Axis;
+        query.mode =
+            orient_kind == OrientKind::Cone ? machine::PathMode::Vector : machine::PathMode::Axis;
         query.pole_tolerance = std::max(machine_.kinematics->pole_tolerance, 1e-7);
         const auto chosen = machine::choose_path(chain_, query);
         RC_PRE(chosen.has_value());
         RC_PRE(chosen->mode == query.mode);
         Command command = line_to(tip, feed);
-        command.motion().turning = turning;
+        command.motion().orient_kind = orient_kind;
         command.motion().direction = tool;
         const Vec3 from = machine::tool_vector(chain_, joints_);
         const Vec3 across = from.cross(tool);
-        if (turning == Turning::Cone && across.norm() > 0) {
-            command.motion().tool_turn.made().axis = across.normalized();
-            command.motion().tool_turn.made().angle = std::atan2(across.norm(), from.dot(tool));
+        if (orient_kind == OrientKind::Cone && across.norm() > 0) {
+            command.motion().orient_details.made().axis = across.normalized();
+            command.motion().orient_details.made().angle =
+                std::atan2(across.norm(), from.dot(tool));
         }
         joints_ = chosen->rotary;
         put_joints(command);
@@ -114,7 +117,7 @@ class Program {
         return *this;
     }
     Program& go_fast(const Vec3& tip, const Vec3& tool) {
-        go(tip, tool, 0, Turning::Axes);
+        go(tip, tool, 0, OrientKind::Axes);
         commands.back().become(Op::Rapid);
         return *this;
     }
@@ -126,17 +129,17 @@ class Program {
         const Vec3 from = machine::tool_vector(chain_, joints_);
         lay(command, from);
         const double length = path::length(curve) > 0 ? path::length(curve) : 1;
-        path::Turn turn{command.motion().turning,
-                        length,
-                        command.motion().turn().from,
-                        command.motion().turn().axis,
-                        command.motion().turn().angle / length,
-                        command.motion().turn().lean};
-        if (turn.kind == Turning::Cone) turn.start = from;
-        if (turn.kind == Turning::Point) turn.axis /= length;
-        RC_PRE((path::direction_at(turn, curve, 0) - from).norm() < 1e-9);
+        path::OrientLaw orientation{command.motion().orient_kind,
+                                    length,
+                                    command.motion().orientation().from,
+                                    command.motion().orientation().axis,
+                                    command.motion().orientation().angle / length,
+                                    command.motion().orientation().lead_tilt};
+        if (orientation.kind == OrientKind::Cone) orientation.start = from;
+        if (orientation.kind == OrientKind::Point) orientation.axis /= length;
+        RC_PRE((path::direction_at(orientation, curve, 0) - from).norm() < 1e-9);
         const auto end = machine::follow(chain_, {joints_, {}}, [&](double f) {
-            return path::direction_at(turn, curve, f * length);
+            return path::direction_at(orientation, curve, f * length);
         });
         RC_PRE(end.has_value());
         joints_ = end->rotary;
@@ -191,7 +194,7 @@ TEST(Transformed, TipThatStandsStandsAtEveryTick) {
         program.go_fast(tip, direction(30, 20));
         program.go(tip, direction(80, 55), 3000);  // deg/min
         program.go(tip, direction(-60, 10), 3000);
-        program.go(tip, direction(90, 40), 3000, Turning::Axes);
+        program.go(tip, direction(90, 40), 3000, OrientKind::Axes);
         std::vector<Command> commands = program.commands;
         commands.insert(commands.begin(), with_tool_length(80));
         const auto setpoints = sample(machine, commands);
@@ -234,8 +237,8 @@ TEST(Transformed, GreatCirclesThroughThePoleKeepTipAndLimits) {
                 ASSERT_LT(std::abs((pose.rotation * Vec3::UnitZ()).dot(normal)), 1e-6)
                     << aside << " " << setpoint.time << " of machine "
                     << (&machine - machines.data());
-                const Vec3 way(20, 10, -5);
-                EXPECT_LT((setpoint.tip - Vec3(0, 0, 5)).cross(way).norm() / way.norm(), 1e-9);
+                const Vec3 delta(20, 10, -5);
+                EXPECT_LT((setpoint.tip - Vec3(0, 0, 5)).cross(delta).norm() / delta.norm(), 1e-9);
             }
             EXPECT_LT(watch.shares().velocity, 1.001)
                 << aside << " of machine " << (&machine - machines.data()) << " "
@@ -247,10 +250,11 @@ TEST(Transformed, GreatCirclesThroughThePoleKeepTipAndLimits) {
 }
 
 /// Commands behind a tool length, the second one from point to point.
-std::vector<Command> to_a_point(const machine::Machine& machine, double feed, Turning turning) {
+std::vector<Command> to_a_point(const machine::Machine& machine, double feed,
+                                OrientKind orient_kind) {
     Program program(machine);
     program.go_fast({10, -5, 20}, direction(30, 20));
-    program.go({60, 35, -8}, direction(125, 50), feed, turning);
+    program.go({60, 35, -8}, direction(125, 50), feed, orient_kind);
     if (feed == 0) program.commands.back().become(Op::Rapid);
     std::vector<Command> commands = program.commands;
     commands.insert(commands.begin(), with_tool_length(80));
@@ -261,9 +265,9 @@ TEST(Transformed, FromPointToPointAllAxesGoStraightAndTogether) {
     constexpr double kFeed = 3000;
     for (const machine::Machine& machine : every_class()) {
         for (const double feed : {0.0, kFeed}) {
-            const auto commands = to_a_point(machine, feed, Turning::Straight);
+            const auto commands = to_a_point(machine, feed, OrientKind::Straight);
             const auto start = sample(machine, {commands.begin(), commands.end() - 1}).back();
-            const auto end = sample(machine, to_a_point(machine, feed, Turning::Axes)).back();
+            const auto end = sample(machine, to_a_point(machine, feed, OrientKind::Axes)).back();
             const Motion motion = run(machine, commands);
             EXPECT_FALSE(motion.alarmed);
             TickWatch watch(machine, motion.segments);
@@ -284,9 +288,9 @@ TEST(Transformed, FromPointToPointAllAxesGoStraightAndTogether) {
                 for (std::size_t a = 0; a < machine.axes.size(); ++a)
                     EXPECT_NEAR(setpoint.axis[a],
                                 start.axis[a] + share * (end.axis[a] - start.axis[a]), 1e-9);
-                const Vec3 way = end.tip - start.tip;
+                const Vec3 delta = end.tip - start.tip;
                 beside =
-                    std::max(beside, (setpoint.tip - start.tip).cross(way.normalized()).norm());
+                    std::max(beside, (setpoint.tip - start.tip).cross(delta.normalized()).norm());
                 if (before != nullptr)
                     fastest = std::max(fastest, std::hypot(setpoint.axis[0] - before->axis[0],
                                                            setpoint.axis[1] - before->axis[1],
@@ -315,9 +319,9 @@ TEST(Transformed, FromPointToPointCornersAreThoseOfTheAxes) {
     Program program(machine);
     const Vec3 tool = direction(30, 20);
     program.go_fast({0, 0, 0}, tool);
-    program.go({40, 0, 0}, tool, 3000, Turning::Straight);
-    program.go({40, 40, 0}, tool, 3000, Turning::Straight);
-    program.go({0, 40, 0}, tool, 3000, Turning::Axes);
+    program.go({40, 0, 0}, tool, 3000, OrientKind::Straight);
+    program.go({40, 40, 0}, tool, 3000, OrientKind::Straight);
+    program.go({0, 40, 0}, tool, 3000, OrientKind::Axes);
     for (Command& command : program.commands)
         std::copy(program.commands[0].motion().to.begin() + 3,
                   program.commands[0].motion().to.end(), command.motion().to.begin() + 3);
@@ -350,7 +354,7 @@ std::vector<Command> any_turning_program(const machine::Machine& machine) {
         azimuth += turn * any_number(-1, 1);
         tilt = std::clamp(tilt + turn * any_number(-1, 1), 1.0, 70.0);
         program.go(tip, direction(azimuth, tilt), any_number(500, 20000),
-                   *rc::gen::element(Turning::Cone, Turning::Axes));
+                   *rc::gen::element(OrientKind::Cone, OrientKind::Axes));
     }
     return program.commands;
 }
@@ -376,9 +380,10 @@ RC_GTEST_PROP(Transformed, KeepsTheTipOnItsPathAndTheAxesWithinLimits, ()) {
             return Vec3(commands[i].motion().to[0], commands[i].motion().to[1],
                         commands[i].motion().to[2]);
         };
-        const Vec3 way = tip_of(k) - tip_of(k - 1);
+        const Vec3 delta = tip_of(k) - tip_of(k - 1);
         const Vec3 from = setpoint.tip - tip_of(k - 1);
-        const double aside = way.norm() > 0 ? from.cross(way).norm() / way.norm() : from.norm();
+        const double aside =
+            delta.norm() > 0 ? from.cross(delta).norm() / delta.norm() : from.norm();
         RC_ASSERT(aside < 1e-6 * kMicrometre);
     }
     RC_ASSERT(watch.shares().velocity < 1.001);
@@ -390,11 +395,11 @@ RC_GTEST_PROP(Transformed, KeepsTheTipOnItsPathAndTheAxesWithinLimits, ()) {
 /// says: it stops with the acceleration that it has, and not with 1.0015 of it.
 TEST(Transformed, AxesKeepTheirAccelerationWhereTheyStopNearThePole) {
     const machine::Machine machine = table_table();
-    for (const Turning turning : {Turning::Cone, Turning::Axes}) {
+    for (const OrientKind orient_kind : {OrientKind::Cone, OrientKind::Axes}) {
         for (double tilt = 1; tilt < 3; tilt += 0.25) {
             Program program(machine);
             program.go_fast({0, 0, 0}, direction(-177.769, 3.26));
-            program.go({-58.62, -59.4, -58.74}, direction(-187.419, tilt), 500, turning);
+            program.go({-58.62, -59.4, -58.74}, direction(-187.419, tilt), 500, orient_kind);
             const Motion motion = run(machine, program.commands);
             TickWatch watch(machine, motion.segments);
             for (const Setpoint& setpoint : sample(machine, program.commands)) watch.add(setpoint);
@@ -434,7 +439,7 @@ void expect_led(const machine::Machine& machine, const std::vector<Command>& com
     TickWatch watch(machine, motion.segments);
     const Vec3 to(led.command.motion().to[0], led.command.motion().to[1],
                   led.command.motion().to[2]);
-    const Vec3 way = to - led.tip_from;
+    const Vec3 delta = to - led.tip_from;
     std::size_t count = 0;
     for (const Setpoint& setpoint : sample(machine, commands)) {
         watch.add(setpoint);
@@ -442,8 +447,8 @@ void expect_led(const machine::Machine& machine, const std::vector<Command>& com
         ASSERT_LT((pose.tip - setpoint.tip).norm(), 1e-9);
         if (setpoint.line < commands.size()) continue;
         ++count;
-        const double f = (setpoint.tip - led.tip_from).dot(way) / way.squaredNorm();
-        ASSERT_LT((setpoint.tip - led.tip_from - f * way).norm(), 1e-9);
+        const double f = (setpoint.tip - led.tip_from).dot(delta) / delta.squaredNorm();
+        ASSERT_LT((setpoint.tip - led.tip_from - f * delta).norm(), 1e-9);
         ASSERT_LT((pose.rotation * Vec3::UnitZ() - led.tool(f)).norm(), 1e-6) << f;
     }
     EXPECT_GT(count, 300u);
@@ -468,9 +473,9 @@ TEST(Transformed, ConesKeepTheirAngleAtEveryTickThroughPolesToo) {
             program.go_fast({0, 0, 5}, start);
             program.lead(line_to({90, 20, 0}, 2500), path::make_line({0, 0, 5}, {90, 20, 0}),
                          [&](Command& command, const Vec3&) {
-                             command.motion().turning = Turning::Cone;
-                             command.motion().tool_turn.made().axis = axis;
-                             command.motion().tool_turn.made().angle = turn;
+                             command.motion().orient_kind = OrientKind::Cone;
+                             command.motion().orient_details.made().axis = axis;
+                             command.motion().orient_details.made().angle = turn;
                          });
             const Vec3 from = program.commands[0].motion().direction;
             expect_led(machine, program.commands,
@@ -499,14 +504,15 @@ TEST(Transformed, ToolsLeanOnTheirSurfaceAtEveryTick) {
         };
         Program program(machine);
         program.go_fast(from, tool(0));
-        program.lead(
-            line_to(to, 2500), path::make_line(from, to), [&](Command& command, const Vec3&) {
-                command.motion().turning = Turning::Surface;
-                command.motion().tool_turn.made().from = Vec3::UnitZ();
-                command.motion().tool_turn.made().axis = Vec3::UnitX();
-                command.motion().tool_turn.made().angle = whole;
-                command.motion().tool_turn.made().lean = {lead, tilt, path::TiltAbout::Tangent};
-            });
+        program.lead(line_to(to, 2500), path::make_line(from, to),
+                     [&](Command& command, const Vec3&) {
+                         command.motion().orient_kind = OrientKind::Surface;
+                         command.motion().orient_details.made().from = Vec3::UnitZ();
+                         command.motion().orient_details.made().axis = Vec3::UnitX();
+                         command.motion().orient_details.made().angle = whole;
+                         command.motion().orient_details.made().lead_tilt = {
+                             lead, tilt, path::TiltAbout::Tangent};
+                     });
         expect_led(machine, program.commands, {program.commands[1], from, tool});
     }
 }
@@ -523,9 +529,9 @@ TEST(Transformed, SecondPointsLeadTheToolAtEveryTick) {
         program.go_fast(from, tool(0));
         program.lead(line_to(to, 2500), path::make_line(from, to),
                      [&](Command& command, const Vec3&) {
-                         command.motion().turning = Turning::Point;
-                         command.motion().tool_turn.made().from = point;
-                         command.motion().tool_turn.made().axis = point_to - point;
+                         command.motion().orient_kind = OrientKind::Point;
+                         command.motion().orient_details.made().from = point;
+                         command.motion().orient_details.made().axis = point_to - point;
                      });
         expect_led(machine, program.commands, {program.commands[1], from, tool});
     }
@@ -563,9 +569,9 @@ TEST(Transformed, ToolsTurnInProportionAlongSplines) {
             Program program(machine);
             program.go_fast({0, 0, 0}, from);
             program.lead(span, curve, [&](Command& command, const Vec3&) {
-                command.motion().turning = Turning::Cone;
-                command.motion().tool_turn.made().axis = axis;
-                command.motion().tool_turn.made().angle = whole;
+                command.motion().orient_kind = OrientKind::Cone;
+                command.motion().orient_details.made().axis = axis;
+                command.motion().orient_details.made().angle = whole;
             });
             std::vector<Command> commands = program.commands;
             commands.insert(commands.begin(), with_tool_length(90));
@@ -600,16 +606,16 @@ TEST(Transformed, ToolsFollowTheTangentOfAnArc) {
         Program program(machine);
         program.go_fast({radius, 0, 0}, {0, std::sin(lead), std::cos(lead)});
         const Command arc = arc_to({-radius, 0, 0}, {0, 0, 0}, std::numbers::pi, 2500);
-        program.lead(
-            arc,
-            path::make_helix({radius, 0, 0}, {-radius, 0, 0}, {0, 0, 0}, Vec3::UnitZ(),
-                             std::numbers::pi),
-            [&](Command& command, const Vec3&) {
-                command.motion().turning = Turning::Surface;
-                command.motion().tool_turn.made().from = Vec3::UnitZ();
-                command.motion().tool_turn.made().axis = Vec3::UnitX();
-                command.motion().tool_turn.made().lean = {lead, 0, path::TiltAbout::Tangent};
-            });
+        program.lead(arc,
+                     path::make_helix({radius, 0, 0}, {-radius, 0, 0}, {0, 0, 0}, Vec3::UnitZ(),
+                                      std::numbers::pi),
+                     [&](Command& command, const Vec3&) {
+                         command.motion().orient_kind = OrientKind::Surface;
+                         command.motion().orient_details.made().from = Vec3::UnitZ();
+                         command.motion().orient_details.made().axis = Vec3::UnitX();
+                         command.motion().orient_details.made().lead_tilt = {
+                             lead, 0, path::TiltAbout::Tangent};
+                     });
         const Motion motion = run(machine, program.commands);
         ASSERT_FALSE(motion.alarmed);
         TickWatch watch(machine, motion.segments);
@@ -870,13 +876,13 @@ RC_GTEST_PROP(OrientationCorner, KeepsTolerancesAndLimits, ()) {
         double least = 1e9;
         for (std::size_t k = std::max<std::size_t>(line, 2) - 1;
              k < std::min(line + 2, commands.size()); ++k) {
-            const Vec3 way = tip_of(k) - tip_of(k - 1);
+            const Vec3 delta = tip_of(k) - tip_of(k - 1);
             const double f =
-                way.norm() > 0
-                    ? std::clamp((setpoint.tip - tip_of(k - 1)).dot(way) / way.squaredNorm(), 0.0,
-                                 1.0)
+                delta.norm() > 0
+                    ? std::clamp((setpoint.tip - tip_of(k - 1)).dot(delta) / delta.squaredNorm(),
+                                 0.0, 1.0)
                     : 0;
-            least = std::min(least, (setpoint.tip - tip_of(k - 1) - f * way).norm());
+            least = std::min(least, (setpoint.tip - tip_of(k - 1) - f * delta).norm());
         }
         RC_ASSERT(least < (kind == 3 ? 0 : tolerance) + 1e-9);
     }
@@ -908,8 +914,8 @@ TEST(Transformed, AxesKeepTheirVelocityOnLongTurns) {
 /// A table whose C axis is out of square with A by so much, rad: directions nearer to C than that
 /// no axes reach.
 machine::Machine out_of_square(double gap) {
-    return five_axes({Axis::C, Side::Table, Vec3(gap, 0, 1).normalized(), {12, -7, 3}},
-                     {Axis::A, Side::Table, Vec3::UnitX(), {3, 5, -60}}, 0.02);
+    return five_axes({Axis::C, ChainSide::Table, Vec3(gap, 0, 1).normalized(), {12, -7, 3}},
+                     {Axis::A, ChainSide::Table, Vec3::UnitX(), {3, 5, -60}}, 0.02);
 }
 
 /// A direction as programs have them that lead the tool upright and past it.

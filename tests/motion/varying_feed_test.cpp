@@ -50,8 +50,8 @@ Command turning(Command command, double degrees) {
 }
 
 /// A way at one speed, from rest to rest.
-double time_of(double way, double speed, double acceleration) {
-    return way / speed + speed / acceleration;
+double time_of(double distance, double speed, double acceleration) {
+    return distance / speed + speed / acceleration;
 }
 
 TEST(FeedAxes, TimesOfLines) {

@@ -13,7 +13,7 @@
 namespace kadr::motion::test {
 namespace {
 
-using path::Turning;
+using path::OrientKind;
 using path::VirtualAxes;
 using path::VirtualKind;
 
@@ -40,7 +40,7 @@ machine::Machine turning_centre(double jerk_time = 0) {
 
 VirtualAxes face() {
     VirtualAxes axes;
-    axes.kind = VirtualKind::Face;
+    axes.kind = VirtualKind::Polar;
     return axes;
 }
 VirtualAxes cylinder(double radius) {
@@ -58,7 +58,7 @@ VirtualAxes inclined(double angle_deg) {
 
 std::vector<Command> within_axes(const VirtualAxes& axes, std::vector<Command> commands) {
     for (Command& command : commands) {
-        command.motion().turning = Turning::Axes;
+        command.motion().orient_kind = OrientKind::Axes;
         command.motion().virtual_system = axes;
         // Where C ends is worked out on the way.
         command.motion().moved = static_cast<AxisMask>(command.motion().moved & ~bit(Axis::C));
@@ -77,7 +77,7 @@ RealAxes axes_of(const Setpoint& setpoint) {
 Vec3 tip_of(const VirtualAxes& axes, const RealAxes& at) {
     switch (axes.kind) {
         case VirtualKind::None: break;
-        case VirtualKind::Face: return {at.x * std::cos(at.c), at.x * std::sin(at.c), at.z};
+        case VirtualKind::Polar: return {at.x * std::cos(at.c), at.x * std::sin(at.c), at.z};
         case VirtualKind::Cylinder: return {at.x, axes.size * at.c, at.z};
         case VirtualKind::Inclined:
             return {at.x * std::cos(axes.size), 0, at.z + at.x * std::sin(axes.size)};
@@ -93,10 +93,10 @@ double distance_from(const Command& command, const Vec3& from, const Vec3& point
                    first = from - command.motion().arc().center;
         return std::abs(std::hypot(out.x(), out.y()) - std::hypot(first.x(), first.y()));
     }
-    const Vec3 way = to - from;
-    if (way.norm() == 0) return (point - from).norm();
-    const double along = std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return (point - from - along * way).norm();
+    const Vec3 delta = to - from;
+    if (delta.norm() == 0) return (point - from).norm();
+    const double along = std::clamp((point - from).dot(delta) / delta.squaredNorm(), 0.0, 1.0);
+    return (point - from - along * delta).norm();
 }
 
 struct Watched {

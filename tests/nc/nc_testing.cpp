@@ -86,7 +86,7 @@ Block words_block(const Dialect& dialect, std::string_view text) {
         if (hole.is_argument) {
             block.set_argument(block.functions[hole.invocation], hole.parameter, value);
         } else {
-            block.set(static_cast<Slot>(hole.place), value);
+            block.set(static_cast<Slot>(hole.index), value);
         }
     }
     return block;

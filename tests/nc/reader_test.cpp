@@ -433,13 +433,13 @@ TEST(Reader, Places) {
     Reader reader(shipped("sinumerik"), pieces, "part.mpf", sink);
     std::vector<Block> blocks(2);
     ASSERT_EQ(reader.pull(blocks), 2u);
-    EXPECT_EQ(reader.place(blocks[1]).line, 2u);
-    EXPECT_EQ(reader.place(blocks[1]).column, 5u);
-    EXPECT_EQ(reader.place(blocks[1], Slot::Radius).column, 14u);
-    EXPECT_EQ(reader.place(blocks[1], Slot::Radius).length, 4u);
-    EXPECT_EQ(reader.place(blocks[1], Function::CoolantFlood).column, 19u);
-    EXPECT_EQ(reader.place(blocks[1], Function::ArcCw).text, "N20 G2 X5 Y5 CR=3 M8");
-    EXPECT_EQ(reader.place(blocks[0], Slot::Feed).column, 11u);
+    EXPECT_EQ(reader.location(blocks[1]).line, 2u);
+    EXPECT_EQ(reader.location(blocks[1]).column, 5u);
+    EXPECT_EQ(reader.location(blocks[1], Slot::Radius).column, 14u);
+    EXPECT_EQ(reader.location(blocks[1], Slot::Radius).length, 4u);
+    EXPECT_EQ(reader.location(blocks[1], Function::CoolantFlood).column, 19u);
+    EXPECT_EQ(reader.location(blocks[1], Function::ArcCw).text, "N20 G2 X5 Y5 CR=3 M8");
+    EXPECT_EQ(reader.location(blocks[0], Slot::Feed).column, 11u);
 }
 
 }  // namespace

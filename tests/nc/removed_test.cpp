@@ -179,9 +179,9 @@ TEST(RemovedWords, AreNamed) {
              {"fanuc", "commands=\"coolant_flood\"", {"M8"}, "`coolant_flood`"},
          }) {
         SCOPED_TRACE(std::string(row.base) + " without " + row.removed);
-        const std::string said = said_without(row.base, row.removed, row.statements);
-        EXPECT_NE(said.find(row.said), std::string::npos) << said;
-        EXPECT_NE(said.find("lacking"), std::string::npos) << said;
+        const std::string text = said_without(row.base, row.removed, row.statements);
+        EXPECT_NE(text.find(row.said), std::string::npos) << text;
+        EXPECT_NE(text.find("lacking"), std::string::npos) << text;
     }
 }
 

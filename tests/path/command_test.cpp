@@ -54,17 +54,17 @@ TEST(Command, CopiesShareNothing) {
     Command command(Op::Spline);
     command.motion().spline().degree = 2;
     command.motion().dynamics.made().feed = 0.5;
-    ToolTurn turn;
-    turn.angle = 1;
-    command.motion().tool_turn = turn;
+    OrientDetails details;
+    details.angle = 1;
+    command.motion().orient_details = details;
     Command copy = command;
     copy.motion().spline().degree = 3;
     copy.motion().dynamics->feed = 1;
-    copy.motion().turn_plainly(Turning::Axes);
+    copy.motion().orient_plainly(OrientKind::Axes);
     EXPECT_EQ(command.motion().spline().degree, 2);
     EXPECT_EQ(command.motion().dynamics->feed, 0.5);
-    EXPECT_EQ(command.motion().turn().angle, 1);
-    EXPECT_EQ(copy.motion().turn().angle, 0);
+    EXPECT_EQ(command.motion().orientation().angle, 1);
+    EXPECT_EQ(copy.motion().orientation().angle, 0);
 }
 
 TEST(Boxed, IsEqualWhereTheParts) {

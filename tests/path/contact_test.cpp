@@ -26,7 +26,7 @@ Json cases() {
 
 Contact side(const Json& input) {
     Contact contact;
-    contact.kind = ContactKind::Side;
+    contact.kind = ContactKind::Flank;
     contact.radius = (input["tool_radius"].get<double>() + input["OFFN"].get<double>()) *
                      (input["side"] == "G42" ? 1 : -1);
     contact.depth = input["ISD"].get<double>();
@@ -71,7 +71,7 @@ TEST(Contact, FacesOfTheOracle) {
 
 TEST(Contact, AToolAlongItsPathTouchesNoContour) {
     Contact contact;
-    contact.kind = ContactKind::Side;
+    contact.kind = ContactKind::Flank;
     contact.radius = 5;
     EXPECT_FALSE(tip_beside(contact, Vec3::UnitZ(), Vec3::UnitZ()));
     EXPECT_FALSE(beside(Vec3::UnitX(), -Vec3::UnitX()));

@@ -273,7 +273,7 @@ TEST(ContourOffset, OpenContour) {
 }
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
-Vec2 rounded(const Vec2& place) { return {rounded(place.x()), rounded(place.y())}; }
+Vec2 rounded(const Vec2& point) { return {rounded(point.x()), rounded(point.y())}; }
 
 // Lines and arcs that are tangent but for the third decimal: beside them goes one piece.
 TEST(ContourOffset, TangentElementsWithThreeDecimals) {
@@ -283,8 +283,8 @@ TEST(ContourOffset, TangentElementsWithThreeDecimals) {
         Contour contour;
         Vec2 at(0, 0);
         double heading = 0;
-        const auto go = [&](double way) {
-            const Vec2 to = at + way * Vec2(std::cos(heading), std::sin(heading));
+        const auto go = [&](double distance) {
+            const Vec2 to = at + distance * Vec2(std::cos(heading), std::sin(heading));
             contour.push_back(line_element(rounded(at), rounded(to)));
             at = to;
         };

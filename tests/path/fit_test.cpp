@@ -173,10 +173,11 @@ TEST(Fit, LinesInSpace) {
     double worst = 0;
     double t = 0;
     for (const FitPiece& piece : fitted.pieces) {
-        const Vec3 way = piece.to - from;
+        const Vec3 delta = piece.to - from;
         for (; t < 4 * kPi && helix(t)->position.z() <= piece.to.z(); t += 1e-3) {
             const Vec3 point = helix(t)->position - from;
-            worst = std::max(worst, (point - way * (point.dot(way) / way.squaredNorm())).norm());
+            worst =
+                std::max(worst, (point - delta * (point.dot(delta) / delta.squaredNorm())).norm());
         }
         from = piece.to;
     }

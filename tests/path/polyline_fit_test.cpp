@@ -104,10 +104,10 @@ TEST(PolylineFit, BeginsWithTheGivenSlopeAndEndsWhereItMust) {
 
 /// Of samples of the cubic from the lines, and of the points from the samples.
 double sampled_deviation(const Cubic& cubic, std::span<const Vec3> points) {
-    const auto distance = [](const Vec3& place, std::span<const Vec3> lines) {
+    const auto distance = [](const Vec3& at, std::span<const Vec3> lines) {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 1; i < lines.size(); ++i)
-            least = std::min(least, distance_to_line(place, lines[i - 1], lines[i]));
+            least = std::min(least, distance_to_line(at, lines[i - 1], lines[i]));
         return least;
     };
     std::vector<Vec3> samples;
@@ -164,10 +164,10 @@ TEST(PolylineFit, ThousandsOfChainsKeepToTheTolerance) {
 
 TEST(PolylineDeviation, IsThatOfBothDirections) {
     const std::vector<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    const Vec3 way(0, 1, 0);
+    const Vec3 delta(0, 1, 0);
     // Straight from the first to the last point: it is within 1 mm of the lines, they are 1 mm
     // from it.
-    const Cubic chord = hermite(square.front(), way, square.back(), way);
+    const Cubic chord = hermite(square.front(), delta, square.back(), delta);
     EXPECT_FALSE(deviation_from_lines(chord, square, 0.9).has_value());
     // On the lines, but forth and back: no point is off, and the corner is not passed.
     const std::vector<Vec3> back = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}};

@@ -132,10 +132,10 @@ TEST(RadiusComp, CasesOfTheOracle) {
 
 // ---------------------------------------------------------------- single rules
 
-Contour chain(const std::vector<Vec2>& places) {
+Contour chain(const std::vector<Vec2>& points) {
     Contour contour;
-    for (std::size_t i = 1; i < places.size(); ++i)
-        contour.push_back(line_element(places[i - 1], places[i]));
+    for (std::size_t i = 1; i < points.size(); ++i)
+        contour.push_back(line_element(points[i - 1], points[i]));
     return contour;
 }
 
@@ -279,7 +279,7 @@ double least_distance(const std::vector<CompPiece>& pieces, const Contour& conto
 }
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
-Vec2 rounded(const Vec2& place) { return {rounded(place.x()), rounded(place.y())}; }
+Vec2 rounded(const Vec2& point) { return {rounded(point.x()), rounded(point.y())}; }
 
 /// A line, an arc tangent to it and a line tangent to that, all with three decimals, the centre as
 /// a distance from the start of the arc: the arc ends up to a micrometre beside its circle.
@@ -471,8 +471,8 @@ bool is_reachable(const Contour& contour, const Element& element, double distanc
             const Vec2 arm = (point_at(element, share) - element.center).normalized();
             return Vec2(-arm.y(), arm.x()) * (element.sweep > 0 ? 1 : -1);
         }();
-        const Vec2 place = point_at(element, share) + Vec2(-tangent.y(), tangent.x()) * distance;
-        if (nearest(contour, place).distance > std::abs(distance) - 1e-6) return true;
+        const Vec2 point = point_at(element, share) + Vec2(-tangent.y(), tangent.x()) * distance;
+        if (nearest(contour, point).distance > std::abs(distance) - 1e-6) return true;
     }
     return false;
 }

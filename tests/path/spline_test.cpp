@@ -26,7 +26,7 @@ Nurbs nurbs_of(const test::Json& input) {
     nurbs.degree = input["degree"];
     nurbs.knots = input["knots"].get<std::vector<double>>();
     nurbs.weights = input["weights"].get<std::vector<double>>();
-    for (const test::Json& pole : input["ctrl"]) nurbs.poles.push_back(test::vec3(pole));
+    for (const test::Json& pole : input["ctrl"]) nurbs.control_points.push_back(test::vec3(pole));
     return nurbs;
 }
 
@@ -40,7 +40,8 @@ std::vector<CubicSpan> spans_of(const Nurbs& nurbs) {
     };
     for (std::size_t i = 0; i < nurbs.knots.size(); ++i) {
         EXPECT_FALSE(cutting.add_knot(nurbs.knots[i]).has_value());
-        if (i < nurbs.poles.size()) cutting.add_control_point(nurbs.poles[i], nurbs.weight(i));
+        if (i < nurbs.control_points.size())
+            cutting.add_control_point(nurbs.control_points[i], nurbs.weight(i));
         take();
     }
     EXPECT_FALSE(cutting.end_fault().has_value());
@@ -120,8 +121,8 @@ TEST(Nurbs, SaysWhatIsWrong) {
     other.degree = 0;
     EXPECT_EQ(fault_of(other), NurbsFault::Degree);
     other = good;
-    other.poles.resize(2);
-    EXPECT_EQ(fault_of(other), NurbsFault::Poles);
+    other.control_points.resize(2);
+    EXPECT_EQ(fault_of(other), NurbsFault::ControlPoints);
     other = good;
     other.weights = {1, 1, 0, 1};
     EXPECT_EQ(fault_of(other), NurbsFault::Weight);
@@ -133,7 +134,7 @@ TEST(Nurbs, SaysWhatIsWrong) {
     EXPECT_EQ(spans.add_knot(0.5), NurbsFault::Decreasing);
     EXPECT_FALSE(spans.add_knot(1).has_value());
     EXPECT_EQ(spans.add_knot(2), NurbsFault::Gap);
-    EXPECT_EQ(spans.end_fault(), NurbsFault::Poles);
+    EXPECT_EQ(spans.end_fault(), NurbsFault::ControlPoints);
 }
 
 /// The length to a point, by many chords: s³·κ²/24 short each.
@@ -294,16 +295,16 @@ double deviation(const ParametricCurve& curve, const FitOptions& options, const 
     std::size_t from = 0;
     for (int i = 0; i <= kPoints; ++i) {
         const double t = options.from + (options.to - options.from) * i / kPoints;
-        const Vec3 place = curve(t)->position;
-        double best = (points[from] - place).norm();
+        const Vec3 point = curve(t)->position;
+        double best = (points[from] - point).norm();
         // The points come in the same order; a window behind the last nearest one holds the next.
         for (std::size_t k = from; k < std::min(points.size(), from + 600); ++k) {
             const Vec3& a = points[k];
-            const Vec3 way = k + 1 < points.size() ? Vec3(points[k + 1] - a) : Vec3(Vec3::Zero());
-            const double square = way.squaredNorm();
+            const Vec3 delta = k + 1 < points.size() ? Vec3(points[k + 1] - a) : Vec3(Vec3::Zero());
+            const double square = delta.squaredNorm();
             const double share =
-                square > 0 ? std::clamp((place - a).dot(way) / square, 0.0, 1.0) : 0;
-            const double apart = (a + way * share - place).norm();
+                square > 0 ? std::clamp((point - a).dot(delta) / square, 0.0, 1.0) : 0;
+            const double apart = (a + delta * share - point).norm();
             if (apart < best) best = apart, from = k;
         }
         worst = std::max(worst, best);
@@ -363,12 +364,12 @@ TEST(SplineFit, KeepsTheTolerance) {
             const SplineFitResult fitted = fit_spline(row.curve, options);
             ASSERT_FALSE(fitted.fault.has_value());
             ASSERT_FALSE(fault_of(fitted.spline).has_value());
-            EXPECT_EQ(fitted.spline.poles.front(), row.curve(row.from)->position);
-            EXPECT_EQ(fitted.spline.poles.back(), row.curve(row.to)->position);
+            EXPECT_EQ(fitted.spline.control_points.front(), row.curve(row.from)->position);
+            EXPECT_EQ(fitted.spline.control_points.back(), row.curve(row.to)->position);
             EXPECT_LE(deviation(row.curve, options, fitted.spline), tolerance * (1 + 1e-6));
             for (const double knot : fitted.spline.knots) EXPECT_EQ(knot * 8, std::round(knot * 8));
             if (tolerance == 0.005) {
-                EXPECT_LE(fitted.spline.poles.size(), row.most_poles);
+                EXPECT_LE(fitted.spline.control_points.size(), row.most_poles);
             }
         }
     }
@@ -409,12 +410,12 @@ TEST(SplineFit, IsCurvatureContinuousBetweenCorners) {
     const Row corner = rows()[6];
     const SplineFitResult fitted =
         fit_spline(corner.curve, {FitKind::Lines, 0.005, corner.from, corner.to});
-    const auto& [degree, knots, poles, weights] = fitted.spline;
+    const auto& [degree, knots, control_points, weights] = fitted.spline;
     int triples = 0;
     for (std::size_t i = 4; i + 6 < knots.size(); ++i) {
         if (knots[i] != knots[i + 2]) continue;
         ++triples;
-        EXPECT_LT((poles[i - 1] - Vec3(3, 0, 0)).norm(), 1e-6);
+        EXPECT_LT((control_points[i - 1] - Vec3(3, 0, 0)).norm(), 1e-6);
     }
     EXPECT_EQ(triples, 1);
 }
@@ -454,11 +455,11 @@ TEST(SplineFit, WindsManyTimes) {
             const int samples = 97 * turns;
             for (int i = 0; i <= samples; ++i) {
                 const Vec3 on = point_at(fitted.spline, last * i / samples).position;
-                const Vec3 place = spiral(options.to * i / samples)->position;
-                worst = std::max(worst, (on - place).norm());
+                const Vec3 point = spiral(options.to * i / samples)->position;
+                worst = std::max(worst, (on - point).norm());
             }
             EXPECT_LE(worst, options.tolerance * (1 + 1e-6));
-            EXPECT_LE(fitted.spline.poles.size(), 40u * static_cast<std::size_t>(turns));
+            EXPECT_LE(fitted.spline.control_points.size(), 40u * static_cast<std::size_t>(turns));
         }
     }
 }
@@ -469,7 +470,7 @@ TEST(SplineFit, HasNoPolesWhereNothingMoves) {
     for (const SplineFitResult& fitted : {fit_spline(point, {FitKind::Lines, 0.01, 0, 1}),
                                           fit_spline(parabola, {FitKind::Lines, 0.01, 1, 1})}) {
         EXPECT_FALSE(fitted.fault.has_value());
-        EXPECT_TRUE(fitted.spline.poles.empty());
+        EXPECT_TRUE(fitted.spline.control_points.empty());
         EXPECT_TRUE(fitted.spline.knots.empty());
     }
 }
@@ -496,7 +497,7 @@ RC_GTEST_PROP(SplineFit, KeepsTheToleranceOnRandomCurves, ()) {
     const FitOptions options{FitKind::Lines, (*rc::gen::inRange(1, 200)) / 1000.0, 0, 3};
     const SplineFitResult fitted = fit_spline(curve, options);
     RC_ASSERT(!fitted.fault.has_value());
-    if (fitted.spline.poles.empty()) {
+    if (fitted.spline.control_points.empty()) {
         for (int i = 0; i <= 100; ++i)
             RC_ASSERT((curve(3.0 * i / 100)->position - curve(0)->position).norm() < 1e-3);
         return;

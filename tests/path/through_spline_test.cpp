@@ -44,9 +44,9 @@ std::vector<CubicSpan> curve_through(ThroughKind kind, const std::vector<Vec3>& 
 }
 
 SplineEnd end_of(const test::Json& input, std::size_t which) {
-    const std::string said = input.value("end", "");
-    if (said == "clamped") return {Kind::Tangent, test::vec3(input["end_derivatives"][which])};
-    return {said == "natural" ? Kind::Natural : Kind::Auto, Vec3::Zero()};
+    const std::string text = input.value("end", "");
+    if (text == "clamped") return {Kind::Tangent, test::vec3(input["end_derivatives"][which])};
+    return {text == "natural" ? Kind::Natural : Kind::Auto, Vec3::Zero()};
 }
 
 TEST(ThroughSpline, PointsOfTheOracle) {
@@ -137,9 +137,9 @@ std::vector<Vec3> any_points(std::size_t least, std::size_t most) {
     for (std::size_t i = 1; i < count; ++i) {
         // Chords from hundredths to tens of millimetres, in any direction.
         const double size = std::pow(10.0, *rc::gen::inRange(-200, 150) / 100.0);
-        const Vec3 way(*rc::gen::inRange(-100, 101), *rc::gen::inRange(-100, 101),
-                       *rc::gen::inRange(1, 101));
-        points.push_back(points.back() + size * way.normalized());
+        const Vec3 delta(*rc::gen::inRange(-100, 101), *rc::gen::inRange(-100, 101),
+                         *rc::gen::inRange(1, 101));
+        points.push_back(points.back() + size * delta.normalized());
     }
     return points;
 }
@@ -248,10 +248,9 @@ TEST(ThroughSpline, AkimaTurnsWithItsAxes) {
     double apart_without = 0;
     for (std::size_t i = 0; i < plain.size(); ++i) {
         for (const double u : {0.25, 0.5, 0.75}) {
-            const Vec3 place = frame(point_at(plain[i], u).position);
-            apart_with = std::max(apart_with, (point_at(with[i], u).position - place).norm());
-            apart_without =
-                std::max(apart_without, (point_at(without[i], u).position - place).norm());
+            const Vec3 at = frame(point_at(plain[i], u).position);
+            apart_with = std::max(apart_with, (point_at(with[i], u).position - at).norm());
+            apart_without = std::max(apart_without, (point_at(without[i], u).position - at).norm());
         }
     }
     EXPECT_LT(apart_with, 1e-12);
@@ -290,11 +289,12 @@ TEST(QuinticSpan, PointsOfTheOracle) {
         if (entry["id"] != "rational_bezier5") continue;
         ++curves;
         SplineShape shape{5};
-        std::vector<Vec3> poles;
-        for (const test::Json& pole : entry["input"]["ctrl"]) poles.push_back(test::vec3(pole));
+        std::vector<Vec3> control_points;
+        for (const test::Json& pole : entry["input"]["ctrl"])
+            control_points.push_back(test::vec3(pole));
         for (std::size_t i = 0; i < 6; ++i) shape.weights[i] = entry["input"]["weights"][i];
-        for (std::size_t i = 0; i < 4; ++i) shape.inner[i] = poles[i + 1];
-        const QuinticSpan span = make_quintic(poles[0], poles[5], shape);
+        for (std::size_t i = 0; i < 4; ++i) shape.inner[i] = control_points[i + 1];
+        const QuinticSpan span = make_quintic(control_points[0], control_points[5], shape);
         for (const test::Json& sample : entry["expect"]["samples"]) {
             const SplinePoint point = point_at(span, sample["u"]);
             const Vec3 first = test::vec3(sample["C1"]);

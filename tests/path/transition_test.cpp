@@ -24,7 +24,7 @@ struct Corner {
     const char* name;
     Curve before;
     Curve behind;
-    double way;
+    double distance;
 };
 
 std::vector<Corner> corners() {
@@ -49,16 +49,16 @@ std::vector<Corner> corners() {
 double length_before(const Corner& corner) { return length(corner.before); }
 
 Transition around(const Corner& corner) {
-    return transition_between(evaluate(corner.before, length_before(corner) - corner.way),
-                              evaluate(corner.behind, corner.way), corner.way);
+    return transition_between(evaluate(corner.before, length_before(corner) - corner.distance),
+                              evaluate(corner.behind, corner.distance), corner.distance);
 }
 
 TEST(Transition, BeginsAndEndsOnThePathWithItsDirectionAndCurvature) {
     for (const Corner& corner : corners()) {
         SCOPED_TRACE(corner.name);
         const Transition curve = around(corner);
-        const CurvePoint from = evaluate(corner.before, length_before(corner) - corner.way);
-        const CurvePoint to = evaluate(corner.behind, corner.way);
+        const CurvePoint from = evaluate(corner.before, length_before(corner) - corner.distance);
+        const CurvePoint to = evaluate(corner.behind, corner.distance);
         const CurvePoint first = evaluate(curve[0], 0);
         const CurvePoint last = evaluate(curve[3], curve[3].length);
         EXPECT_LE((first.position - from.position).norm(), 1e-12);
@@ -71,7 +71,7 @@ TEST(Transition, BeginsAndEndsOnThePathWithItsDirectionAndCurvature) {
         EXPECT_LE((last.curvature - to.curvature).norm(), 1e-9);
         double length = 0;
         for (const Glide& piece : curve) length += piece.length;
-        EXPECT_NEAR(length, 2 * corner.way, 1e-12);
+        EXPECT_NEAR(length, 2 * corner.distance, 1e-12);
     }
 }
 
@@ -152,7 +152,7 @@ TEST(Transition, DeviationIsTheGreatestOfManyPoints) {
         // Both as 2000 points; the nearest pairs are known to the square of their distance.
         std::vector<Vec3> path;
         for (int i = 0; i <= 2000; ++i) {
-            const double s = corner.way * (i / 1000.0 - 1);
+            const double s = corner.distance * (i / 1000.0 - 1);
             path.push_back(s < 0 ? position(corner.before, length_before(corner) + s)
                                  : position(corner.behind, s));
         }
@@ -170,8 +170,8 @@ TEST(Transition, DeviationIsTheGreatestOfManyPoints) {
         }
         const double expected = std::max(greatest, nearest);
         const double length = length_before(corner);
-        const double found = deviation(curve, {corner.before, length - corner.way, length},
-                                       {corner.behind, 0, corner.way});
+        const double found = deviation(curve, {corner.before, length - corner.distance, length},
+                                       {corner.behind, 0, corner.distance});
         EXPECT_NEAR(found, expected, 0.02 * expected + 2e-6);
         EXPECT_GT(expected, 0);
     }
@@ -183,15 +183,16 @@ TEST(Transition, CornersOfLinesGrowWithTheWay) {
     const Curve before = line({-10, 0, 0}, {0, 0, 0});
     const Curve behind = line({0, 0, 0}, {0, 10, 0});
     double first = 0;
-    for (const double way : {0.001, 0.1, 1.0, 5.0}) {
-        const Transition curve =
-            transition_between(evaluate(before, 10 - way), evaluate(behind, way), way);
+    for (const double distance : {0.001, 0.1, 1.0, 5.0}) {
+        const Transition curve = transition_between(evaluate(before, 10 - distance),
+                                                    evaluate(behind, distance), distance);
         const Vec3 middle = end(curve[1]);
         EXPECT_NEAR(middle[0], -middle[1], 1e-12);
-        const double share = deviation(curve, {before, 10 - way, 10}, {behind, 0, way}) / way;
+        const double share =
+            deviation(curve, {before, 10 - distance, 10}, {behind, 0, distance}) / distance;
         if (first == 0) first = share;
         EXPECT_NEAR(share, first, 1e-9);
-        EXPECT_NEAR(share, middle.norm() / way, 1e-9);
+        EXPECT_NEAR(share, middle.norm() / distance, 1e-9);
     }
     EXPECT_NEAR(first, 31.0 / 180 * std::sqrt(2.0), 1e-12);
 }

@@ -17,14 +17,14 @@ constexpr double kPi = std::numbers::pi;
 
 VirtualAxes face() {
     VirtualAxes axes;
-    axes.kind = VirtualKind::Face;
+    axes.kind = VirtualKind::Polar;
     return axes;
 }
 
 VirtualAxes any_axes() {
     const auto number = [](int most) { return *rc::gen::inRange(-most, most + 1) / 16.0; };
     VirtualAxes axes;
-    axes.kind = *rc::gen::element(VirtualKind::Face, VirtualKind::Cylinder, VirtualKind::Inclined);
+    axes.kind = *rc::gen::element(VirtualKind::Polar, VirtualKind::Cylinder, VirtualKind::Inclined);
     axes.side = *rc::gen::element<std::int8_t>(1, -1);
     axes.sign = *rc::gen::element<std::int8_t>(1, -1);
     axes.size = axes.kind == VirtualKind::Inclined ? number(20) : 0.5 + std::abs(number(800));
@@ -42,7 +42,7 @@ RC_GTEST_PROP(VirtualPlaces, RealPlaceLeadsBack, ()) {
     const Vec3 tip(x, y, number());
     const double near = number();
     const double rotary = rotary_at(axes, tip, near);
-    if (axes.kind == VirtualKind::Face) {
+    if (axes.kind == VirtualKind::Polar) {
         RC_ASSERT(std::abs(rotary - near) <= kPi + 1e-9);
     }
     const Vec3 back = virtual_position(axes, real_position(axes, tip), rotary);

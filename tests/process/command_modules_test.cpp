@@ -49,10 +49,10 @@ class Stairs final : public CommandModule {
         const int count = static_cast<int>(std::ceil((to - at_).norm()));
         for (int i = 1; i <= count; ++i) {
             Command& step = steps.emplace_back(command);
-            const Vec3 place = at_ + (to - at_) * i / count;
+            const Vec3 point = at_ + (to - at_) * i / count;
             for (std::size_t k = 0; k < 3; ++k)
                 step.motion().to[k] =
-                    place[static_cast<Eigen::Index>(k)] + (k == 2 && i < count ? 1 : 0);
+                    point[static_cast<Eigen::Index>(k)] + (k == 2 && i < count ? 1 : 0);
         }
         at_ = to;
         return steps;

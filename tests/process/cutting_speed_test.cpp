@@ -28,7 +28,7 @@ TEST(CuttingSpeedOracle, SpeedsAccelerationsAndTimes) {
         EXPECT_EQ(entry["kind"], "facing_pass");
         const json& in = entry["input"];
         const json& expected = entry["expect"];
-        const motion::Spindle spindle = spindle_of(in["V_m_min"], in["n_max_rpm"]);
+        const motion::CommandedSpindle spindle = spindle_of(in["V_m_min"], in["n_max_rpm"]);
         const FacePass pass = pass_of(in);
         const auto near = [part](double got, double want) {
             EXPECT_NEAR(got, want, part * std::abs(want));
@@ -53,7 +53,7 @@ TEST(CuttingSpeedOracle, SpeedsAccelerationsAndTimes) {
 
 TEST(CuttingSpeed, TheLeastSpeedActsOutside) {
     // 200 m/min at 400 rpm: 200000 / (2π·400) = 79.577 mm.
-    motion::Spindle spindle = spindle_of(200, 3000);
+    motion::CommandedSpindle spindle = spindle_of(200, 3000);
     spindle.least = speed_from_rpm(400);
     EXPECT_NEAR(least_speed_radius(spindle), 79.5775, 1e-4);
     EXPECT_NEAR(rpm_from_speed(spindle.speed_at(100)), 400, 1e-9);
@@ -73,7 +73,7 @@ TEST(CuttingSpeed, TheLeastSpeedActsOutside) {
 }
 
 TEST(CuttingSpeed, APassThroughTheCentreIsTwoPasses) {
-    const motion::Spindle spindle = spindle_of(200, 3000);
+    const motion::CommandedSpindle spindle = spindle_of(200, 3000);
     const FacePass in{50, 0, 0.3};
     const FacePass out{0, -2, 0.3};
     const FacePass through{50, -2, 0.3};
@@ -84,7 +84,7 @@ TEST(CuttingSpeed, APassThroughTheCentreIsTwoPasses) {
 }
 
 TEST(CuttingSpeed, WithoutALimitTheCutGrowsToTheCentre) {
-    const motion::Spindle spindle = spindle_of(200, 0);
+    const motion::CommandedSpindle spindle = spindle_of(200, 0);
     EXPECT_EQ(limit_radius(spindle), 0);
     EXPECT_NEAR(spindle.speed_at(0.01) * kTurn * 0.01, 200'000.0 / 60, 1e-6);
     EXPECT_GT(spindle_acceleration(spindle, {10, 1, 0.3}, 0.1), 1e6);
@@ -110,7 +110,7 @@ TEST(CuttingSpeed, ThePlannerTakesTheTimeOfTheLaw) {
 TEST(CuttingSpeed, ThePlannerKeepsTheLeastSpeed) {
     std::vector<path::Command> commands = facing(200, 3000, 100, 50, 0.3);
     commands[1].speed_limit().least = 400;
-    motion::Spindle spindle = spindle_of(200, 3000);
+    motion::CommandedSpindle spindle = spindle_of(200, 3000);
     spindle.least = speed_from_rpm(400);
     const double want = pass_time(spindle, {100, 50, 0.3});
     const motion::test::Motion run = motion::test::run(motion::test::machine_of(), commands);

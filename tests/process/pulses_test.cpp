@@ -118,10 +118,10 @@ std::vector<PulseLeg> legs_of(const std::vector<Vec3>& points, double speed, dou
     std::vector<PulseLeg> legs;
     Vec3 before = Vec3::Zero();
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const Vec3 way = points[i] - points[i - 1];
-        const Vec3 direction = way.normalized();
+        const Vec3 delta = points[i] - points[i - 1];
+        const Vec3 direction = delta.normalized();
         const double turn = (direction - before).cwiseAbs().maxCoeff();
-        PulseLeg leg{way.norm(), speed, acceleration, 0};
+        PulseLeg leg{delta.norm(), speed, acceleration, 0};
         if (i > 1) leg.entry_limit = turn > 0 ? acceleration * tick / turn : 1e9;
         legs.push_back(leg);
         before = direction;
@@ -153,10 +153,11 @@ std::int64_t intervals_of(const PulseClock& clock, const std::vector<PulseLeg>& 
         EXPECT_LE(block.ticks, window.last);
         EXPECT_NEAR(profile.duration(), static_cast<double>(block.ticks) * tick, 1e-9);
         // The three phases have the length of the leg.
-        const double way = (profile.entry_speed + profile.peak_speed) / 2 * profile.accelerating +
-                           profile.peak_speed * profile.cruising +
-                           (profile.peak_speed + profile.exit_speed) / 2 * profile.braking;
-        EXPECT_NEAR(way, leg.length, 1e-6 * std::max(1.0, leg.length));
+        const double distance =
+            (profile.entry_speed + profile.peak_speed) / 2 * profile.accelerating +
+            profile.peak_speed * profile.cruising +
+            (profile.peak_speed + profile.exit_speed) / 2 * profile.braking;
+        EXPECT_NEAR(distance, leg.length, 1e-6 * std::max(1.0, leg.length));
         EXPECT_LE(std::abs(profile.acceleration), leg.acceleration);
         EXPECT_LE(std::abs(profile.deceleration), leg.acceleration);
         speed = profile.exit_speed;

@@ -251,9 +251,9 @@ TEST(Scanner, TheTableCorrects) {
         ++vectors;
         // The middle of each vector against the table's own middle.
         const Vec2 share = (command.to + from) / 2;
-        Vec2 place = share;
-        for (int i = 0; i < 50; ++i) place += share - field.corrected(place);
-        EXPECT_NEAR(place.x(), place.y(), 2 * machine.scanner->chord_tolerance);
+        Vec2 point = share;
+        for (int i = 0; i < 50; ++i) point += share - field.corrected(point);
+        EXPECT_NEAR(point.x(), point.y(), 2 * machine.scanner->chord_tolerance);
         from = command.to;
     }
     EXPECT_EQ(vectors, 16u);
@@ -286,11 +286,11 @@ TEST(Scanner, MarksKeepTheToleranceAtTheLinesOfTheTable) {
             constexpr int kPlaces = 50;
             for (int i = 1; i < kPlaces; ++i) {
                 const double share = std::lerp(done, step.share, i / double{kPlaces});
-                const Vec2 place = field.corrected((from + share * (to - from)).head<2>());
+                const Vec2 point = field.corrected((from + share * (to - from)).head<2>());
                 const Vec2 chord = step.to - begin;
                 const double along =
-                    std::clamp((place - begin).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
-                farthest = std::max(farthest, (place - begin - along * chord).norm());
+                    std::clamp((point - begin).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+                farthest = std::max(farthest, (point - begin - along * chord).norm());
             }
             begin = step.to;
             done = step.share;

@@ -20,8 +20,8 @@ inline json oracle(const std::string& name) {
 }
 
 /// A spindle that holds a cutting speed.
-inline motion::Spindle spindle_of(double speed_m_min, double most_rpm) {
-    motion::Spindle spindle;
+inline motion::CommandedSpindle spindle_of(double speed_m_min, double most_rpm) {
+    motion::CommandedSpindle spindle;
     spindle.is_turning = spindle.holds_cutting_speed = true;
     spindle.cutting_speed = feed_from_mm_min(speed_m_min * 1000);
     spindle.limit = speed_from_rpm(most_rpm);

@@ -172,17 +172,17 @@ class Reduction {
             case Op::Rapid: motion(command, "rapid"); break;
             case Op::Line: motion(command, "line"); break;
             case Op::Arc: motion(command, "arc"); break;
-            case Op::Dwell: tell(command, "dwell", {command.dwell().time}); break;
+            case Op::Dwell: report(command, "dwell", {command.dwell().time}); break;
             case Op::Tool:
-                tell(command, "tool", {static_cast<double>(command.tool().number)});
+                report(command, "tool", {static_cast<double>(command.tool().number)});
                 break;
             case Op::ToolLength:
                 length_ = command.tool_length().length;
-                tell(command, "tool_length", {command.tool_length().length});
+                report(command, "tool_length", {command.tool_length().length});
                 break;
-            case Op::Stop: tell(command, "stop", {}); break;
-            case Op::OptionalStop: tell(command, "optional_stop", {}); break;
-            case Op::End: tell(command, "end", {}); break;
+            case Op::Stop: report(command, "stop", {}); break;
+            case Op::OptionalStop: report(command, "optional_stop", {}); break;
+            case Op::End: report(command, "end", {}); break;
             case Op::ScannerOn:
             case Op::ScannerOff:
             case Op::External: ADD_FAILURE() << "no machine here has a scanner"; break;
@@ -214,7 +214,7 @@ class Reduction {
     std::vector<Step> steps;
 
   private:
-    void tell(const Command& command, const char* op, std::vector<double> values) {
+    void report(const Command& command, const char* op, std::vector<double> values) {
         Step step{.op = op, .line = command.line, .values = std::move(values)};
         add(std::move(step));
     }

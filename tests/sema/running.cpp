@@ -33,7 +33,7 @@ class TestModules final : public sema::ModuleLoader {
     TestModules(const RunOptions& options, Sources& sources, DiagnosticSink& sink)
         : options_(options), sources_(sources), sink_(sink) {}
 
-    Module load(std::string_view import, bool, FileId, const SourceRange& place) override {
+    Module load(std::string_view import, bool, FileId, const SourceRange& location) override {
         const std::string name(import);
         if (const auto known = loaded_.find(name); known != loaded_.end())
             return {known->second, &dialect("iso")};
@@ -46,10 +46,10 @@ class TestModules final : public sema::ModuleLoader {
             for (char& c : path) c = c == '.' ? '/' : c;
             file = kRoot + "/stdlib/" + path + ".kadr";
             const auto read = read_file(file);
-            if (!read) return missing(name, place);
+            if (!read) return missing(name, location);
             text = *read;
         } else {
-            return missing(name, place);
+            return missing(name, location);
         }
         const FileId id = sources_.add(file, text);
         asts_.push_back(syntax::parse(sources_, id, keywords(), dialect("iso"), sink_));
@@ -58,8 +58,8 @@ class TestModules final : public sema::ModuleLoader {
     }
 
   private:
-    Module missing(const std::string& name, const SourceRange& place) {
-        if (name != "prelude") sink_.report(diag::FileUnreadable, place).arg(name);
+    Module missing(const std::string& name, const SourceRange& location) {
+        if (name != "prelude") sink_.report(diag::FileUnreadable, location).arg(name);
         return {};
     }
 

@@ -96,11 +96,12 @@ TEST(ControlCycles, RectangularPocket) {
         const double corner = dice.length(tool_d / 2 + 0.1, std::min(l, w) / 2);
         const double floor = -dice.length(1, 9), step = dice.length(0.8, 4);
         const double allowance = dice.coin() ? 0 : 0.3, on_floor = dice.coin() ? 0 : 0.2;
-        const double way = dice.number(0, 3), angle = 4, r = 0.2 * tool_d;
+        const double distance = dice.number(0, 3), angle = 4, r = 0.2 * tool_d;
         const auto pocket = [&](double kind, double entry, double pitch) {
-            return call("POCKET3", {40,   0,     1,     floor,     l,        w,     corner, 0,
-                                    0,    0,     step,  allowance, on_floor, 500,   100,    way,
-                                    kind, kNone, kNone, kNone,     kNone,    entry, pitch});
+            return call("POCKET3",
+                        {40,   0,     1,     floor,     l,        w,     corner, 0,
+                         0,    0,     step,  allowance, on_floor, 500,   100,    distance,
+                         kind, kNone, kNone, kNone,     kNone,    entry, pitch});
         };
         const bool on_helix = dice.coin();
         const std::string rough = on_helix ? pocket(21, r, 0.5) : pocket(31, angle, kNone);
@@ -150,11 +151,11 @@ TEST(ControlCycles, Slots) {
         const double tool_d = dice.length(4, 12), w = dice.length(1.1 * tool_d, 1.9 * tool_d);
         const double l = dice.length(w + 2, 60), r = dice.length(5, 30);
         const double floor = -dice.length(1, 9), step = dice.length(0.8, 4);
-        const double way = dice.number(2, 3), allowance = dice.coin() ? 0 : 0.1;
+        const double distance = dice.number(2, 3), allowance = dice.coin() ? 0 : 0.1;
         const std::string slot =
             call("SLOT1", {40,           0,         1,  floor, kNone, 1,   l,   w,
                            -(r + l / 2), 0,         r,  0,     0,     100, 500, step,
-                           way,          allowance, 30, 0,     0,     0,   0,   6});
+                           distance,     allowance, 30, 0,     0,     0,   0,   6});
         SCOPED_TRACE(slot);
         Stock stock = plate();
         stock.cut(commands_of_calls(slot, tool_d), tool_d);
@@ -164,8 +165,8 @@ TEST(ControlCycles, Slots) {
         const double radius = dice.length(w, 28), start = dice.number(0, 350),
                      arc = dice.number(30, 200);
         const std::string bent =
-            call("SLOT2", {40,    0, 1,   floor, kNone, 1,   arc,       w, 0, 0, radius,
-                           start, 0, 100, 500,   step,  way, allowance, 0, 0, 0, 0});
+            call("SLOT2", {40,    0, 1,   floor, kNone, 1,        arc,       w, 0, 0, radius,
+                           start, 0, 100, 500,   step,  distance, allowance, 0, 0, 0, 0});
         SCOPED_TRACE(bent);
         Stock other = plate();
         other.cut(commands_of_calls(bent, tool_d), tool_d);
@@ -219,10 +220,10 @@ TEST(ControlCycles, RectangularSpigot) {
         const double depth = dice.length(0.5, 8), step = dice.length(0.5, 4);
         const double allowance = dice.coin() ? 0 : 0.3, on_floor = dice.coin() ? 0 : 0.2;
         const double turned = dice.number(0, 1) * 90;
-        const auto around = [&](double kind, double way) {
-            return call("CYCLE76", {40,     0,   2,   -depth, kNone,      l,         w,
-                                    corner, 0,   0,   turned, step,       allowance, on_floor,
-                                    500,    100, way, kind,   l + tool_d, w + tool_d});
+        const auto around = [&](double kind, double distance) {
+            return call("CYCLE76", {40,     0,   2,        -depth, kNone,      l,         w,
+                                    corner, 0,   0,        turned, step,       allowance, on_floor,
+                                    500,    100, distance, kind,   l + tool_d, w + tool_d});
         };
         const std::string rough = around(1, dice.number(0, 3));
         SCOPED_TRACE(rough);
@@ -263,8 +264,8 @@ TEST(ControlCycles, MilledThread) {
         EXPECT_NEAR(stock.lowest(), -depth, 1e-6);
         // The core stays, or what lies outside the thread; the flank is cut to there.
         const double edge = (is_outside ? core : d) / 2, side = is_outside ? 1 : -1;
-        for (double way = kCell; way < 2; way += kCell) {
-            EXPECT_EQ(stock.height_at(edge - side * (way + 0.2), 0.1), 0) << way;
+        for (double distance = kCell; distance < 2; distance += kCell) {
+            EXPECT_EQ(stock.height_at(edge - side * (distance + 0.2), 0.1), 0) << distance;
         }
         EXPECT_LT(stock.height_at(edge + side * 0.3, 0.1), 0);
         // Whole turns with the pitch, between the way on and the way off.

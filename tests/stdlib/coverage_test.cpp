@@ -118,12 +118,12 @@ TEST(Coverage, EveryCycleIsRunOverRandomParameters) {
         EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + name + "\\(")))
             << "no random test runs the cycle `" << name << '`';
     }
-    for (const auto& [name, place] : kDrawnInCpp) {
+    for (const auto& [name, drawn] : kDrawnInCpp) {
         EXPECT_TRUE(cycles.contains(name)) << name << " is no cycle of the library any more";
         const std::string test =
-            kadr::read_file(KADR_ROOT "/tests/stdlib/" + std::string(place.file)).value_or("");
-        EXPECT_NE(test.find(place.call), std::string::npos)
-            << place.file << " does not call " << name << " by " << place.call;
+            kadr::read_file(KADR_ROOT "/tests/stdlib/" + std::string(drawn.file)).value_or("");
+        EXPECT_NE(test.find(drawn.call), std::string::npos)
+            << drawn.file << " does not call " << name << " by " << drawn.call;
     }
 }
 

@@ -115,11 +115,11 @@ std::vector<ProfilePoint> nose_way(const std::vector<json>& moves, double nose,
 void expect_undercut(const std::string& call, const Undercut& undercut, double surface, double z,
                      bool is_inside, bool is_mirrored, double nose) {
     SCOPED_TRACE(call);
-    const double side = is_inside ? -1 : 1, way = is_mirrored ? -1 : 1;
+    const double side = is_inside ? -1 : 1, distance = is_mirrored ? -1 : 1;
     const double start_x = is_inside ? std::max(0.5, surface - 3) : surface + 20;
-    const std::vector<json> moves = commands_from("grooves", call, start_x, z + way * 30);
+    const std::vector<json> moves = commands_from("grooves", call, start_x, z + distance * 30);
     const auto seen = [&](double x, double at) {
-        return ProfilePoint{side * (x - surface), way * (at - z)};
+        return ProfilePoint{side * (x - surface), distance * (at - z)};
     };
     const std::vector<ProfilePoint> outline = undercut.outline();
     const std::vector<ProfilePoint> nose_at = nose_way(moves, nose, seen);

@@ -141,7 +141,7 @@ Block any_block(const DialectTables& tables) {
                              F::Message,
                              F::ExactStopOnce}));
     }
-    if (maybe()) block.skip = static_cast<std::int8_t>(*rc::gen::inRange(0, 10));
+    if (maybe()) block.skip_level = static_cast<std::int8_t>(*rc::gen::inRange(0, 10));
     if (maybe()) block.number = *rc::gen::inRange(1, 99999);
     if (maybe()) block.comment = any_name().substr(0, 60);
     while (block.comment.ends_with(' ')) block.comment.pop_back();
@@ -168,7 +168,7 @@ Block merged(const std::vector<Block>& blocks) {
                 if ((from.given >> p & 1u) != 0) all.set_argument(*to, p, one.argument(from, p));
             }
         }
-        if (one.skip >= 0) all.skip = one.skip;
+        if (one.skip_level >= 0) all.skip_level = one.skip_level;
         if (one.number >= 0) all.number = one.number;
         if (!one.comment.empty()) all.comment = one.comment;
         if (!one.text.empty()) all.text = one.text;
@@ -249,7 +249,7 @@ void check_round_trip(const Dialect& dialect) {
     Block back = merged(result.blocks);
     const bool says_nothing = back.given == 0 && back.number < 0 && back.function_count == 0 &&
                               back.motion == Function::None;
-    if (says_nothing) block.skip = -1;  // there is nothing that could be left out
+    if (says_nothing) block.skip_level = -1;  // there is nothing that could be left out
     // G04 without a time and the like exist on some controls only; what is compared is the meaning.
     fold_center(back);
     complete_shift(block);
@@ -327,11 +327,11 @@ Block any_crowded_block(const Dialect& dialect) {
         bool has_rival = false;
         for (std::size_t i = 0; i < block.function_count; ++i) {
             const Group other = info(block.functions[i].function).group;
-            has_rival |= other == one.group && other != Group::Once;
+            has_rival |= other == one.group && other != Group::NonModal;
         }
         if (!has_rival) add_function(block, dialect.tables(), one.function);
     }
-    if (is_set()) block.skip = static_cast<std::int8_t>(*rc::gen::inRange(0, 10));
+    if (is_set()) block.skip_level = static_cast<std::int8_t>(*rc::gen::inRange(0, 10));
     if (is_set()) block.number = *rc::gen::inRange(1, 99999);
     if (is_set()) block.comment = "REMARK";
     return block;
@@ -369,12 +369,12 @@ bool says_tilt(const Block& block, const Block& meant, const Invocation& plane) 
     if (plane.function == Function::TiltedPlaneOff)
         return block.find(Function::RotateOff) != nullptr || (swivel && swivel->given == 0);
     if (plane.function != Function::Tilt || swivel == nullptr) return false;
-    const auto said = info(Function::Swivel).parameters;
+    const auto expressions = info(Function::Swivel).parameters;
     const auto asked = info(Function::Tilt).parameters;
     for (std::size_t i = 0; i < asked.size(); ++i) {
-        const auto same = std::ranges::find(said, asked[i].name, &Parameter::name);
-        const auto place = static_cast<std::size_t>(same - said.begin());
-        const double difference = block.argument(*swivel, place) - meant.argument(plane, i, 0);
+        const auto same = std::ranges::find(expressions, asked[i].name, &Parameter::name);
+        const auto index = static_cast<std::size_t>(same - expressions.begin());
+        const double difference = block.argument(*swivel, index) - meant.argument(plane, i, 0);
         if (std::fabs(difference) > kHalfIncrement) return false;
     }
     return true;
@@ -391,9 +391,9 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
     for (std::size_t i = 0; i < kSlots; ++i) {
         const auto slot = static_cast<Slot>(i);
         // Where machine coordinates count, no other coordinate says what a distance does.
-        const bool is_way = meant.find(Function::MachineCoordinates) != nullptr &&
-                            (meant.incremental & kTargetSlots & bit(slot)) != 0;
-        if (is_way && !any([&](const Block& b) { return (b.incremental & bit(slot)) != 0; }))
+        const bool is_distance = meant.find(Function::MachineCoordinates) != nullptr &&
+                                 (meant.incremental & kTargetSlots & bit(slot)) != 0;
+        if (is_distance && !any([&](const Block& b) { return (b.incremental & bit(slot)) != 0; }))
             return "IC";
         if (!meant.has(slot) || any([&](const Block& b) { return b.has(slot); })) continue;
         const bool is_center_instead = slot == Slot::Radius && any([](const Block& b) {
@@ -439,7 +439,8 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
     }
     if (meant.number >= 0 && !any([&](const Block& b) { return b.number == meant.number; }))
         return "N";
-    if (meant.skip >= 0 && !any([&](const Block& b) { return b.skip == meant.skip; }) &&
+    if (meant.skip_level >= 0 &&
+        !any([&](const Block& b) { return b.skip_level == meant.skip_level; }) &&
         (meant.given != 0 || meant.number >= 0))
         return "/";
     if (!meant.comment.empty() &&

@@ -346,14 +346,14 @@ TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
     text.clear();
     for (const char* statement : {"G0 X1 Z5", "G1 X2 F100", "X3 Z5 F100"}) {
         Block block = testing::source_block(shipped("iso"), statement);
-        if (block.motion == Function::Line) block.skip = 2;
+        if (block.motion == Function::Line) block.skip_level = 2;
         writer.write(block, text);
     }
     EXPECT_EQ(text,
               "G69 G50\nG00 G17 G21 G40 G49 G54 G80 G90 G94 G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. "
               "Z0.\nX1. Z5.\n/2 G01 X2. F100.\nG01 X3. F100.\n");
     Block block = testing::source_block(shipped("iso"), "G0 X1");
-    block.skip = 0;  // `/` is level 1 here, and there is none below
+    block.skip_level = 0;  // `/` is level 1 here, and there is none below
     writer.write(block, text);
     EXPECT_EQ(testing::codes(sink), "K4201");
 }
@@ -371,7 +371,7 @@ TEST(Writer, AWordThatMayBeLeftOutNamesNoAxis) {
     std::vector<Block> blocks;
     for (const char* statement : {"G0 X10 Y2", "tool(2)", "G0 X10", "G0 X10 Y10"})
         blocks.push_back(testing::source_block(shipped("iso"), statement));
-    blocks[2].skip = 1;
+    blocks[2].skip_level = 1;
     const Written written = write_blocks("fanuc", blocks);
     EXPECT_EQ(written.text.substr(written.text.find("M06")), "M06\n/ G00 X10.\nG00 X10. Y10.\n");
 }
