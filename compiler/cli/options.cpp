@@ -303,7 +303,7 @@ void Parser::add_search(CLI::App& command) {
 void Parser::add_inputs(CLI::App& command) {
     command
         .add_option("--set", line_.options.sets,
-                    "a value that the machine tells: '#500=12.5', 'R5=2', '$A_IN[3]=1'")
+                    "an input from the machine: '#500=12.5', 'R5=2', '$A_IN[3]=1'")
         ->check(is_assignment())
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
@@ -392,7 +392,7 @@ void Parser::add_run() {
         ->type_name("FROM..TO");
     command->add_option("--drive", job.drive, "spindle and feed drives over time; a drawing or CSV")
         ->type_name("OUT.svg|csv");
-    command->add_option("--scanner", job.scanner, "what the scanner is told, list by list")
+    command->add_option("--scanner", job.scanner, "the commands of the scanner, list by list")
         ->type_name("OUT.txt");
     command
         ->add_option("--limits", job.limits,
@@ -453,7 +453,7 @@ void Parser::add_compare() {
         ->allow_extra_args(false);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
-    command->add_option("--tolerance", tolerance_, "how far the ways may be apart")
+    command->add_option("--tolerance", tolerance_, "how far the paths may be apart")
         ->type_name("LENGTH");
     add_search(*command);
     add_inputs(*command);
@@ -549,14 +549,14 @@ void Parser::add_solve(CLI::App& machine) {
     driver::SolveJob& job = line_.solve;
     solve->add_option("FILE", job.machine, "machine file or name")->required();
     CLI::Option* axes = solve->add_option(
-        "--axes", job.axes, "where the axes stand: \"X1 Y2 Z3 A30 C45\"; tells tip and direction");
-    CLI::Option* at = solve->add_option("--at", job.at, "the tip: X0,Y0,Z100; tells the axes");
+        "--axes", job.axes, "where the axes stand: \"X1 Y2 Z3 A30 C45\"; gives tip and direction");
+    CLI::Option* at = solve->add_option("--at", job.at, "the tip: X0,Y0,Z100; gives the axes");
     CLI::Option* tool = solve->add_option(
         "--tool", job.tool, "the direction of the tool, from the tip to the holder: 0,0.5,0.866");
     CLI::Option* euler = solve->add_option(
-        "--euler", job.euler, "the orientation by turns about Z, Y', Z'' in degrees: 30,45,0");
+        "--euler", job.euler, "the orientation by rotations about Z, Y', Z'' in degrees: 30,45,0");
     CLI::Option* from = solve->add_option(
-        "--from", job.from, "where the rotary axes come from: A0,C0; for the choice of the way");
+        "--from", job.from, "where the rotary axes come from: A0,C0; for the path choice");
     CLI::Option* vector = solve->add_flag("--vector", job.follows_vector,
                                           "the tool goes there along the great circle");
     solve->add_option("--length", job.length, "of the tool in mm")->check(check_number);
@@ -610,7 +610,7 @@ double Parser::take_override(const std::string& text, const char* option, motion
     if (text.empty()) return 1;
     const auto sequence = driver::override_sequence(text, act, most);
     if (!sequence) {
-        throw CLI::ValidationError(option, "`" + text + "` is no course of a switch for 1 to " +
+        throw CLI::ValidationError(option, "`" + text + "` is no sequence of a switch for 1 to " +
                                                std::to_string(static_cast<int>(100 * most)) +
                                                " %; write `80`, `80%` or `100%,5s:50%,N120:100%`");
     }
@@ -641,7 +641,8 @@ void Parser::take_compared() {
     driver::CompareJob& job = line_.compare;
     if (controls_.size() > 2) throw CLI::ValidationError("-d", "two controls at most");
     if (compared_.size() == 1 && controls_.size() < 2)
-        throw CLI::ValidationError("-d", "one source is compared for two controls: say `-d` twice");
+        throw CLI::ValidationError("-d",
+                                   "one source is compared for two controls: give `-d` twice");
     job.sources = {compared_.front(), compared_.back()};
     if (!controls_.empty()) job.dialects = {controls_.front(), controls_.back()};
     if (!tolerance_.empty()) job.tolerance = parse_length(tolerance_, "--tolerance");

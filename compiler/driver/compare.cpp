@@ -95,7 +95,7 @@ class ComparedProgram {
 
 const char* words_of(Parting parting) {
     switch (parting) {
-        case Parting::Path: return "the ways part";
+        case Parting::Path: return "the paths part";
         case Parting::Kind: return "one cuts or stands where the other does not";
         case Parting::Length: return "one stops before the other";
         case Parting::Followers: return "an axis beside X, Y, Z is elsewhere";

@@ -285,7 +285,7 @@ bool Debugger::obey(std::string_view line, bool& is_over) {
     } else if (is("break")) {
         auto point = BreakPoint::parse(rest);
         if (!point) {
-            say("a place is missing: `:break N120`, `:break :34`, `:break NAME`\n");
+            say("a location is missing: `:break N120`, `:break :34`, `:break NAME`\n");
         } else {
             breaks_.push_back({std::move(*point), true});
         }

@@ -308,7 +308,7 @@ class Solver {
     std::string choice_text(const Choice& end) const {
         std::string out;
         if (!end) {
-            out += "no way";
+            out += "no path";
             for (int i = 1; i <= 2; ++i)
                 put(out, "; configuration {}: {}", i, refusal_text(end, i));
             return out;
@@ -333,11 +333,12 @@ class Solver {
             case PathReason::LeastSquares:
                 return fmt::format("the least sum of squares, {} deg2",
                                    shown(end.sum_squares * std::pow(deg_from_rad(1), 2)));
-            case PathReason::LeastFirst: return "the least way of the leading axis";
+            case PathReason::LeastFirst: return "the least travel of the leading axis";
             case PathReason::LeastSecond:
-                return "equal ways of the leading axis, the least of the other";
+                return "equal travels of the leading axis, the least of the other";
             case PathReason::Tie:
-                return "as good as the other, which is another configuration or the negative way";
+                return "as good as the other, which is another configuration or the negative "
+                       "direction";
         }
         return {};
     }

@@ -117,7 +117,7 @@ Expander::State::ToolTaken Expander::State::take_tool(const sema::Plan& plan,
         if (is_outside) return tool_taken(refuse_under_tcp(nc::info(function).name, at));
     }
     if (modal.tcp == Tcp::Length && names_rotary(plan))
-        return tool_taken(refuse_under_tcp("a place of a rotary axis", at));
+        return tool_taken(refuse_under_tcp("a position of a rotary axis", at));
     return ToolTaken::Nothing;
 }
 
@@ -145,7 +145,7 @@ std::string Expander::State::tcp_hindrance() const {
         return "without a tool, whose length " + std::string(target.name()) + " takes for it";
     if (modal.is_turned)
         return "where the rotary axes have turned: " + std::string(target.name()) +
-               " counts from how the table lies here, others from the place 0";
+               " counts from how the table lies here, others from position 0";
     return "";
 }
 

@@ -46,7 +46,7 @@ std::string write_whole(const std::string& path, std::string_view text) {
     const auto output = driver::Output::open(path, messages);
     if (output == nullptr) return words;
     output->write(text);
-    (void)output->commit(messages);  // `said` is empty if it is written
+    (void)output->commit(messages);  // `words` is empty if it is written
     return words;
 }
 

@@ -104,7 +104,7 @@ Done Checker::require_same_measure(const Value& value, Type target, const Source
             .fix("if it is a radius: `diameter(2*" + text + ")`");
     } else {
         builder.fix("the radius is `" + text + "/2`")
-            .fix("where the place means the measure across: `length(" + text + ")`");
+            .fix("where the measure across is meant: `length(" + text + ")`");
     }
     return kFailed;
 }

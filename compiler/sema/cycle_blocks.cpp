@@ -143,7 +143,7 @@ std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& 
         report(diag::BlockWordConflict, range)
             .arg(cycle.word)
             .arg(nc::info(plan.motion).name)
-            .fix("the cycle goes to its place at rapid by itself, and a motion code ends it");
+            .fix("the cycle goes to its position at rapid by itself, and a motion code ends it");
         return std::nullopt;
     }
     const nc::CycleId id = std::exchange(plan.cycle, nc::CycleId{0});
@@ -206,7 +206,7 @@ void Checker::repeat_places(const Stmt& stmt, const Word& times) {
     }
     const char* fault = times.number < 1 || times.number > kMost
                             ? "1 to 9999 times it can be; what 0 keeps for later blocks they say"
-                        : place.empty() ? "the block names no place in the plane"
+                        : place.empty() ? "the block names no position in the plane"
                                         : nullptr;
     if (fault != nullptr) {
         report(diag::SourceRepeats, times.range).arg(word_text(times)).arg(fault);

@@ -304,7 +304,7 @@ void Complaints::fix_value_of_word(const Lexeme& word, DiagnosticBuilder& report
         report.fix(address, letters,
                    "if a variable is meant: names of variables are not addresses");
     } else if (letters.size() == 1 && kAxes.find(letters) != std::string_view::npos) {
-        report.fix("the place that is programmed is `position." + letters + "`, and `" +
+        report.fix("the position that is programmed is `position." + letters + "`, and `" +
                    upper_ascii(letters) + "+=5mm` goes on from there");
     } else {
         fix_control_variable(word, report);

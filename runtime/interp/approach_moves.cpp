@@ -65,7 +65,7 @@ std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& bloc
                                                                const Actions& actions) {
     if (frames_.is_plane_tilted(modal_.plane)) {
         reporter_.report(diag::IsoNotSupported, block)
-            .arg("a soft approach or retract in a tilted plane");
+            .arg("a smooth approach or retraction in a tilted plane");
         return std::nullopt;
     }
     ApproachMove move;
@@ -87,7 +87,7 @@ std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& bloc
     }
     if (const Invocation* invocation = block.find(Function::ApproachFeed))
         move.slow_feed = block.argument(*invocation, parameter_of<Function::ApproachFeed>("feed"));
-    if (!channel_.checks.require_feed(block, "soft approach or retract")) return std::nullopt;
+    if (!channel_.checks.require_feed(block, "smooth approach or retraction")) return std::nullopt;
     const auto motion = [&](bool is_rapid, double feed) {
         Command command(is_rapid ? Op::Rapid : Op::Line);
         command.motion().feed_mode = modal_.feed_mode;

@@ -279,7 +279,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
                 return;
             }
             if (is_lathe_) {
-                reporter_.report(diag::IsoNotSupported, block).arg("a soft approach on a lathe");
+                reporter_.report(diag::IsoNotSupported, block).arg("a smooth approach on a lathe");
                 return;
             }
             actions.smooth_approach = &invocation;

@@ -27,7 +27,7 @@ Done ProgrammedFrames::take_frames_off(const Block& block) {
     if ((block.given & kPlaces) == 0) return kDone;
     if (channel_.transformation.is_transformed()) {
         reporter_.report(diag::TransformationMotion, block, Function::MachineCoordinates)
-            .arg("a place in machine coordinates");
+            .arg("a position in machine coordinates");
         return kFailed;
     }
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;

@@ -169,7 +169,8 @@ void Motions::move_otherwise(const Block& block, const Actions& actions, MotionK
         case MotionKind::OrientationReset:
             return channel_.tool_motion.reset_orientation(block, *actions.orient_reset);
         case MotionKind::TurnBesideThread:
-            reporter_.report(diag::IsoNotSupported, block).arg("a tool that turns beside a thread");
+            reporter_.report(diag::IsoNotSupported, block)
+                .arg("a change of the orientation beside a thread");
             return;
         case MotionKind::Spline: return channel_.splines.spline(block, actions.tool);
         case MotionKind::SplineThrough:

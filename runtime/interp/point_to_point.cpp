@@ -63,8 +63,7 @@ Done ToolMotion::require_point_to_point_motion(const Block& block, const Actions
                             (actions.at_rapid || modal_.motion == Function::Rapid));
     if (is_wanted && virtual_.axes.is_on()) {
         reporter_.report(diag::IsoNotSupported, block)
-            .arg(
-                "a motion from point to point on a face, on a cylinder or along an inclined slide");
+            .arg("a motion from point to point under TRANSMIT, TRACYL or TRAANG");
         return kFailed;
     }
     if (orienting_.point_to_point != PointToPoint::All || !orienting_.is_on ||

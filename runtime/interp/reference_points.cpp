@@ -34,7 +34,7 @@ using path::Op;
 void Motions::move_in_machine_coordinates(const Block& block) {
     if (channel_.transformation.is_transformed()) {
         reporter_.report(diag::TransformationMotion, block, Function::MachineCoordinates)
-            .arg("a place in machine coordinates");
+            .arg("a position in machine coordinates");
         return;
     }
     // The skip function goes by distances as well, `G91 G53 G31 Z-5.`, and at its feed.

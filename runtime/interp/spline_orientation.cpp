@@ -50,7 +50,8 @@ Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& 
         is_refused |= is_led_by_surface(tool) || (tool.is_any() && !is_free) || spins;
     }
     if (is_refused) {
-        reporter_.report(diag::IsoNotSupported, block).arg("a tool that turns so beside a spline");
+        reporter_.report(diag::IsoNotSupported, block)
+            .arg("this interpolation of the orientation beside a spline");
         return kFailed;
     }
     if (!orienting_.is_on) return kDone;
@@ -140,7 +141,9 @@ Done ToolMotion::share_orientation(const Block& block, const ToolWords& tool,
                           tool.programs_direction() && !is_led && !tool.spin && !tool.spin_by;
     if (!is_plane) {
         reporter_.report(diag::IsoNotSupported, block)
-            .arg("a tool that turns so beside a polynomial with such a denominator");
+            .arg(
+                "this interpolation of the orientation beside a polynomial with such a "
+                "denominator");
         return kFailed;
     }
     if (!require_axes_for_direction(block)) return kFailed;

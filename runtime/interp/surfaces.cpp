@@ -27,7 +27,7 @@ std::optional<Cutter3d> RadiusCompensation::mill_shape_now(const Block& block) {
         reporter_.report(diag::CompFaceTool, block, function_of(comp_.side))
             .arg(found.error() == MillShapeFault::EdgeTooLarge
                      ? "its edge is rounded with more than its radius, or with less than nothing"
-                     : "its side leans by 90 degrees and more, or inwards");
+                     : "its flank is inclined by 90 degrees and more, or inwards");
         return std::nullopt;
     }
     if (!found->is_known && number != 0 && reported_.first_time(RunNotice::ToolShape))

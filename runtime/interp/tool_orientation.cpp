@@ -69,8 +69,8 @@ std::string_view words_of(machine::CandidateFault fault) {
         case CandidateFault::FirstOutside:
         case CandidateFault::SecondOutside:
         case CandidateFault::SpinOutside: return "is beyond a limit";
-        case CandidateFault::OnlyLongTravel: return "is there by the longer way only";
-        case CandidateFault::OtherConfiguration: return "is not on the way of the tool";
+        case CandidateFault::OnlyLongTravel: return "is there by the longer path only";
+        case CandidateFault::OtherConfiguration: return "is not on the path of the tool";
         case CandidateFault::LimitOnPath: return "is behind a limit on the way";
     }
     return "is not possible";

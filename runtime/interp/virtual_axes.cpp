@@ -140,7 +140,7 @@ void VirtualPlane::begin_virtual(const Block& block, const Invocation& invocatio
         if (virtual_.axes.kind == VirtualKind::Cylinder) return end_virtual(block);
         reporter_.report(diag::CylinderWrong, block, invocation.function)
             .arg("radius 0")
-            .arg("it ends the work on a cylinder, and none has begun");
+            .arg("it ends cylindrical interpolation, and none has begun");
         return;
     }
     if (rules_.virtual_is_narrow && virtual_.axes.is_on())
@@ -308,7 +308,7 @@ std::optional<VirtualAxes> VirtualPlane::wanted_inclined(const Block& block,
     const double angle = block.argument(invocation, kAngle, 90);
     if (!(std::abs(angle) < 90)) {
         reporter_.report(diag::InclinedAngle, block, Function::InclinedAxisOn)
-            .arg(invocation.has(kAngle) ? format_shortest(angle) + "°" : "not said");
+            .arg(invocation.has(kAngle) ? format_shortest(angle) + "°" : "not given");
         return std::nullopt;
     }
     VirtualAxes axes;

@@ -379,8 +379,8 @@ class MachineBuilder {
     /// M functions that have no time of their own; null: this one may have.
     static const char* said_elsewhere(std::int64_t code) {
         switch (code) {
-            case 6: return "told by `tool_change_time`";
-            case 19: return "told by `orient_time`";
+            case 6: return "given by `tool_change_time`";
+            case 19: return "given by `orient_time`";
             case 0:
             case 1:
             case 2:

@@ -114,7 +114,7 @@ class PipelineReader {
         sink_.report(diag::PipelineScanner, reader.location("by"))
             .arg(name)
             .arg(serving == Serving::ScanPath ? "the machine file describes none"
-                                              : "it is no way for a beam");
+                                              : "it is no path for a beam");
         return kFailed;
     }
 

@@ -139,7 +139,7 @@ void ProgramBase::report_missing(const CompiledLine& line) {
             .arg('`' + missing.name + '`' + (is_explained ? " (" + missing.meaning + ')' : ""))
             .fix("give it a value: `--set '" + missing.name +
                  "=1'`, or `<data>` in the machine file" +
-                 (has_index ? "; its other elements are not told" : ""));
+                 (has_index ? "; its other elements are not reported" : ""));
     }
 }
 

@@ -107,7 +107,7 @@ void explain_calls(const CallLanguage& calls, std::string_view word,
         if (word.size() != 1 || argument.letter != word[0]) continue;
         std::string line =
             quoted(word) + " as an argument of a call sets " + quoted(argument.variable);
-        if (argument.in_series) line += ", said again the one three places behind";
+        if (argument.in_series) line += ", programmed again the one three numbers behind";
         if (argument.only_block) line += ", only where whole blocks are arguments";
         lines.push_back(std::move(line));
     }

@@ -139,7 +139,7 @@ Done LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
         tables_.note(&tables_.forms[lexed_->comment_form]);
         block.add(tables_.forms[lexed_->comment_form].function);
     }
-    passed_.report(*lexed_, line);
+    passed_.announce(*lexed_, line);
     if (lexed_->words.empty()) {
         // A number, a comment or both say nothing that a control could execute.
         if (block.function_count == 0 && lexed_->passed.empty()) block.kind = Block::Kind::Comment;
@@ -188,7 +188,7 @@ Done LineReader::apply(std::string_view line, Block& block) {
         const FormId id = match_.forms[i];
         tables_.note(&tables_.forms[id]);
         modes_.note_form(id);
-        passed_.report(id, *lexed_, line);
+        passed_.announce(id, *lexed_, line);
     }
     const ModalFunctions before = modes_.modal();
     modes_.begin_numbers(block);

@@ -76,7 +76,7 @@ class LineReader {
     void report_too_long(std::string_view line, std::uint64_t number);
     /// Each word of a line that has no effect here is told once.
     void report_passed(const LexedLine& words, std::string_view line) {
-        passed_.report(words, line);
+        passed_.announce(words, line);
     }
     /// The program is at its end: what is doubtful of all its lines is told.
     void finish() { points_.finish(); }

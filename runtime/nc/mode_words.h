@@ -22,14 +22,14 @@ inline constexpr std::array<ModeWord, 15> kModeWords = {
      {"DIC", GivenWord::Mode::DiameterIncremental, "a distance as a diameter"},
      {"RAC", GivenWord::Mode::RadiusAbsolute, "a coordinate as a radius"},
      {"RIC", GivenWord::Mode::RadiusIncremental, "a distance as a radius"},
-     {"DC", GivenWord::Mode::Shortest, "a place of a rotary axis, on the shorter way"},
-     {"ACP", GivenWord::Mode::Positive, "a place of a rotary axis, in the positive direction"},
-     {"ACN", GivenWord::Mode::Negative, "a place of a rotary axis, in the negative direction"},
-     {"CAC", GivenWord::Mode::Indexed, "the number of a place in a table; not executed"},
-     {"CIC", GivenWord::Mode::Indexed, "so many places of a table on; not executed"},
-     {"CDC", GivenWord::Mode::Indexed, "a place in a table, on the shorter way; not executed"},
-     {"CACP", GivenWord::Mode::Indexed, "a place in a table, upwards; not executed"},
-     {"CACN", GivenWord::Mode::Indexed, "a place in a table, downwards; not executed"},
+     {"DC", GivenWord::Mode::Shortest, "a position of a rotary axis, by the shorter path"},
+     {"ACP", GivenWord::Mode::Positive, "a position of a rotary axis, in the positive direction"},
+     {"ACN", GivenWord::Mode::Negative, "a position of a rotary axis, in the negative direction"},
+     {"CAC", GivenWord::Mode::Indexed, "the number of a position in a table; not executed"},
+     {"CIC", GivenWord::Mode::Indexed, "so many positions of a table on; not executed"},
+     {"CDC", GivenWord::Mode::Indexed, "a position in a table, by the shorter path; not executed"},
+     {"CACP", GivenWord::Mode::Indexed, "a position in a table, upwards; not executed"},
+     {"CACN", GivenWord::Mode::Indexed, "a position in a table, downwards; not executed"},
      // Without an acknowledgement of the machine.
      {"QU", GivenWord::Mode::Modal, "a function that the machine need not acknowledge"}}};
 

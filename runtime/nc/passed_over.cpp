@@ -21,7 +21,7 @@ Span span_of_form(const Form& form, const LexedLine& words, std::string_view lin
 
 }  // namespace
 
-void PassedOver::report(const LexedLine& words, std::string_view line) {
+void PassedOver::announce(const LexedLine& words, std::string_view line) {
     for (const LexedLine::Passed& passed : words.passed) {
         if (!passed.word->is_given || !reported_words_.insert(passed.word).second) continue;
         const Span& span = passed.span;
@@ -31,7 +31,7 @@ void PassedOver::report(const LexedLine& words, std::string_view line) {
     }
 }
 
-void PassedOver::report(FormId id, const LexedLine& words, std::string_view line) {
+void PassedOver::announce(FormId id, const LexedLine& words, std::string_view line) {
     const Form& form = tables_.forms[id];
     const bool is_reported =
         form.passed.empty() || std::ranges::find(reported_forms_, id) != reported_forms_.end();
@@ -50,7 +50,7 @@ bool PassedOver::leave_out(const MatchFault& fault, LexedLine& words, std::strin
     const auto is_known = [&](const LexedLine::Passed& passed) { return passed.word == found; };
     if (std::ranges::none_of(words.passed, is_known))
         words.passed.push_back({words.spans[fault.word], found});
-    report(words, line);
+    announce(words, line);
     return true;
 }
 

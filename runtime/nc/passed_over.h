@@ -18,9 +18,9 @@ class PassedOver {
         : tables_(tables), faults_(faults) {}
 
     /// Words of the line that the lexer has passed over.
-    void report(const LexedLine& words, std::string_view line);
+    void announce(const LexedLine& words, std::string_view line);
     /// A form that the words have used, if the control does nothing at it.
-    void report(FormId id, const LexedLine& words, std::string_view line);
+    void announce(FormId id, const LexedLine& words, std::string_view line);
     /// A word that no form takes, and that says something to another one of the block on which
     /// nothing depends here, is left out of the words: P of `M59 P10`. False: it is no such word.
     bool leave_out(const MatchFault& fault, LexedLine& words, std::string_view line);

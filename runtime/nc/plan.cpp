@@ -30,7 +30,7 @@ void report_cycle(std::string_view name, const SourceRange& range, const Dialect
         return;
     }
     const std::string advice =
-        "call the library's `" + tables.cycles[cycle].name + "` at each place: ";
+        "call the library's `" + tables.cycles[cycle].name + "` at each position: ";
     if (tables.forms_of_cycle[cycle].empty())
         report.fix(advice + "it says what this cycle leaves open");
     else report.fix(advice + "it is written as the control's own cycle");

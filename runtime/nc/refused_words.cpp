@@ -36,7 +36,7 @@ std::string why_no_axis(const DialectTables& tables, const std::string& index) {
     if (other != kNoAddress && !tables.addresses[other].doc.empty())
         return "it is another word (" + tables.addresses[other].doc + ')';
     if (index.find_first_not_of("0123456789") == std::string::npos)
-        return "an axis is said by its name";
+        return "an axis is given by its name";
     const bool is_computed = index.find_first_of("($[") != std::string::npos;
     if (is_computed) return "an axis that is worked out is not read here yet";
     return "no axis has this name, and a variable is not read here yet";

@@ -12,7 +12,7 @@ namespace kadr::path {
 
 /// Four pieces in order, on which first and second derivative run on. The middle of the curve is
 /// between the second and the third. As long as a whole goes the path that it takes the place of:
-/// the pieces' lengths are twice `way`.
+/// the pieces' lengths are twice `distance`.
 using Transition = std::array<Glide, 4>;
 
 /// The transition from one place of a path to another.

@@ -181,7 +181,7 @@ void ScannerCommands::switch_off(const Command& command) {
         refuse([this, command, away] {
             motion::report(sink_, diag::ScannerAway, command, options_.locate_command)
                 .arg(round_to(away, 6))
-                .fix("jump to the place where the scanner was switched on");
+                .fix("jump to the position where the scanner was switched on");
         });
     }
     if (!builder_.is_empty()) put_list(command, builder_.finish());
@@ -225,7 +225,7 @@ void ScannerCommands::scan(const Command& command) {
 
 void ScannerCommands::scan_path(const Command& command) {
     if (command.motion().machine_coordinates)
-        return refuse_busy(command, "a place in machine coordinates");
+        return refuse_busy(command, "a position in machine coordinates");
     const motion::AxesPosition::MotionEnd target = beam_at_.target_of(command.motion());
     ScanMotion motion;
     motion.segment = still(command);

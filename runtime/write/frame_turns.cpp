@@ -29,7 +29,7 @@ void check_turn(const TextView& text, Messages& messages, const Block& block) {
         const SourceRange statement = messages.location(turn.source);
         DiagnosticBuilder message = messages.report(row, block);
         message.arg(text.tables.name).arg(readable(round_to(1000 * beside, 1)));
-        if (statement.file.is_valid()) message.note(statement, "the angle is said here");
+        if (statement.file.is_valid()) message.note(statement, "the angle is programmed here");
     };
     // Once for each frame.
     const auto is_far = [&](const TurnMiss& turn, double beside) {

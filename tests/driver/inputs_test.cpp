@@ -71,8 +71,8 @@ TEST_F(Inputs, OneWithoutAValueIsZeroAndToldOnce) {
     EXPECT_EQ(number(ran, "#100"), 0);
     EXPECT_EQ(number(ran, "#101"), 0);
     EXPECT_EQ(count(ran.result.err, "warning[K5950]"), 2) << ran.result.err;
-    EXPECT_NE(ran.result.err.find("part.nc:4:6: warning[K5950]: nothing says what `#1004` "
-                                  "(input of the machine) is: it is taken for 0"),
+    EXPECT_NE(ran.result.err.find("part.nc:4:6: warning[K5950]: no value is given for `#1004` "
+                                  "(input of the machine): it is taken for 0"),
               std::string::npos)
         << ran.result.err;
 }
@@ -271,7 +271,7 @@ TEST_F(Inputs, WrongOnesAreToldWithTheirPlace) {
     save("moves.ini", "R5=1\nG1 X10\n");
     const Ran moves = run("sinumerik", "M30\n", {"--variables-in", file("moves.ini")});
     EXPECT_EQ(moves.result.status, 1);
-    EXPECT_NE(moves.result.err.find("moves.ini:2:1: error[K9053]: this tells no value"),
+    EXPECT_NE(moves.result.err.find("moves.ini:2:1: error[K9053]: this gives no value"),
               std::string::npos)
         << moves.result.err;
     save("list.json", "{\"#500\": [1]}");
@@ -374,7 +374,7 @@ TEST_F(Inputs, EventsSayWhereAProbeTouches) {
     EXPECT_EQ(number(ran, "R4"), 0);
     EXPECT_EQ(number(ran, "R5"), 0);
     EXPECT_NE(
-        ran.result.err.find("warning[K5952]: the touch at X99 is not on the way of this block, "
+        ran.result.err.find("warning[K5952]: the touch at X99 is not on the path of this block, "
                             "from X50 to X20"),
         std::string::npos)
         << ran.result.err;
@@ -620,9 +620,9 @@ TEST_F(Inputs, TheLibrarysProbingFindsABore) {
     };
     constexpr const char* kMet =
         "alarm[65001]: the probe has triggered on its way: "
-        "the probe has triggered where its way should be free";
+        "the probe has triggered where its path should be free";
     constexpr const char* kMissed =
-        "alarm[65000]: the probe has not triggered: the probe has not triggered on its way";
+        "alarm[65000]: the probe has not triggered: the probe has not triggered on its path";
     for (const Wrong& row :
          {Wrong{bore_machine("-8 0 0 mm"), "alarm[K5954]", kMet},
           Wrong{bore_machine("8 0 0 mm"), "alarm[K5953]", kMissed},

@@ -76,7 +76,8 @@ TEST_F(MachineSolve, SaysWhatIsOutOfLimitsAndWhy) {
         solve({"trunnion-ac", "--at", "Z100", "--tool", "0,-0.5,-0.866025"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("out of limits: A149.99"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("no way; configuration 1: A149.99"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("no path; configuration 1: A149.99"), std::string::npos)
+        << result.out;
     const json found = answer({"trunnion-ac", "--tool", "0,-0.5,-0.866025"});
     EXPECT_EQ(found["choice"]["refused"].size(), 2u);
 }

@@ -560,7 +560,7 @@ TEST_F(TraceTest, AConversationAtABreakPoint) {
                   "> :vars R2\nR2 = 10\n"
                   "> :break N40\n"
                   "> :b\n"
-                  "a place is missing: `:break N120`, `:break :34`, `:break NAME`\n"
+                  "a location is missing: `:break N120`, `:break :34`, `:break NAME`\n"
                   "> :continue\n" +
                   name +
                   ":7: stopped before `N30`\n   7 | N30 G1 X=IC(2) F200\n     | ^\n"

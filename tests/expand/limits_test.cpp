@@ -71,7 +71,7 @@ TEST(Limits, LoopTurns) {
     limits.loop_turns = 100;
     EXPECT_EQ(run("program p() { int i = 0; while (true) i = 1 - i; }", with_limits(limits))
                   .all_messages(),
-              "1:33 K3402 the loops and calls of the program have made 100 turns");
+              "1:33 K3402 the loops and calls of the program have made 100 passes");
     EXPECT_EQ(run("program p() { int n = 0; for (int i = 0; i < 100; i++) n++; X=n; }",
                   with_limits(limits))
                   .all_blocks(),

@@ -78,7 +78,7 @@ TEST(SourceCycles, StrokeAndDwellThatAPlaceChangesStay) {
               "cycle#1(0=-5, 1=2, 2=2, 3=50, 4=0)");
     const std::string source = fanuc("X10. Q2.;");
     EXPECT_EQ(run(source, options_of(source, "fanuc")).all_messages(),
-              "6:1 K4131 `Q` beside a place changes the modal cycle, and none is active");
+              "6:1 K4131 `Q` beside a position changes the modal cycle, and none is active");
 }
 
 TEST(SourceCycles, TapsWithAllThatTheControlSays) {

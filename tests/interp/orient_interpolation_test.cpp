@@ -403,12 +403,12 @@ TEST(ToolCourses, WordsThatDoNotFitAreRefused) {
         read("sinumerik", "S1000 M3\nTRAORI\nORICONCW\nX10 A3=1 C3=1 C7=1 F100", free_head(false))
             .messages.at(0)
             .message(),
-        "`C7=1` says nothing under `ORICONCW`");
+        "`C7=1` means nothing under `ORICONCW`");
     // Nobody has said the way on which the tool turns: it is the control's first one.
     EXPECT_EQ(read("sinumerik", "S1000 M3\nTRAORI\nG1 X10 A3=1 C3=1 C6=1 F100", free_head(false))
                   .messages.at(0)
                   .message(),
-              "`C6=1` says nothing under `ORIVECT`");
+              "`C6=1` means nothing under `ORIVECT`");
     EXPECT_EQ(refusal("ORICURVE\n" + g1 + "Y0 Z0 XH=10 YH=0 ZH=0 F100"), "14121 K5625");
     EXPECT_EQ(refusal("ORIROTR\n" + g1 + "THETA=30 F100", true), "K5626 K5626");
     EXPECT_EQ(refusal("ORIRESET(0,0,90)"), "14130 K5628");

@@ -240,12 +240,12 @@ TEST(Mistakes, DefaultsUseWhatStandsBeforeThem) {
 
 TEST(Mistakes, HeadersStandAtTheTopAndOnce) {
     expect_rows({
-        {"units mm; units inch; program p() { X1; }", "1:11 K2310 `units` is said twice"},
-        {"dialect iso; dialect iso; program p() { X1; }", "1:14 K2310 `dialect` is said twice"},
+        {"units mm; units inch; program p() { X1; }", "1:11 K2310 `units` is given twice"},
+        {"dialect iso; dialect iso; program p() { X1; }", "1:14 K2310 `dialect` is given twice"},
         {"program p() { X1; } units inch;", "1:21 K2311 `units` stands behind a declaration"},
         {"program p() { X1; } language en;", "1:21 K2311 `language` stands behind a declaration"},
         {"units inch; program p() { X1; } language en; units mm;",
-         "1:33 K2311 `language` stands behind a declaration\n1:46 K2310 `units` is said twice"},
+         "1:33 K2311 `language` stands behind a declaration\n1:46 K2310 `units` is given twice"},
         {"units inch; dialect iso; language en; program p() { X1; }", ""},
     });
 }
