@@ -12,6 +12,7 @@
 #include "base/diagnostics/orienting.h"
 #include "base/units.h"
 #include "interp/channel.h"
+#include "interp/orient_planner.h"
 #include "interp/tool_motion.h"
 #include "interp/transformation.h"
 #include "nc/parameters.h"
@@ -117,8 +118,8 @@ void ToolMotion::choose_axes(const Block& block, const nc::Invocation& invocatio
 }
 
 /// The limits of the joints, as the block's signs leave them.
-machine::JointLimits ToolMotion::signed_limits(const ToolWords& tool) const {
-    machine::JointLimits limits = joint_limits();
+machine::JointLimits OrientPlanner::signed_limits(const ToolWords& tool) const {
+    machine::JointLimits limits = channel_.tool_motion.joint_limits();
     if (!tool.signs) return limits;
     const Chain& chain = machine_.kinematics->chain;
     for (std::size_t i = 0; i < machine_.axes.size(); ++i) {
@@ -134,15 +135,13 @@ machine::JointLimits ToolMotion::signed_limits(const ToolWords& tool) const {
     return limits;
 }
 
-/// Where the axes stand for the tool that the block says. What leads a tool along a path leads
-/// none here.
-Done ToolMotion::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
+Done OrientPlanner::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
     const bool is_led = is_led_by_surface(tool) || tool.point.is_given() || spins_with_path(tool);
     if (is_led || tool.lead) {
         const Function word =
-            tool.lead ? Function::ToolLead : function_of(orienting_.interpolation);
+            tool.lead ? Function::ToolLead : function_of(start_.modes.interpolation);
         reporter_.report(diag::PointMotion, block)
-            .arg(spins_with_path(tool) ? reporter_.spelling_of(function_of(orienting_.spin))
+            .arg(spins_with_path(tool) ? reporter_.spelling_of(function_of(start_.modes.spin))
                  : tool.lead           ? reporter_.word_of(block, word)
                                        : reporter_.spelling_of(word));
         return kFailed;
@@ -155,8 +154,8 @@ Done ToolMotion::lay_point_to_point(const Block& block, const ToolWords& tool, T
     } else if ((block.given & channel_.transformation.joint_axes()) != 0) {
         if (!turn_by_signs(block, tool, target)) return kFailed;
     } else if (tool.signs || tool.programs_configuration) {
-        const Vec3 stays = machine::tool_vector(
-            machine_.kinematics->chain, channel_.transformation.joints_of(position_.base()));
+        const Vec3 stays = machine::tool_vector(machine_.kinematics->chain,
+                                                channel_.transformation.joints_of(start_.base));
         if (!stand_along(block, tool, stays, target)) return kFailed;
     }
     return lay_spin(block, tool, target);
@@ -164,8 +163,8 @@ Done ToolMotion::lay_point_to_point(const Block& block, const ToolWords& tool, T
 
 /// The rotary axes hold the tool along a direction, in the position that the block asks for, or the
 /// nearest one.
-Done ToolMotion::stand_along(const Block& block, const ToolWords& tool, const Vec3& to,
-                             Target& target) {
+Done OrientPlanner::stand_along(const Block& block, const ToolWords& tool, const Vec3& to,
+                                Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     machine::PathQuery query = query_to(to, tool.angles.is_given() ? &tool : nullptr);
     query.mode = machine::PathMode::Axis;
@@ -181,12 +180,12 @@ Done ToolMotion::stand_along(const Block& block, const ToolWords& tool, const Ve
         reporter_.report(diag::AxisChoiceMissing, block);
         return kFailed;
     }
-    put_joints(end->rotary, target);
+    channel_.tool_motion.put_joints(end->rotary, target);
     return kDone;
 }
 
 /// Rotary axes that are programmed go to the turn that has the sign of the block.
-Done ToolMotion::turn_by_signs(const Block& block, const ToolWords& tool, Target& target) {
+Done OrientPlanner::turn_by_signs(const Block& block, const ToolWords& tool, Target& target) {
     if (!tool.signs) return kDone;
     const Chain& chain = machine_.kinematics->chain;
     const machine::JointLimits limits = signed_limits(tool);

@@ -11,8 +11,8 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/channel.h"
-#include "interp/feed_words.h"
 #include "interp/motion_checks.h"
+#include "interp/orient_planner.h"
 #include "interp/radius_compensation.h"
 #include "interp/splines.h"
 #include "interp/tool_motion.h"
@@ -25,13 +25,6 @@ namespace kadr::interp {
 using nc::Block;
 using nc::Function;
 using path::Vec3;
-
-namespace {
-
-/// Poles of directions that lie against each other make none, as a part of their length.
-constexpr double kNoDirection = 1e-3;
-
-}  // namespace
 
 Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& tool) {
     if (!orienting_.is_on && !tool.is_any()) return kDone;
@@ -47,7 +40,7 @@ Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& 
         const bool spins =
             tool.spin || tool.spin_by ||
             (tool.angles.is_given() && machine_.kinematics->chain.has(machine::kPsi));
-        is_refused |= is_led_by_surface(tool) || (tool.is_any() && !is_free) || spins;
+        is_refused |= planner().is_led_by_surface(tool) || (tool.is_any() && !is_free) || spins;
     }
     if (is_refused) {
         reporter_.report(diag::IsoNotSupported, block)
@@ -56,16 +49,16 @@ Done ToolMotion::require_orientation_along(const Block& block, const ToolWords& 
     }
     if (!orienting_.is_on) return kDone;
     channel_.transformation.check_offset_programmed(block);
-    if (!require_one_orientation(block, tool)) return kFailed;
-    return require_no_idle_words(block, tool);
+    if (!planner().require_one_orientation(block, tool)) return kFailed;
+    return planner().require_no_idle_words(block, tool);
 }
 
 Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
                                       ControlPointBlock& control_point) {
     if (!orienting_.is_on) return kDone;
     if (tool.programs_direction()) {
-        if (!require_axes_for_direction(block)) return kFailed;
-        const std::optional<Vec3> programmed = wanted_direction(block, tool);
+        if (!planner().require_axes_for_direction(block)) return kFailed;
+        const std::optional<Vec3> programmed = planner().wanted_direction(block, tool);
         if (!programmed) return kFailed;
         control_point.direction = *programmed;
         return kDone;
@@ -78,26 +71,19 @@ Done ToolMotion::orient_control_point(const Block& block, const ToolWords& tool,
 
 Done ToolMotion::orient_along(const Block& at, const ControlPointBlock& control_point,
                               const path::Curve& span, AxisValues& to, OrientPlan& orientation) {
-    const Position read = position_;
-    const FeedWords::Programmed feed =
-        channel_.feed.exchange({control_point.feed, modal_.has_feed});
-    const OrientModes modes =
-        std::exchange(static_cast<OrientModes&>(orienting_), control_point.modes);
-    position_.stand_at(path::with_linear(position_.base(), path::start(span)));
-    position_.see_in(frames_);
-    Target target{position_.here(), position_.base(),
+    const AxisValues from = path::with_linear(position_.base(), path::start(span));
+    OrientPlanner plan(
+        channel_, {frames_.from_base(from), from, control_point.modes, control_point.feed, true});
+    Target target{frames_.from_base(from), from,
                   static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
                   kLinearXYZ};
     for (std::size_t i = 0; i < 3; ++i)
         target.base[i] = path::end(span)[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
-    const bool is_laid = lay_span_orientation(at, control_point, span, target) &&
-                         channel_.checks.require_within_limits(
-                             at, target.base, channel_.transformation.joint_axes());
-    (void)channel_.feed.exchange(feed);
-    static_cast<OrientModes&>(orienting_) = modes;
-    position_ = read;
-    if (!is_laid) return kFailed;
+    if (!plan.lay_span_orientation(at, control_point, span, target) ||
+        !channel_.checks.require_within_limits(at, target.base,
+                                               channel_.transformation.joint_axes()))
+        return kFailed;
     orientation = target.orientation;
     for (AxisMask rest = channel_.transformation.joint_axes(); rest != 0;
          rest = static_cast<AxisMask>(rest & (rest - 1))) {
@@ -107,32 +93,11 @@ Done ToolMotion::orient_along(const Block& at, const ControlPointBlock& control_
     }
     return kDone;
 }
-
-Done ToolMotion::lay_span_orientation(const Block& at, const ControlPointBlock& control_point,
-                                      const path::Curve& span, Target& target) {
-    target.orientation = {};
-    if (control_point.direction) {
-        if (control_point.direction->norm() < kNoDirection) {
-            reporter_.report(diag::OrientationOpposite, at);
-            return kFailed;
-        }
-        if (!lay_orientation(at, control_point.direction->normalized(), target)) return kFailed;
-        orienting_.lead_tilt_at_ends(false);
-    } else {
-        static const ToolWords kNone;
-        if (!lay_tool_words(at, control_point.tool ? *control_point.tool : kNone, target))
-            return kFailed;
-        if (target.orientation.waiting != nullptr) return lay_directions(at, span, target);
-    }
-    settle_orientation(target);
-    return kDone;
-}
-
 Done ToolMotion::share_orientation(const Block& block, const ToolWords& tool,
                                    const std::vector<double>& shares,
                                    const std::vector<ControlPointBlock*>& pieces) {
     if (!orienting_.is_on) return kDone;
-    const bool is_led = is_led_by_surface(tool);
+    const bool is_led = planner().is_led_by_surface(tool);
     if (pieces.size() == 1 || (!tool.is_any() && !is_led)) {
         if (tool.is_any() || is_led) pieces.back()->tool = tool;
         return kDone;
@@ -146,8 +111,8 @@ Done ToolMotion::share_orientation(const Block& block, const ToolWords& tool,
                 "denominator");
         return kFailed;
     }
-    if (!require_axes_for_direction(block)) return kFailed;
-    const std::optional<Vec3> to = wanted_direction(block, tool);
+    if (!planner().require_axes_for_direction(block)) return kFailed;
+    const std::optional<Vec3> to = planner().wanted_direction(block, tool);
     if (!to) return kFailed;
     const Vec3 from = machine::tool_vector(machine_.kinematics->chain,
                                            channel_.transformation.joints_of(position_.base()));

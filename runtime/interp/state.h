@@ -175,6 +175,11 @@ struct OrientModes {
     ToolAngles euler = ToolAngles::Euler;  // what Euler's angles are on this control
     SpinFrom spin = SpinFrom::Fixed;
     bool is_in_base = false;  // orientations are said in the base system
+
+    /// Whether the tool is led by a surface in every block.
+    bool keeps_lead_tilt_to_surface() const {
+        return interpolation == OrientInterpolation::Surface;
+    }
 };
 
 /// What the program has chosen of the machine's transformation and of the tool's turning.

@@ -67,7 +67,7 @@ Done RadiusCompensation::lay_surface(const Block& block, const ToolWords& tool) 
     surface_.turn = arc->turn;
     // Where the tool is led by the surface too, that is still to be asked where the block before
     // ended.
-    if (!channel_.tool_motion.keeps_lead_tilt_to_surface()) orienting_.normal = (*normals)[1];
+    if (!orienting_.keeps_lead_tilt_to_surface()) orienting_.normal = (*normals)[1];
     return kDone;
 }
 

@@ -7,6 +7,7 @@
 namespace kadr::interp {
 
 struct Channel;
+class OrientPlanner;
 
 /// How the tool turns in a motion: the words of a block that orient it, and the rotary axes for
 /// them.
@@ -19,11 +20,6 @@ class ToolMotion {
     /// A word of the block that says how the tool stands; it counts with the block's motion.
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
                           Actions& actions);
-    /// Whether the tool is led by a surface in every block.
-    bool keeps_lead_tilt_to_surface() const;
-    /// A direction that words say, in the base system; nothing if it was reported.
-    std::optional<path::Vec3> direction_in_base(const nc::Block& block,
-                                                const path::Vec3& programmed, nc::Function word);
     /// What the block says of the tool, as rotary positions at its end and a way there.
     Done orient(const nc::Block& block, const Actions& actions, Target& target);
     /// What the end of the motion says of the tool, for its command and the blocks behind it.
@@ -34,7 +30,7 @@ class ToolMotion {
     /// The surface normals at start and end of the block, in the base system: nothing said is +Z,
     /// one that is not said at the start goes on from the block before. S 7.3.
     std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
-                                                        const ToolWords& tool);
+                                                        const ToolWords& tool) const;
     /// The rotary axes of the transformation go to places of their own. S 7.4 ORIRESET.
     void reset_orientation(const nc::Block& block, const nc::Invocation& invocation);
     /// rad.
@@ -70,57 +66,10 @@ class ToolMotion {
                            const std::vector<ControlPointBlock*>& pieces);
 
   private:
-    Done require_axes_for_direction(const nc::Block& block);
+    /// Of a motion from where the tool stands, by what is in force.
+    OrientPlanner planner() const;
     void take_lead_tilt(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     void take_opening(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
-    Done require_one_orientation(const nc::Block& block, const ToolWords& tool);
-    Done require_no_idle_words(const nc::Block& block, const ToolWords& tool);
-    bool is_led_by_surface(const ToolWords& tool) const;
-    machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
-    machine::Mat3 turn_into_base() const;
-    bool mirrors_words() const;
-    std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
-    Done lay_tool_words(const nc::Block& block, const ToolWords& tool, Target& target);
-    Done orient_by_axes(const nc::Block& block, Target& target);
-    Done orient_to(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
-                   Target& target);
-    Done lay_orientation(const nc::Block& block, const path::Vec3& to, Target& target,
-                         const ToolWords* angles = nullptr);
-    Done lay_cone(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
-                  Target& target);
-    std::optional<machine::OrientationArc> cone_to(const nc::Block& block, const ToolWords& tool,
-                                                   const path::Vec3& from, const path::Vec3& to);
-    Done follow_directions(const nc::Block& block, const path::OrientLaw& orientation,
-                           const path::Curve& curve, Target& target);
-    Done apply_lead_tilt_at_end(const nc::Block& block, const ToolWords& tool,
-                                const path::Curve& curve, Target& target);
-    std::optional<path::Vec3> direction_on_surface(const nc::Block& block, const path::Vec3& normal,
-                                                   const path::Vec3& tangent,
-                                                   const path::LeadTiltAngles& lead_tilt);
-    Done require_small_rise(const nc::Block& block, double rise);
-    Done require_small_rise_along(const nc::Block& block, const path::OrientLaw& surface,
-                                  const path::Curve& curve);
-    bool surface_leads_end() const;
-    Done lead_by_surface(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
-                         Target& target);
-    Done lead_by_point(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
-                       Target& target);
-    Done orient_first(const nc::Block& block, const path::Vec3& to);
-    bool spins_with_path(const ToolWords& tool) const;
-    std::optional<path::Vec3> spin_reference(const path::Vec3& tool, const OrientPlan& orientation,
-                                             const path::Curve* curve) const;
-    Done lay_spin(const nc::Block& block, const ToolWords& tool, Target& target,
-                  const path::Curve* curve = nullptr);
-    machine::Mat3 base_rotation() const;
-    void report_no_solution(const nc::Block& block, const machine::PathRefusal& refusal);
-    machine::PathQuery query_to(const path::Vec3& to, const ToolWords* angles) const;
-    machine::JointLimits signed_limits(const ToolWords& tool) const;
-    Done lay_point_to_point(const nc::Block& block, const ToolWords& tool, Target& target);
-    Done stand_along(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
-                     Target& target);
-    Done turn_by_signs(const nc::Block& block, const ToolWords& tool, Target& target);
-    Done lay_span_orientation(const nc::Block& at, const ControlPointBlock& control_point,
-                              const path::Curve& span, Target& target);
 
     Channel& channel_;
     const machine::Machine& machine_;

@@ -1,9 +1,5 @@
-// tool_orientation.cpp — how the tool turns in a block: the rotary positions at its end and the way
-// there.
-//
-// The way is a cone, a great circle among them, or the axes in proportion; or it is led by the
-// path, so that it waits until the path is known (lay_directions). Where the axes are on the way is
-// motion's matter (motion/transformed.h).
+// tool_orientation.cpp — the orientation of the tool from motion to motion: the plan of a block
+// (orient_planner.h), what its end means to the blocks behind it, and what its command has of it.
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -17,6 +13,7 @@
 #include "interp/channel.h"
 #include "interp/motion_checks.h"
 #include "interp/motions.h"
+#include "interp/orient_planner.h"
 #include "interp/radius_compensation.h"
 #include "interp/stages.h"
 #include "interp/tool_motion.h"
@@ -36,66 +33,9 @@ using path::Op;
 using path::OrientKind;
 using path::Vec3;
 
-namespace {
-
-/// Rounding of words and frames, as a tool's direction shows it, rad: it does not turn the tool.
-constexpr double kSameDirection = 1e-12;
-/// A tool that stands elsewhere than where its course begins by more turns there first, rad: words
-/// have six digits and more.
-constexpr double kSameStart = 1e-9;
-/// Ends that are off a cone by more are not on it, rad; by less its axis is corrected.
-constexpr double kOnCone = 0.1 * std::numbers::pi / 180;
-
-/// How far the tool leaves a plane at most while the rotary axes run evenly, rad.
-double angle_out_of(const Chain& chain, const Vec3& normal, const Vec3& from, const Vec3& to) {
-    // Even a whole turn of R1 goes in steps of some degrees, between which the angle hardly
-    // changes.
-    constexpr int kSteps = 256;
-    double most = 0;
-    for (int i = 1; i < kSteps; ++i) {
-        const double part = static_cast<double>(i) / kSteps;
-        const Vec3 tool = machine::tool_vector(chain, from + part * (to - from));
-        most = std::max(most, std::abs(normal.dot(tool)));
-    }
-    return std::asin(std::min(1.0, most));
+OrientPlanner ToolMotion::planner() const {
+    return {channel_, {position_.here(), position_.base(), orienting_, modal_.feed, false}};
 }
-
-std::string degrees(double angle) { return format_shortest(round_to(deg_from_rad(angle), 4)); }
-
-std::string_view words_of(machine::CandidateFault fault) {
-    using machine::CandidateFault;
-    switch (fault) {
-        case CandidateFault::NoSolution: return "does not exist";
-        case CandidateFault::FirstOutside:
-        case CandidateFault::SecondOutside:
-        case CandidateFault::SpinOutside: return "is beyond a limit";
-        case CandidateFault::OnlyLongTravel: return "is there by the longer path only";
-        case CandidateFault::OtherConfiguration: return "is not on the path of the tool";
-        case CandidateFault::LimitOnPath: return "is behind a limit on the way";
-    }
-    return "is not possible";
-}
-
-std::string words_of(const Chain& chain, const machine::PathRefusal& refusal) {
-    std::string words;
-    for (const machine::CandidateRefusal& refused : refusal.configurations) {
-        if (refused.fault == machine::CandidateFault::NoSolution) continue;
-        if (!words.empty()) words += "; ";
-        words += kAxisNames[index(chain.joints[refused.joint].axis)];
-        words += " at " + degrees(refused.value) + "° ";
-        words += words_of(refused.fault);
-    }
-    return words;
-}
-
-/// The axis, turned by as little as possible so that both directions are on one cone about it.
-Vec3 axis_between(const Vec3& axis, const Vec3& from, const Vec3& to) {
-    const Vec3 delta = to - from;
-    if (delta.norm() < kSameDirection) return axis;
-    return (axis - axis.dot(delta) / delta.squaredNorm() * delta).normalized();
-}
-
-}  // namespace
 
 Done ToolMotion::orient(const Block& block, const Actions& actions, Target& target) {
     // Every axis may move, whatever the block names.
@@ -105,40 +45,29 @@ Done ToolMotion::orient(const Block& block, const Actions& actions, Target& targ
     target.orientation = {};
     const ToolWords& tool = actions.tool;
     channel_.transformation.check_offset_programmed(block);
-    if (!require_one_orientation(block, tool) || !require_no_idle_words(block, tool))
+    OrientPlanner plan = planner();
+    if (!plan.require_one_orientation(block, tool) || !plan.require_no_idle_words(block, tool))
         return kFailed;
     if (orienting_.takes_vectors && is_arc(modal_.motion)) {
         reporter_.report(diag::TcpArc, block, modal_.motion);
         return kFailed;
     }
     if (!channel_.compensation.require_no_peripheral_arc(block)) return kFailed;
-    const Done is_laid = goes_straight(block, actions) ? lay_point_to_point(block, tool, target)
-                                                       : lay_tool_words(block, tool, target);
+    const Done is_laid = goes_straight(block, actions)
+                             ? plan.lay_point_to_point(block, tool, target)
+                             : plan.lay_tool_words(block, tool, target);
     if (!is_laid) return kFailed;
     settle_orientation(target);
     return kDone;
 }
 
-/// How the tool turns by what a block says; what depends on the block's path waits for it.
-Done ToolMotion::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
-    if (tool.programs_direction() || tool.point.is_given() ||
-        (block.given & channel_.transformation.joint_axes()) != 0)
-        orienting_.lead_tilt_at_ends(false);
-    const bool is_led = is_led_by_surface(tool) || tool.point.is_given() || tool.lead;
-    const bool waits = spins_with_path(tool);
-    if (is_led || waits) target.orientation.waiting = &tool;
-    if (!is_led) {
-        if (tool.programs_direction()) {
-            if (!require_axes_for_direction(block)) return kFailed;
-            const std::optional<Vec3> to = wanted_direction(block, tool);
-            if (!to || !orient_to(block, tool, *to, target)) return kFailed;
-        } else if (orienting_.has_length && !orient_by_axes(block, target)) {
-            return kFailed;
-        }
-        if (!waits && !lay_spin(block, tool, target)) return kFailed;
-        orienting_.point.reset();
-    }
-    return kDone;
+Done ToolMotion::lay_directions(const Block& block, const path::Curve& curve, Target& target) {
+    return planner().lay_directions(block, curve, target);
+}
+
+std::optional<std::array<Vec3, 2>> ToolMotion::normals_of(const Block& block,
+                                                          const ToolWords& tool) const {
+    return planner().normals_of(block, tool);
 }
 
 /// What the block's end says of the tool, for the command and for the blocks behind it.
@@ -151,45 +80,6 @@ void ToolMotion::settle_orientation(Target& target) {
     direction_ = orientation.direction;
     if (orientation.orient_kind == OrientKind::Cone)
         orienting_.rate = orientation.axis.cross(orientation.direction) * orientation.angle;
-}
-
-/// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
-Done ToolMotion::orient_by_axes(const Block& block, Target& target) {
-    if (orienting_.interpolation != OrientInterpolation::Plane ||
-        (block.given & channel_.transformation.joint_axes()) == 0)
-        return kDone;
-    const Chain& chain = machine_.kinematics->chain;
-    constexpr double kSameJoint = 1e-6;  // rad
-    const Vec3 wanted = channel_.transformation.joints_of(target.base);
-    if ((wanted - channel_.transformation.joints_of(position_.base())).norm() < kSameJoint)
-        return kDone;
-    Target end{position_.here(), position_.base(), target.moved};
-    if (!lay_orientation(block, machine::tool_vector(chain, wanted), end)) return kFailed;
-    target.orientation = end.orientation;
-    const Vec3 reached = channel_.transformation.joints_of(end.base);
-    if ((reached - wanted).norm() < kSameJoint) return kDone;
-    const std::size_t joint =
-        std::abs(reached[0] - wanted[0]) > kSameJoint ? machine::kR1 : machine::kR2;
-    reporter_.report(diag::OrientationNoWay, block)
-        .arg(std::string(kAxisNames[index(chain.joints[joint].axis)]) + " comes to " +
-             degrees(reached[static_cast<Eigen::Index>(joint)]) + "° on the great circle");
-    return kFailed;
-}
-
-/// To a direction, on the way that the program has chosen.
-Done ToolMotion::orient_to(const Block& block, const ToolWords& tool, const Vec3& to,
-                           Target& target) {
-    switch (orienting_.interpolation) {
-        case OrientInterpolation::ConeCw:
-        case OrientInterpolation::ConeCcw:
-        case OrientInterpolation::ConeOver:
-        case OrientInterpolation::ConeOn: return lay_cone(block, tool, to, target);
-        case OrientInterpolation::Plane:
-        case OrientInterpolation::Axes:
-        case OrientInterpolation::Surface:
-        case OrientInterpolation::Point: break;
-    }
-    return lay_orientation(block, to, target, tool.angles.is_given() ? &tool : nullptr);
 }
 
 machine::JointLimits ToolMotion::joint_limits() const {
@@ -211,430 +101,6 @@ void ToolMotion::put_joints(const Vec3& joints, Target& target) const {
         target.base[i] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
         target.here[i] = target.base[i] - frames_.shift_values()[i];
     }
-}
-
-void ToolMotion::report_no_solution(const Block& block, const machine::PathRefusal& refusal) {
-    const Chain& chain = machine_.kinematics->chain;
-    if (refusal.fault == machine::PathChoiceFault::Unreachable) {
-        reporter_.report(diag::OrientationBeyond, block)
-            .arg(chain.orients() ? "the direction is outside of the reach of its rotary axes"
-                                 : "it has one rotary axis, which does not lead there");
-    } else {
-        reporter_.report(diag::OrientationNoWay, block).arg(words_of(chain, refusal));
-    }
-}
-
-/// Along a great circle, or with the axes in proportion. With three rotary axes the block's angles
-/// say how the tool turns about itself, too.
-Done ToolMotion::lay_orientation(const Block& block, const Vec3& to, Target& target,
-                                 const ToolWords* angles) {
-    const Chain& chain = machine_.kinematics->chain;
-    const Vec3 joints = channel_.transformation.joints_of(position_.base());
-    const Vec3 from = machine::tool_vector(chain, joints);
-    const bool fixes_spin = angles != nullptr && chain.has(machine::kPsi);
-    if ((to - from).norm() < kSameDirection && !fixes_spin) return kDone;
-    machine::PathQuery query = query_to(to, angles);
-    const bool is_plane = orienting_.interpolation == OrientInterpolation::Plane ||
-                          orienting_.interpolation == OrientInterpolation::Surface;
-    query.mode = is_plane ? machine::PathMode::Vector : machine::PathMode::Axis;
-    const auto arc = machine::great_circle(from, to);
-    if (is_plane && !arc) {
-        reporter_.report(diag::OrientationOpposite, block);
-        return kFailed;
-    }
-    const auto end = machine::choose_path(chain, query);
-    if (!end) {
-        report_no_solution(block, end.error());
-        return kFailed;
-    }
-    put_joints(end->rotary, target);
-    if (is_plane && end->mode == machine::PathMode::Axis)
-        reporter_.report(diag::PlaneLeft, block)
-            .arg(degrees(angle_out_of(chain, arc->axis, joints, end->rotary)));
-    if (end->mode == machine::PathMode::Vector && arc->turn > kSameDirection) {
-        target.orientation.orient_kind = OrientKind::Cone;
-        target.orientation.axis = arc->axis;
-        target.orientation.angle = arc->turn;
-    }
-    return kDone;
-}
-
-/// From where the rotary axes stand to a direction, with three rotary axes to what angles say.
-machine::PathQuery ToolMotion::query_to(const Vec3& to, const ToolWords* angles) const {
-    const Chain& chain = machine_.kinematics->chain;
-    machine::PathQuery query = machine::query_for(chain, to);
-    if (angles != nullptr && chain.has(machine::kPsi)) {
-        machine::Mat3 programmed = turn_into_base() * rotation_by_angles(angles->angles.vector());
-        // What is mirrored of a tool is the axis from which its own angle counts.
-        if (mirrors_words()) programmed.col(1) = programmed.col(2).cross(programmed.col(0));
-        query.rotation = programmed * base_rotation().transpose();
-        query.fixes_spin = true;
-    }
-    query.start = channel_.transformation.joints_of(position_.base());
-    query.rule = machine_.kinematics->rule;
-    query.pole_tolerance = machine_.kinematics->pole_tolerance;
-    query.limits = joint_limits();
-    return query;
-}
-
-/// The tool's base position as a rotation from Z: angles and spins are said of a tool along Z.
-machine::Mat3 ToolMotion::base_rotation() const {
-    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(),
-                                              machine_.kinematics->chain.tool_direction)
-        .toRotationMatrix();
-}
-
-// ------------------------------------------------------------------------------ cones
-
-/// The cone from where the tool stands to a direction; nothing if it was reported.
-std::optional<machine::OrientationArc> ToolMotion::cone_to(const Block& block,
-                                                           const ToolWords& tool, const Vec3& from,
-                                                           const Vec3& to) {
-    using machine::ConeSense;
-    const bool is_cw = (orienting_.interpolation == OrientInterpolation::ConeCw) != mirrors_words();
-    const ConeSense sense = is_cw ? ConeSense::Cw : ConeSense::Ccw;
-    const auto refuse = [&](const DiagnosticRow& row) {
-        reporter_.report(row, block);
-        return std::nullopt;
-    };
-    Result<machine::OrientationArc, machine::OrientationFault> arc =
-        machine::OrientationFault::EqualVectors;
-    if (orienting_.interpolation == OrientInterpolation::ConeOver) {
-        if (!tool.between.is_given()) return refuse(diag::ConeBetweenMissing);
-        const auto between = direction_in_base(block, tool.between.vector(), Function::ToolBetween);
-        if (!between) return std::nullopt;
-        arc = machine::cone_through(from, *between, to);
-    } else if (orienting_.interpolation == OrientInterpolation::ConeOn) {
-        arc = machine::cone_tangential(from, orienting_.rate, to);
-    } else if (tool.cone_axis.is_given()) {
-        const auto axis = direction_in_base(block, tool.cone_axis.vector(), Function::ConeAxis);
-        if (!axis) return std::nullopt;
-        const double off = path::angle_between(*axis, from) - path::angle_between(*axis, to);
-        if (std::abs(off) > kOnCone) {
-            reporter_.report(diag::ConeBeside, block, Function::ConeAxis)
-                .arg(degrees(path::angle_between(*axis, from)))
-                .arg(degrees(path::angle_between(*axis, to)));
-            return std::nullopt;
-        }
-        arc = machine::cone_about(from, to, axis_between(*axis, from, to), sense, kOnCone);
-    } else if (tool.opening) {
-        arc = machine::cone_of_opening(from, to, rad_from_deg(std::abs(*tool.opening)), sense);
-        if (!arc && arc.error() == machine::OrientationFault::OpeningSmall) {
-            reporter_.report(diag::ConeOpeningSmall, block, Function::ConeOpening)
-                .arg(*tool.opening)
-                .arg(degrees(path::angle_between(from, to)));
-            return std::nullopt;
-        }
-    } else {
-        return refuse(diag::ConeMissing);
-    }
-    if (arc) return *arc;
-    return refuse(diag::ConeUndefined);
-}
-
-Done ToolMotion::lay_cone(const Block& block, const ToolWords& tool, const Vec3& to,
-                          Target& target) {
-    const Vec3 from = machine::tool_vector(machine_.kinematics->chain,
-                                           channel_.transformation.joints_of(position_.base()));
-    const auto arc = cone_to(block, tool, from, to);
-    if (!arc) return kFailed;
-    target.orientation.orient_kind = OrientKind::Cone;
-    target.orientation.axis = arc->axis;
-    target.orientation.angle = arc->turn;
-    return follow_directions(block, {OrientKind::Cone, 1, from, arc->axis, arc->turn, {}},
-                             path::Point{}, target);
-}
-
-/// The rotary positions at the end of a way of the tool.
-Done ToolMotion::follow_directions(const Block& block, const path::OrientLaw& orientation,
-                                   const path::Curve& curve, Target& target) {
-    const Chain& chain = machine_.kinematics->chain;
-    const machine::FollowQuery query{channel_.transformation.joints_of(position_.base()),
-                                     joint_limits()};
-    const auto end = machine::follow(chain, query, [&](double fraction) {
-        return path::direction_at(orientation, curve, fraction * orientation.length);
-    });
-    if (!end) {
-        report_no_solution(block, end.error());
-        return kFailed;
-    }
-    put_joints(end->rotary, target);
-    return kDone;
-}
-
-// ------------------------------------------------------------------------------ led by the path
-
-Done ToolMotion::lay_directions(const Block& block, const path::Curve& curve, Target& target) {
-    const ToolWords& tool = *std::exchange(target.orientation.waiting, nullptr);
-    if (tool.point.is_given()) {
-        if (!lead_by_point(block, tool, curve, target)) return kFailed;
-    } else if (tool.lead) {
-        if (!apply_lead_tilt_at_end(block, tool, curve, target)) return kFailed;
-    } else if (is_led_by_surface(tool)) {
-        if (!lead_by_surface(block, tool, curve, target)) return kFailed;
-    }
-    if (!lay_spin(block, tool, target, &curve)) return kFailed;
-    settle_orientation(target);
-    return kDone;
-}
-
-/// The direction that the block says, leant towards the direction of travel at its end. F 4.7 Q.
-Done ToolMotion::apply_lead_tilt_at_end(const Block& block, const ToolWords& tool,
-                                        const path::Curve& curve, Target& target) {
-    const std::optional<Vec3> normal = wanted_direction(block, tool);
-    if (!normal) return kFailed;
-    const path::LeadTiltAngles lead_tilt{rad_from_deg(*tool.lead), 0, path::TiltAbout::Tangent};
-    const std::optional<Vec3> to = direction_on_surface(
-        block, *normal, path::evaluate(curve, path::length(curve)).tangent, lead_tilt);
-    if (!to) return kFailed;
-    return orient_to(block, tool, *to, target);
-}
-
-/// The tool as it leans on a surface; nothing if it was reported.
-std::optional<Vec3> ToolMotion::direction_on_surface(const Block& block, const Vec3& normal,
-                                                     const Vec3& tangent,
-                                                     const path::LeadTiltAngles& lead_tilt) {
-    if (lead_tilt.lead == 0 && lead_tilt.tilt == 0) return normal;
-    if (tangent.isZero(0)) {
-        reporter_.report(diag::LeanWithoutTravel, block);
-        return std::nullopt;
-    }
-    if (!require_small_rise(block, path::rise_of(normal, tangent))) return std::nullopt;
-    return path::leaning(normal, tangent, lead_tilt);
-}
-
-/// The direction of travel leads out of the surface by no more than the control takes, rad. S 7.4.
-Done ToolMotion::require_small_rise(const Block& block, double rise) {
-    if (std::abs(rise) <= rad_from_deg(rules_.surface_rise)) return kDone;
-    reporter_.report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
-    return kFailed;
-}
-
-/// … anywhere on the way along which the surface leads the tool.
-Done ToolMotion::require_small_rise_along(const Block& block, const path::OrientLaw& surface,
-                                          const path::Curve& curve) {
-    // At the ends of the parts; between them the rise of a full circle differs by a tenth of a
-    // degree.
-    constexpr int kParts = 64;
-    double rise = 0;
-    for (int i = 1; i < kParts; ++i) {
-        const double distance = surface.length * i / kParts;
-        const Vec3 normal =
-            Eigen::AngleAxisd(surface.rate * distance, surface.axis) * surface.start;
-        const double here = path::rise_of(normal, path::evaluate(curve, distance).tangent);
-        if (std::abs(here) > std::abs(rise)) rise = here;
-    }
-    return require_small_rise(block, rise);
-}
-
-std::optional<std::array<Vec3, 2>> ToolMotion::normals_of(const Block& block,
-                                                          const ToolWords& tool) {
-    const auto said = [&](std::size_t i) {
-        const Vec3 normal = tool.normals[i].vector();
-        const bool is_none = comp_.takes_surface_normals() && normal.isZero(0);
-        if (!is_none) return direction_in_base(block, normal, Function::SurfaceNormal);
-        reporter_.report(diag::CompFaceNormal, block, Function::SurfaceNormal)
-            .arg("all its components are zero");
-        return std::optional<Vec3>();
-    };
-    const bool has_start = tool.normals[0].is_given();
-    const bool has_end = tool.normals[1].is_given();
-    const std::optional<Vec3> unsaid = turn_into_base() * Vec3::UnitZ();
-    if (!has_start && !has_end) return std::array{*unsaid, *unsaid};
-    const auto start = has_start ? said(0) : orienting_.normal ? orienting_.normal : unsaid;
-    if (!start) return std::nullopt;
-    const auto end = has_end ? said(1) : start;
-    if (!end) return std::nullopt;
-    return std::array{*start, *end};
-}
-
-Done ToolMotion::lead_by_surface(const Block& block, const ToolWords& tool,
-                                 const path::Curve& curve, Target& target) {
-    const auto normals = normals_of(block, tool);
-    if (!normals) return kFailed;
-    path::LeadTiltAngles lead_tilt = orienting_.lead_tilt;
-    if (mirrors_words()) lead_tilt.tilt = -lead_tilt.tilt;
-    lead_tilt.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
-    const double length = path::length(curve);
-    const bool is_still_leant =
-        length == 0 && !keeps_lead_tilt_to_surface() && !tool.programs_surface();
-    if (is_still_leant) return kDone;
-    // Where the tip stands there is no path to be led by, and where the control only looks at the
-    // block's end it is not.
-    const bool is_led = length > 0 && keeps_lead_tilt_to_surface();
-    const auto start = is_led ? direction_on_surface(block, (*normals)[0],
-                                                     path::evaluate(curve, 0).tangent, lead_tilt)
-                              : normals->front();
-    if (!start) return kFailed;
-    const auto end = direction_on_surface(block, (*normals)[1],
-                                          path::evaluate(curve, length).tangent, lead_tilt);
-    if (!end) return kFailed;
-    orienting_.normal = (*normals)[1];
-    if (!is_led) return orient_to(block, tool, *end, target);
-    const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
-    if (!arc) {
-        reporter_.report(diag::OrientationOpposite, block);
-        return kFailed;
-    }
-    const path::OrientLaw surface{OrientKind::Surface, length,   (*normals)[0], arc->axis,
-                                  arc->turn / length,  lead_tilt};
-    const bool is_inclined = lead_tilt.lead != 0 || lead_tilt.tilt != 0;
-    if (is_inclined && !require_small_rise_along(block, surface, curve)) return kFailed;
-    if (!orient_first(block, *start)) return kFailed;
-    target.orientation.orient_kind = OrientKind::Surface;
-    target.orientation.from = (*normals)[0];
-    target.orientation.axis = arc->axis;
-    target.orientation.angle = arc->turn;
-    target.orientation.lead_tilt = lead_tilt;
-    return follow_directions(block, surface, curve, target);
-}
-
-/// A second point of the tool's axis goes straight to the place that the block says, S 7.4
-/// ORICURVE. Where none was said before it starts as far from the tip as it will end.
-Done ToolMotion::lead_by_point(const Block& block, const ToolWords& tool, const path::Curve& curve,
-                               Target& target) {
-    const Chain& chain = machine_.kinematics->chain;
-    const Vec3 tip = path::start(curve);
-    const Vec3 direction =
-        machine::tool_vector(chain, channel_.transformation.joints_of(position_.base()));
-    AxisValues position{};
-    const AxisValues before =
-        orienting_.point ? frames_.from_base({(*orienting_.point)[0], (*orienting_.point)[1],
-                                              (*orienting_.point)[2]})
-                         : target.here;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const bool is_given = (tool.point.parts >> i & 1u) != 0;
-        position[i] = is_given ? tool.point.values[i] : before[i];
-    }
-    const Vec3 end = linear(frames_.to_base(position));
-    const double reach = (end - path::end(curve)).norm();
-    const Vec3 start = orienting_.point.value_or(tip + reach * direction);
-    constexpr double kNoReach = 1e-6;  // mm
-    if (reach < kNoReach || (start - tip).norm() < kNoReach) {
-        reporter_.report(diag::PointAtTip, block, Function::ToolPoint);
-        return kFailed;
-    }
-    if (!orient_first(block, (start - tip).normalized())) return kFailed;
-    const bool stands = path::length(curve) == 0;
-    const double length = stands ? 1 : path::length(curve);
-    target.orientation.orient_kind = OrientKind::Point;
-    target.orientation.from = start;
-    target.orientation.axis = end - start;
-    orienting_.point = end;
-    return follow_directions(
-        block, {OrientKind::Point, length, start, (end - start) / length, 0, {}}, curve, target);
-}
-
-/// Where a course begins with another direction than the tool has, the tool turns there first,
-/// along a great circle, while the tip stands.
-Done ToolMotion::orient_first(const Block& block, const Vec3& to) {
-    const Chain& chain = machine_.kinematics->chain;
-    const Vec3 from =
-        machine::tool_vector(chain, channel_.transformation.joints_of(position_.base()));
-    if (path::angle_between(from, to) < kSameStart) return kDone;
-    Target here{position_.here(), position_.base(),
-                static_cast<AxisMask>(kLinearXYZ | channel_.transformation.joint_axes()),
-                kLinearXYZ};
-    const OrientInterpolation interpolation =
-        std::exchange(orienting_.interpolation, OrientInterpolation::Plane);
-    const Done is_laid = lay_orientation(block, to, here);
-    orienting_.interpolation = interpolation;
-    if (!is_laid) return kFailed;
-    settle_orientation(here);
-    path::Motion& motion =
-        channel_.stages
-            .put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block, &here.orientation)
-            .motion();
-    motion.to = here.base;
-    motion.moved = here.moved;
-    motion.feed = motion.op() == Op::Rapid ? 0 : modal_.feed;
-    channel_.motions.arrive(here);
-    return kDone;
-}
-
-// ------------------------------------------------------------------------------ about itself
-
-/// Whether the tool's own angle counts from the direction of travel.
-bool ToolMotion::spins_with_path(const ToolWords& tool) const {
-    return orienting_.spin == SpinFrom::Path && (tool.spin || tool.spin_by);
-}
-
-/// The direction across the tool from which its own angle counts; nothing if there is none.
-std::optional<Vec3> ToolMotion::spin_reference(const Vec3& tool, const OrientPlan& orientation,
-                                               const path::Curve* curve) const {
-    Vec3 reference = Vec3::Zero();
-    switch (orienting_.spin) {
-        case SpinFrom::Plane:
-        case SpinFrom::Turn:
-            if (orientation.orient_kind == OrientKind::Cone)
-                reference = orientation.axis.cross(tool) * (orientation.angle < 0 ? -1 : 1);
-            break;
-        case SpinFrom::Path:
-            if (curve != nullptr) reference = path::evaluate(*curve, path::length(*curve)).tangent;
-            break;
-        case SpinFrom::Fixed: {
-            const machine::Mat3 back = turn_into_base().transpose();
-            const Vec3 programmed = back * tool;
-            const double away = std::hypot(programmed.x(), programmed.y());
-            const double around =
-                away < kSameStart ? 0 : std::atan2(programmed.y(), programmed.x());
-            const double tilt = std::atan2(away, programmed.z());
-            const machine::Mat3 turned =
-                orienting_.euler == ToolAngles::Zyz
-                    ? machine::euler_zyz({around, tilt, 0})
-                    : machine::euler_zxz(
-                          {away < kSameStart ? 0 : around + std::numbers::pi / 2, tilt, 0});
-            reference = back.transpose() * turned.col(0);
-        }
-    }
-    reference -= reference.dot(tool) * tool;
-    if (reference.norm() < kSameStart) return std::nullopt;
-    return reference.normalized();
-}
-
-/// The angle about the tool that the block says, as the end of the joint Ψ.
-Done ToolMotion::lay_spin(const Block& block, const ToolWords& tool, Target& target,
-                          const path::Curve* curve) {
-    if (!tool.spin && !tool.spin_by) return kDone;
-    const Chain& chain = machine_.kinematics->chain;
-    if (!chain.has(machine::kPsi)) {
-        if (reported_.first_time(RunNotice::Spin))
-            reporter_.report(diag::SpinWithoutAxis, block, Function::ToolSpin);
-        return kDone;
-    }
-    Vec3 joints = channel_.transformation.joints_of(target.base);
-    double& psi = joints[2];
-    const double sign = chain.joints[machine::kPsi].sign;
-    const double sense = mirrors_words() ? -1 : 1;
-    if (tool.spin_by) {
-        psi += sign * sense * rad_from_deg(*tool.spin_by);
-    } else {
-        const Vec3 direction = machine::tool_vector(chain, joints);
-        const auto reference = spin_reference(direction, target.orientation, curve);
-        if (!reference) {
-            reporter_.report(diag::SpinUndefined, block, Function::ToolSpin);
-            return kFailed;
-        }
-        // Where the tool's own X would be without Ψ, and where it is wanted.
-        const Vec3 across =
-            machine::rotation_of(chain, {joints[0], joints[1], 0}) * base_rotation().col(0);
-        const Vec3 wanted =
-            Eigen::AngleAxisd(sense * rad_from_deg(*tool.spin), direction) * *reference;
-        const double angle =
-            std::atan2(direction.dot(across.cross(wanted)), across.dot(wanted)) * sign;
-        const double before = channel_.transformation.joints_of(position_.base())[2];
-        psi = before + std::remainder(angle - before, 2 * std::numbers::pi);
-    }
-    const machine::AxisRange limits = joint_limits()[machine::kPsi];
-    if (psi < limits.lower || psi > limits.upper) {
-        machine::PathRefusal refusal;
-        refusal.configurations[0] = {machine::CandidateFault::SpinOutside, machine::kPsi, psi,
-                                     limits};
-        report_no_solution(block, refusal);
-        return kFailed;
-    }
-    put_joints(joints, target);
-    return kDone;
 }
 
 void ToolMotion::reset_orientation(const Block& block, const nc::Invocation& invocation) {

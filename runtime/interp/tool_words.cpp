@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/channel.h"
+#include "interp/orient_planner.h"
 #include "interp/tool_motion.h"
 #include "interp/transformation.h"
 #include "machine/orientation.h"
@@ -138,19 +139,20 @@ void ToolMotion::take_lead_tilt(const Block& block, const nc::Invocation& invoca
     }
     (is_lead ? orienting_.lead_tilt.lead : orienting_.lead_tilt.tilt) = rad_from_deg(angle);
     tool.changes_lead_tilt = true;
-    if (surface_leads_end()) orienting_.lead_tilt_at_ends(true);
+    if (planner().surface_leads_end()) orienting_.lead_tilt_at_ends(true);
 }
 
-/// No words stand side by side that exclude each other.
-Done ToolMotion::require_one_orientation(const Block& block, const ToolWords& tool) {
+// ------------------------------------------------------------------------------ what they mean
+
+Done OrientPlanner::require_one_orientation(const Block& block, const ToolWords& tool) {
     const bool has_axes = (block.given & channel_.transformation.joint_axes()) != 0;
     const bool has_vector = tool.vector.is_given();
     const bool has_angles = tool.angles.is_given();
-    const bool leads =
-        keeps_lead_tilt_to_surface() || surface_leads_end() || !comp_.takes_surface_normals();
+    const bool leads = start_.modes.keeps_lead_tilt_to_surface() || surface_leads_end() ||
+                       !comp_.takes_surface_normals();
     const bool has_surface = leads && tool.programs_surface();
-    const bool is_on_surface =
-        keeps_lead_tilt_to_surface() || (surface_leads_end() && tool.programs_surface());
+    const bool is_on_surface = start_.modes.keeps_lead_tilt_to_surface() ||
+                               (surface_leads_end() && tool.programs_surface());
     const DiagnosticRow* row = has_vector && has_angles  ? &diag::OrientVectorAngles
                                : has_vector && has_axes  ? &diag::OrientVectorAxes
                                : has_angles && has_axes  ? &diag::OrientAnglesAxes
@@ -163,8 +165,7 @@ Done ToolMotion::require_one_orientation(const Block& block, const ToolWords& to
     return kFailed;
 }
 
-/// For a direction of the tool some controls want two rotary axes. A 2.4.
-Done ToolMotion::require_axes_for_direction(const Block& block) {
+Done OrientPlanner::require_axes_for_direction(const Block& block) {
     const machine::Chain& chain = machine_.kinematics->chain;
     const bool has_both = chain.has(machine::kR1) && chain.has(machine::kR2);
     if (has_both || !rules_.direction_needs_two_axes) return kDone;
@@ -172,35 +173,26 @@ Done ToolMotion::require_axes_for_direction(const Block& block) {
     return kFailed;
 }
 
-bool ToolMotion::keeps_lead_tilt_to_surface() const {
-    return orienting_.interpolation == OrientInterpolation::Surface;
-}
-
-/// Whether a surface tells how the tool stands in this block: along it, or at its end.
-bool ToolMotion::is_led_by_surface(const ToolWords& tool) const {
-    if (keeps_lead_tilt_to_surface()) return true;
+bool OrientPlanner::is_led_by_surface(const ToolWords& tool) const {
+    if (start_.modes.keeps_lead_tilt_to_surface()) return true;
     return surface_leads_end() && (orienting_.has_lead_tilt || tool.programs_surface());
 }
 
-/// Whether surface words of a block say how the tool stands at its end. Where a cutter is
-/// compensated on the surface they are of the surface alone; a cone, or the second point of the
-/// tool, says itself where the tool goes.
-bool ToolMotion::surface_leads_end() const {
-    const OrientInterpolation interpolation = orienting_.interpolation;
+bool OrientPlanner::surface_leads_end() const {
+    const OrientInterpolation interpolation = start_.modes.interpolation;
     const bool is_free =
         interpolation == OrientInterpolation::Plane || interpolation == OrientInterpolation::Axes;
     return rules_.surface_words_at_end && is_free && !comp_.takes_surface_normals();
 }
 
-/// Words that the way on which the tool turns has no place for: nothing may be lost silently.
-Done ToolMotion::require_no_idle_words(const Block& block, const ToolWords& tool) {
-    const OrientInterpolation interpolation = orienting_.interpolation;
+Done OrientPlanner::require_no_idle_words(const Block& block, const ToolWords& tool) {
+    const OrientInterpolation interpolation = start_.modes.interpolation;
     const bool is_about_axis = interpolation == OrientInterpolation::ConeCw ||
                                interpolation == OrientInterpolation::ConeCcw;
     const bool takes_surface = interpolation == OrientInterpolation::Surface ||
                                surface_leads_end() || comp_.takes_surface_normals();
     const nc::Invocation* const spin = block.find(Function::ToolSpin);
-    if (spin != nullptr && spin->has(kSpinAt) && orienting_.spin == SpinFrom::Path) {
+    if (spin != nullptr && spin->has(kSpinAt) && start_.modes.spin == SpinFrom::Path) {
         reporter_.report(diag::SpinAgainstPath, block, Function::ToolSpin)
             .arg(reporter_.word_of(block, Function::ToolSpin));
         return kFailed;
@@ -242,9 +234,9 @@ Done ToolMotion::require_no_idle_words(const Block& block, const ToolWords& tool
 }
 
 /// The rotation that the block's angles say, in the system in which they are said.
-machine::Mat3 ToolMotion::rotation_by_angles(const Vec3& angles_deg) const {
+machine::Mat3 OrientPlanner::rotation_by_angles(const Vec3& angles_deg) const {
     const Vec3 angles = angles_deg * (std::numbers::pi / 180);
-    switch (orienting_.angles) {
+    switch (start_.modes.angles) {
         case ToolAngles::Rpy: return machine::rpy_zyx(angles);
         case ToolAngles::Xyz: return machine::rpy_xyz(angles);
         case ToolAngles::Zyz: return machine::euler_zyz(angles);
@@ -255,9 +247,9 @@ machine::Mat3 ToolMotion::rotation_by_angles(const Vec3& angles_deg) const {
 
 /// How frames turn what is said of the tool into the base system. Scales stretch places, not
 /// directions. Under ORIMKS and its kin frames do nothing but where the table lies.
-machine::Mat3 ToolMotion::turn_into_base() const {
+machine::Mat3 OrientPlanner::turn_into_base() const {
     machine::Mat3 rotation = machine::Mat3::Identity();
-    if (orienting_.is_in_base || frames_.is_shift()) return rotation;
+    if (start_.modes.is_in_base || frames_.is_shift()) return rotation;
     for (Eigen::Index i = 0; i < 3; ++i)
         rotation.col(i) = frames_.total().direction(Vec3::Unit(i)).normalized();
     return rotation;
@@ -265,18 +257,17 @@ machine::Mat3 ToolMotion::turn_into_base() const {
 
 /// Whether frames mirror what is said of the tool: what goes by the right-hand rule about something
 /// goes the other way round then.
-bool ToolMotion::mirrors_words() const { return turn_into_base().determinant() < 0; }
+bool OrientPlanner::mirrors_words() const { return turn_into_base().determinant() < 0; }
 
-std::optional<Vec3> ToolMotion::direction_in_base(const Block& block, const Vec3& programmed,
-                                                  Function word) {
+std::optional<Vec3> OrientPlanner::direction_in_base(const Block& block, const Vec3& programmed,
+                                                     Function word) {
     const auto direction = machine::unit_of(Vec3(turn_into_base() * programmed));
     if (direction) return *direction;
     reporter_.report(diag::OrientationZero, block, word);
     return std::nullopt;
 }
 
-/// The direction that the block's words say, in the base system; nothing if it was reported.
-std::optional<Vec3> ToolMotion::wanted_direction(const Block& block, const ToolWords& tool) {
+std::optional<Vec3> OrientPlanner::wanted_direction(const Block& block, const ToolWords& tool) {
     const Vec3 programmed = tool.angles.is_given()
                                 ? Vec3(rotation_by_angles(tool.angles.vector()) * Vec3::UnitZ())
                                 : tool.vector.vector();
